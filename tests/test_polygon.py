@@ -1,0 +1,244 @@
+import copy
+import math
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+import strategies
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from exactsweep import NumberError, Point, Polygon, PolygonError
+
+SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
+
+
+def cross(o: Point, a: Point, b: Point) -> Fraction:
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x)
+
+
+@given(strategies.simple_polygons())
+def test_vertices_are_canonical(polygon: Polygon) -> None:
+    v = polygon.vertices
+    turns = [cross(v[i - 2], v[i - 1], v[i]) for i in range(len(v))]
+    assert v[0] == min(v)
+    assert all(turns)
+    assert polygon.is_convex == all(turn > 0 for turn in turns)
+    assert (
+        polygon.area
+        == sum(cross(Point(Fraction(0), Fraction(0)), v[i - 1], v[i]) for i in range(len(v))) / 2
+    )
+    assert polygon.area > 0
+    assert len(polygon) == len(v)
+
+
+@given(strategies.simple_polygons(), st.data())
+def test_spelling_does_not_matter(polygon: Polygon, data: st.DataObject) -> None:
+    spelled = Polygon(data.draw(strategies.spellings(polygon)))
+    assert spelled == polygon
+    assert hash(spelled) == hash(polygon)
+    assert spelled.vertices == polygon.vertices
+    assert spelled.lattice() == polygon.lattice()
+
+
+@given(strategies.simple_polygons(), st.data())
+def test_indices_lead_back_to_the_input(polygon: Polygon, data: st.DataObject) -> None:
+    given_ = data.draw(strategies.spellings(polygon))
+    spelled = Polygon(iter(given_))
+    n = len(given_)
+    for k, corner in enumerate(spelled.vertices):
+        end = spelled.vertices[(k + 1) % len(spelled)]
+        i, e = spelled.vertex_index(k), spelled.edge_index(k)
+        a, b = (Point(*given_[j % n]) for j in (e, e + 1))
+        assert given_[i] == corner
+        assert given_[i] not in given_[:i]
+        assert a != b
+        assert a in (corner, end)
+        assert cross(corner, end, a) == cross(corner, end, b) == 0
+        assert min(corner, end) <= b <= max(corner, end)
+
+
+@given(strategies.simple_polygons())
+def test_lattice_is_the_coarsest(polygon: Polygon) -> None:
+    scale, points = polygon.lattice()
+    assert (
+        tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points) == polygon.vertices
+    )
+    assert scale == math.lcm(*(c.denominator for v in polygon.vertices for c in v))
+
+
+@given(strategies.simple_polygons(), strategies.translations())
+def test_translation_commutes_with_construction(
+    polygon: Polygon, by: tuple[Fraction, Fraction]
+) -> None:
+    moved = polygon.translated(by)
+    assert moved == Polygon([(x + by[0], y + by[1]) for x, y in polygon.vertices])
+    assert moved.translated((-by[0], -by[1])).vertices == polygon.vertices
+    assert moved.area == polygon.area
+
+
+@given(strategies.simple_polygons(), strategies.translations(), st.data())
+def test_reflection_is_an_involution(
+    polygon: Polygon, center: tuple[Fraction, Fraction], data: st.DataObject
+) -> None:
+    given_ = data.draw(strategies.spellings(polygon))
+    image = Polygon(given_).reflected(center)
+    mirrored = [(2 * center[0] - x, 2 * center[1] - y) for x, y in given_]
+    assert image == Polygon(mirrored)
+    assert image.vertices == Polygon(mirrored).vertices
+    for k in range(len(image)):
+        assert image.vertex_index(k) == Polygon(mirrored).vertex_index(k)
+        assert image.edge_index(k) == Polygon(mirrored).edge_index(k)
+    assert image.reflected(center) == polygon
+
+
+@given(strategies.simple_polygons())
+def test_bounding_box_is_tight(polygon: Polygon) -> None:
+    xs, ys = zip(*polygon.vertices, strict=True)
+    assert polygon.bounding_box == ((min(xs), min(ys)), (max(xs), max(ys)))
+
+
+@given(strategies.simple_polygons())
+def test_private_constructors_agree(polygon: Polygon) -> None:
+    scale, points = polygon.lattice()
+    fine = Polygon._from_lattice([(6 * x, 6 * y) for x, y in points], 6 * scale)
+    trusted = Polygon._from_canonical(polygon.vertices)
+    assert fine == trusted == polygon
+    assert fine.lattice() == trusted.lattice() == polygon.lattice()
+    assert fine.vertices == trusted.vertices == polygon.vertices
+    assert [fine.vertex_index(k) for k in range(len(fine))] == list(range(len(fine)))
+
+
+@given(strategies.simple_polygons())
+def test_copies_are_equal(polygon: Polygon) -> None:
+    for other in (
+        Polygon(polygon),
+        copy.copy(polygon),
+        copy.deepcopy(polygon),
+        pickle.loads(pickle.dumps(polygon)),
+    ):
+        assert other == polygon
+        assert other.vertex_index(0) == polygon.vertex_index(0)
+
+
+@given(strategies.star_rings())
+def test_sympy_round_trip(ring: strategies.Ring) -> None:
+    polygon = Polygon([(x, Fraction(y, 3)) for x, y in ring])
+    assert Polygon.from_sympy(polygon.to_sympy()) == polygon
+    assert abs(polygon.to_sympy().area) == sympy.Rational(*polygon.area.as_integer_ratio())
+
+
+def test_every_number_is_a_coordinate() -> None:
+    mixed = [("0", 0.0), (sympy.Integer(2), 0), (np.int64(2), Fraction(2)), (0, "2e0")]
+    assert Polygon(mixed) == Polygon(np.array(SQUARE)) == Polygon(map(sympy.Point, SQUARE))
+
+
+def test_polygons_are_immutable() -> None:
+    polygon: Any = Polygon(SQUARE)
+    for name in ("vertices", "area", "anything"):
+        with pytest.raises(AttributeError):
+            setattr(polygon, name, ())
+
+
+def test_other_things_are_not_equal() -> None:
+    assert Polygon(SQUARE) != SQUARE
+    assert Polygon(SQUARE) != Polygon(SQUARE[:3])
+
+
+def test_text_is_short_and_exact_where_it_is_whole() -> None:
+    halves = Polygon([(0, 0), ("1/2", 0), (0, -1)])
+    assert repr(halves) == "Polygon([(0, -1), ('1/2', 0), (0, 0)])"
+    assert eval(repr(halves)) == halves
+    assert str(halves) == "(0, -1) (1/2, 0) (0, 0)"
+    long = Polygon([(x, x * x * 10**5000) for x in range(50)])
+    assert str(long).startswith("(0, 0) (1, 100000000000000000000...) (2, ")
+    assert str(long).endswith(" ... 42 more")
+    assert len(repr(long)) < 400
+
+
+@pytest.mark.parametrize(
+    ("vertices", "message"),
+    [
+        (5, "int is not a sequence of vertices"),
+        ("abc", "vertex 0 is str, not a pair of numbers"),
+        ([(0, 0), "12"], "vertex 1 is str, not a pair of numbers"),
+        ([(0, 0), {1, 2}], "vertex 1 is set, not a pair of numbers"),
+        ([(0, 0), 7], "vertex 1 is not a pair of numbers"),
+        ([(0, 0), (1, 0), (1, 1, 1)], "vertex 2 is not a pair of numbers"),
+        ([], "fewer than three distinct vertices: 0 among the 0 given"),
+        ([(0, 0)] * 4, "fewer than three distinct vertices: 1 among the 4 given"),
+        ([(0, 0), (1, 0), (0, 0)], "fewer than three distinct vertices: 2 among the 3 given"),
+        ([(0, 0), (2, 2), (1, 1)], "zero area: all vertices lie on one line"),
+        ([*SQUARE, (0, 3)], "spike at vertex 4: the boundary turns straight back"),
+        # A spike round the end of the list, and behind a repeated vertex.
+        ([(-1, 0), *SQUARE, (0, 0)], "spike at vertex 0: the boundary turns straight back"),
+        (
+            [(0, 0), (2, 0), (3, 0), (3, 0), (2, 0), (2, 2)],
+            "spike at vertex 2: the boundary turns straight back",
+        ),
+        # c between a and b is no collinear vertex to drop.
+        (
+            [(0, 0), (4, 0), (2, 0), (2, 2)],
+            "spike at vertex 1: the boundary turns straight back",
+        ),
+        (
+            [(0, 0), (2, 2), (2, 0), (0, 2)],
+            "the boundary crosses itself: edges 0 and 2 cross",
+        ),
+        # The crossing lies on the second part of a straight edge, after a repeated vertex.
+        (
+            [(0, 0), (0, 0), (1, 0), (4, 0), (4, 2), (3, -1), (0, 2)],
+            "the boundary crosses itself: edges 2 and 5 cross",
+        ),
+        (
+            [(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)],
+            "the boundary touches itself: vertex 3 lies on edge 0",
+        ),
+        (
+            [(0, 0), (2, 1), (4, 0), (4, 3), (2, 1), (0, 3)],
+            "the boundary touches itself: vertices 1 and 4 coincide",
+        ),
+        (
+            [(0, 0), (6, 0), (6, 2), (5, 2), (5, 0), (1, 0), (1, 2), (0, 2)],
+            "the boundary touches itself: vertex 5 lies on edge 0",
+        ),
+    ],
+)
+def test_refusals_name_the_place(vertices: Any, message: str) -> None:
+    with pytest.raises(PolygonError) as caught:
+        Polygon(vertices)
+    assert str(caught.value) == message
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Polygon([(0, 0), (1, True), (2, 3)]), r"^vertex 1: True is a truth value"),
+        (lambda: Polygon([(0, 0), ("1/0", 0)]), r"^vertex 1: '1/0' has a zero denominator$"),
+        (lambda: Polygon(SQUARE).translated((None, 0)), r"^translation: None is not a rational"),
+        (
+            lambda: Polygon.from_sympy(sympy.RegularPolygon((0, 0), 1, 3)),
+            r"^vertex 1: .* is not a rational number$",
+        ),
+    ],
+)
+def test_bad_numbers_name_the_vertex(make: Callable[[], Polygon], message: str) -> None:
+    with pytest.raises(NumberError, match=message):
+        make()
+
+
+def test_sympy_leftovers_are_no_polygons() -> None:
+    with pytest.raises(PolygonError, match=r"^a sympy Segment2D is not a polygon$"):
+        Polygon.from_sympy(sympy.Polygon((0, 0), (1, 1), (2, 2)))
+
+
+def test_import_leaves_the_heavy_libraries_alone() -> None:
+    code = "import exactsweep, sys; print(sys.modules.keys() & {'sympy', 'numpy', 'gmpy2'})"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
