@@ -1,0 +1,180 @@
+"""Contact events: which features of G and D touch (Table 1, Lemma A.1).
+
+An edge of the trajectory is a piece of the segment of translations at which two features touch:
+EV (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
+edges): d - e.  Every pair whose segment shares a piece with the edge is a contact there, since all
+of the trajectory is free of overlap.  All pairs are found by looking up lines, O(m n) in all,
+without regard to how the trajectory was computed.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+from exactsweep.chain import Edge, Rational, Vertex
+from exactsweep.direction import Vector
+from exactsweep.line import Segment, direction_of, offset, segment
+
+Event = Literal["EE", "EV", "VE", "VV"]
+
+
+class Contact(NamedTuple):
+    """Two features that touch.
+
+    Attributes:
+        event: "EV", "VE", "EE" or "VV", the feature of the generatrix first (Table 1).
+        generatrix: index of the vertex of G, or of the edge of G by its first vertex.
+        directrix: the same for D.
+    """
+
+    event: Event
+    generatrix: int
+    directrix: int
+
+
+def edges_of(loop: Sequence[Vertex]) -> list[Edge]:
+    """The edges of a loop, edge k from vertex k to vertex k + 1."""
+    return list(pairwise([*loop, loop[0]]))
+
+
+def edge_contacts(
+    trajectory: Sequence[Vertex], generatrix: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> list[list[Contact]]:
+    """Find all contacts along each edge of a trajectory.
+
+    Args:
+        trajectory: canonical loop of the translations.
+        generatrix: canonical loop of G.
+        directrix: canonical loop of D.
+
+    Returns:
+        For each edge of the trajectory the sorted contacts that last for a piece of positive
+        length of it.  An EV or VE that is part of an EE contact is not listed beside it.
+
+    Cost: O(m n + t) dictionary look-ups for t edges.
+    """
+    lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
+    for k, edge in enumerate(edges_of(trajectory)):
+        piece = segment(edge)
+        lines[piece.direction, piece.offset].append((piece, k))
+    directions = {direction for direction, _ in lines}
+    found: list[set[Contact]] = [set() for _ in trajectory]
+
+    def note(event: Event, i: int, j: int, edge: Edge, direction: Vector) -> None:
+        at = lines.get((direction, offset(direction, edge[0])))
+        if at:
+            touching = segment(edge, direction)
+            for piece, k in at:
+                if touching.shares_piece(piece):
+                    found[k].add(Contact(event, i, j))
+
+    g_edges = [(i, e, direction_of(e)) for i, e in enumerate(edges_of(generatrix))]
+    d_edges = [(j, d, direction_of(d)) for j, d in enumerate(edges_of(directrix))]
+    for i, (p, q), direction in g_edges:
+        if direction in directions:
+            for j, v in enumerate(directrix):
+                note("EV", i, j, (minus(v, p), minus(v, q)), direction)
+            for j, (r, s), other in d_edges:
+                if other == direction:
+                    # Both run with D and G on their left, so that facing edges run opposite ways.
+                    note("EE", i, j, (minus(r, p), minus(s, q)), direction)
+    for j, (r, s), direction in d_edges:
+        if direction in directions:
+            for i, w in enumerate(generatrix):
+                note("VE", i, j, (minus(r, w), minus(s, w)), direction)
+    return [sorted(_without_parts(c, len(generatrix), len(directrix))) for c in found]
+
+
+def _without_parts(contacts: set[Contact], n: int, m: int) -> set[Contact]:
+    """Leave out each EV and VE contact whose vertex is an end of an edge in an EE contact."""
+    implied = set()
+    for event, i, j in contacts:
+        if event == "EE":
+            implied |= {Contact("EV", i, j), Contact("EV", i, (j + 1) % m)}
+            implied |= {Contact("VE", i, j), Contact("VE", (i + 1) % n, j)}
+    return contacts - implied
+
+
+def minus(p: Vertex, q: Vertex) -> Vertex:
+    """The vector from q to p."""
+    return p[0] - q[0], p[1] - q[1]
+
+
+class Boundary:
+    """The boundary of an X-monotone polygon, for finding what lies at a point.
+
+    Args:
+        loop: vertices, counter-clockwise; the numbering of the features follows it.
+    """
+
+    def __init__(self, loop: Sequence[Vertex]) -> None:
+        self.loop = loop
+        self.vertices = {vertex: k for k, vertex in enumerate(loop)}
+        size = len(loop)
+        left, right = min(range(size), key=loop.__getitem__), max(range(size), key=loop.__getitem__)
+        self._chains = []
+        for start, end, sign in (left, right, 1), (right, left, -1):
+            numbers = [k % size for k in range(start, start + (end - start) % size + 1)]
+            self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
+
+    def edge(self, k: int) -> Edge:
+        """Edge k, from vertex k to the next."""
+        return self.loop[k], self.loop[(k + 1) % len(self.loop)]
+
+    def edges_through(self, point: Vertex) -> Iterator[int]:
+        """The numbers of the edges whose interior holds a point.  Cost: O(log n)."""
+        for sign, xs, numbers in self._chains:
+            x = sign * point[0]
+            first = max(bisect_left(xs, x) - 1, 0)
+            for k in numbers[first : min(bisect_right(xs, x), len(xs) - 1)]:
+                p, q = self.edge(k)
+                (px, py), (qx, qy), (tx, ty) = p, q, point
+                if (qx - px) * (ty - py) == (qy - py) * (tx - px) and (
+                    min(p, q) < point < max(p, q)
+                ):
+                    yield k
+
+
+def contacts_at(generatrix: Boundary, directrix: Boundary, t: Vertex) -> list[Contact]:
+    """Find all contacts of G + t with D, VV among them.
+
+    Args:
+        generatrix: the boundary of G, X-monotone.
+        directrix: the boundary of D, likewise.
+        t: a translation.
+
+    Returns:
+        Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
+        that overlap in positive length.
+
+    Cost: O((m + n) log(m + n)).
+    """
+    found: set[Contact] = set()
+    n, m = len(generatrix.loop), len(directrix.loop)
+    for i, w in enumerate(generatrix.loop):
+        point = w[0] + t[0], w[1] + t[1]
+        j = directrix.vertices.get(point)
+        if j is not None:
+            found.add(Contact("VV", i, j))
+        else:
+            found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
+    for j, v in enumerate(directrix.loop):
+        found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
+    # Edges that overlap have an end of one on the other: a contact of the kinds found.
+    for event, i, j in list(found):
+        own = [i] if event == "EV" else [i, (i - 1) % n]
+        others = [j] if event == "VE" else [j, (j - 1) % m]
+        for e in own:
+            piece = segment(generatrix.edge(e))
+            for d in others:
+                other = segment(directrix.edge(d))
+                if piece.direction != other.direction:
+                    continue
+                moved = piece.moved(t)
+                if moved.offset == other.offset and moved.shares_piece(other):
+                    found.add(Contact("EE", e, d))
+    return sorted(found)

@@ -1,0 +1,354 @@
+"""Lower envelopes of chains, and LowerEnvelope_CM and LowerEnvelope_MM (Appendix, Section 5.1).
+
+An envelope is kept as the edges it is made of, each whole, with the breaks between which each one
+is the lowest.  An edge that a crossing cuts short keeps the end points it was given with: on
+integer input all edges stay integer, a crossing is only a break n/d, and no Fraction is made
+before somebody reads the vertices.
+
+Lemma A.3 allows the partial trajectory and the next sub-trajectory to meet in a point or in a
+segment.  With vertical edges in D_b they may also pass each other without meeting, where one of
+them ends: the envelope then jumps, and its chain has a vertical edge there.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple, cast
+
+from exactsweep.chain import ChainError, Edge, Rational, Vertex
+from exactsweep.piece import (
+    Break,
+    Line,
+    Piece,
+    crossing,
+    gap,
+    height,
+    joined,
+    line_of,
+    point_on,
+    precedes,
+    value,
+)
+
+
+class Part(NamedTuple):
+    """A strictly convex chain, and the breaks on its first and last edge between which it holds."""
+
+    points: list[Vertex]
+    left: Break
+    right: Break
+
+
+class Envelope:
+    """The lower envelope of chains: edge k is the lowest from break k to break k + 1.
+
+    Iterating gives the vertices from left to right, vertical edges included, no three collinear.
+    `sources[k]` is the number of the chain that edge k comes from.
+
+    >>> list(Envelope.of([(0, 0), (1, -1), (2, 0)]))
+    [(0, 0), (1, -1), (2, 0)]
+    """
+
+    __slots__ = ("_lines", "breaks", "edges", "sources")
+
+    def __init__(self, breaks: list[Break], edges: list[Piece], sources: list[int]) -> None:
+        self.breaks = breaks
+        self.edges = edges
+        self.sources = sources
+        self._lines: list[Line | None] | None = None
+
+    def lines(self) -> list[Line | None]:
+        """The lines of the edges, kept from one merge to the next."""
+        if self._lines is None:
+            self._lines = [None if edge is None else line_of(edge) for edge in self.edges]
+        return self._lines
+
+    @classmethod
+    def hole(cls, start: Break, end: Break) -> Envelope:
+        """An envelope of nothing over an x-range."""
+        return cls([start, end], [None], [-1])
+
+    def extend_hole(self, end: Break) -> None:
+        """Append a hole up to a break."""
+        self.edges.append(None)
+        self.sources.append(-1)
+        self.breaks.append(end)
+
+    def padded(self, start: Break, end: Break) -> Envelope:
+        """The same over a wider x-range, with holes at the ends.  Cost: O(n)."""
+        left, right = precedes(start, self.breaks[0]), precedes(self.breaks[-1], end)
+        if not left and not right:
+            return self
+        padded = Envelope([start], [], [])
+        if left:
+            padded.extend_hole(self.breaks[0])
+        padded.breaks += self.breaks[1:]
+        padded.edges += self.edges
+        padded.sources += self.sources
+        if right:
+            padded.extend_hole(end)
+        return padded
+
+    @classmethod
+    def of(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
+        """Wrap one chain that has no vertical edge.  Cost: O(n)."""
+        edges: list[Piece] = list(pairwise(chain))
+        return cls([(x, 1) for x, _ in chain], edges, [source] * len(edges))
+
+    def parts(self) -> list[Part]:
+        """Convex parts of the envelope, with the breaks between which each one holds.
+
+        The cut edges at either end of a part are whole.  What that adds lies above the envelope,
+        on the chain it was cut from.  Cost: O(n).
+
+        Example:
+            >>> e = Envelope.of([(0, 0), (3, 1)])
+            >>> print(lower_envelope_cm(e, Envelope.of([(1, 2), (4, -1)])))
+            (0, 0) (9/4, 3/4) (4, -1)
+            >>> [part.points for part in e.parts()]
+            [[(0, 0), (3, 1)], [(1, 2), (4, -1)]]
+        """
+        parts: list[Part] = []
+        edges = cast(list[Edge], self.edges)
+        points, first = list(edges[0]), self.breaks[0]
+        for k, (start, end) in enumerate(edges[1:], 1):
+            # One and the same point object: consecutive edges of one convex chain.  Equal points
+            # of two chains start a new part, which is as right and happens seldom.
+            if start is not points[-1]:
+                parts.append(Part(points, first, self.breaks[k]))
+                points, first = [start], self.breaks[k]
+            points.append(end)
+        parts.append(Part(points, first, self.breaks[-1]))
+        return parts
+
+    def __iter__(self) -> Iterator[Vertex]:
+        edges, breaks = self.edges, self.breaks
+        yield point_on(edges[0], breaks[0])
+        for k in range(1, len(edges)):
+            before, after = edges[k - 1], edges[k]
+            if joined(before, after):
+                yield cast(Edge, before)[1]
+                continue
+            left, right = point_on(before, breaks[k]), point_on(after, breaks[k])
+            if left != right:
+                yield left
+                yield right
+            elif gap(line_of(before), line_of(after))[0] != 0:
+                yield left
+        yield point_on(edges[-1], breaks[-1])
+
+    def take(self, chain: Envelope, first: int, last: int, end: Break) -> None:
+        """Append edges first to last of a chain, cut at the break `end`.
+
+        The break lies on the last edge or where it starts.  Cost: O(edges appended).
+        """
+        if last == len(chain.edges) or not precedes(chain.breaks[last], end):
+            last -= 1
+        if last >= first:
+            self.edges += chain.edges[first : last + 1]
+            self.sources += chain.sources[first : last + 1]
+            self.breaks += chain.breaks[first + 1 : last + 1]
+            self.breaks.append(end)
+            if self._lines is None:
+                self._lines = []
+            self._lines += chain.lines()[first : last + 1]
+
+    def edge_before(self, at: Break) -> int:
+        """The number of the edge that holds just left of a break.  Cost: O(log n)."""
+        n, d = at
+        return bisect_left(self.breaks, True, key=lambda b: b[0] * d >= n * b[1]) - 1
+
+    def edge_after(self, at: Break) -> int:
+        """The number of the edge that holds just right of a break.  Cost: O(log n)."""
+        n, d = at
+        return bisect_left(self.breaks, True, key=lambda b: b[0] * d > n * b[1]) - 1
+
+    def __str__(self) -> str:
+        return " ".join(f"({x}, {y})" for x, y in self)
+
+    def restricted(self, start: Rational, end: Rational) -> Envelope:
+        """Cut to the x-range from start to end, which must overlap it.  Cost: O(n)."""
+        breaks = self.breaks
+        first = max(k for k, (n, d) in enumerate(breaks[:-1]) if k == 0 or n <= start * d)
+        last = min(k for k, (n, d) in enumerate(breaks) if k > first and n >= end * d)
+        return Envelope(
+            [(start, 1), *breaks[first + 1 : last], (end, 1)],
+            self.edges[first:last],
+            self.sources[first:last],
+        )
+
+
+def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
+    """Extend the partial trajectory T_{i-1} by the sub-trajectory T(G_t, D_i) (Appendix).
+
+    Procedure LowerEnvelope_CM, which also serves the sub-outer chains (Corollary A.4): both are
+    walked from right to left, from where the first of them ends to where the partial trajectory is
+    no longer above the piece; what lies right of that is trimmed off the partial trajectory.
+
+    Args:
+        partial: the envelope so far; it is changed in place.
+        piece: one convex chain, starting no further left, that crosses the partial trajectory at
+            most once and is the lower one on the right (Lemma A.3).  If it ends first, what is
+            left of the partial trajectory beyond is dropped with what is trimmed.
+
+    Returns:
+        The same envelope.
+
+    Raises:
+        ChainError: the piece starts left of the partial trajectory.
+
+    Cost: O(edges of the piece + edges trimmed off), and O(log n) to find the right end.
+
+    Example:
+        >>> e = Envelope.of([(0, 0), (2, -2), (4, 0)])
+        >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
+        (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
+    """
+    breaks, edges, sources = partial.breaks, partial.edges, partial.sources
+    start, end = piece.breaks[0], breaks[-1]
+    if precedes(start, breaks[0]):
+        raise ChainError("the piece starts left of the partial trajectory")
+    j = 0
+    if precedes(end, start):
+        partial.extend_hole(start)
+    elif precedes(piece.breaks[-1], end):
+        end = piece.breaks[-1]
+        k, j = partial.edge_before(end), len(piece.edges) - 1
+        if height(edges[k], piece.edges[j], end) <= 0:
+            return partial
+        del edges[k + 1 :], sources[k + 1 :], breaks[k + 2 :]
+        breaks[-1] = end
+        j = _trim(partial, piece, j)
+    elif edges and precedes(start, end):
+        j = piece.edge_before(end)
+        if height(edges[-1], piece.edges[j], end) > 0:
+            j = _trim(partial, piece, j)
+        elif not precedes(end, piece.breaks[j + 1]):
+            j += 1
+    sources += piece.sources[j:]
+    edges += piece.edges[j:]
+    breaks += piece.breaks[j + 1 :]
+    return partial
+
+
+def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
+    """Trim the partial trajectory to where the piece takes over; return the piece's edge there.
+
+    Invariant: just left of the last break, which lies on edge j of the piece or at its right end,
+    the partial trajectory is above the piece.
+    """
+    breaks, edges, sources = partial.breaks, partial.edges, partial.sources
+    while True:
+        top, mine, others = edges[-1], breaks[-2], piece.breaks[j]
+        order = others[0] * mine[1] - mine[0] * others[1]
+        n, d = others if order > 0 else mine
+        above: Rational = 1
+        if top is not None:
+            u, v = gap(line_of(top), line_of(piece.edges[j]))
+            above = u * n + v * d
+            if above < 0:
+                breaks[-1] = crossing(u, v)
+                return j
+        if order > 0:
+            if above == 0 or j == 0:
+                # They meet in a vertex; or the piece starts below: a step down.
+                breaks[-1] = others
+                return j
+            j -= 1
+            continue
+        del edges[-1], sources[-1], breaks[-1]
+        if above == 0 or not edges:
+            return j
+        # At a crossing the next edge ends as high as this one began; at a step up it may end on
+        # or below the piece, which then takes over right there.
+        if not joined(edges[-1], top) and height(edges[-1], piece.edges[j], mine) <= 0:
+            return j
+        if order == 0:
+            if j == 0:
+                return j
+            j -= 1
+
+
+def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
+    """Lower envelope of sub-trajectories, by divide and conquer (Section 5.1).
+
+    Procedure LowerEnvelope_MM.  Where there is no chain, the envelope has a hole.
+
+    Cost: O(N log k) for k envelopes, N being the largest total size on a level of the recursion.
+    The paper takes N for the size of the input; the envelope of N segments can have more than a
+    constant times N pieces, so that the proved bound has a factor alpha(k) more.
+
+    Example:
+        >>> a, b = Envelope.of([(0, 0), (4, 0)]), Envelope.of([(1, 1), (2, -1), (5, 2)])
+        >>> print(lower_envelope_mm([a, b]))
+        (0, 0) (3/2, 0) (2, -1) (3, 0) (4, 0) (4, 1) (5, 2)
+    """
+    start = min((envelope.breaks[0] for envelope in envelopes), key=value)
+    end = max((envelope.breaks[-1] for envelope in envelopes), key=value)
+    return _merge_all([envelope.padded(start, end) for envelope in envelopes])
+
+
+def _merge_all(envelopes: Sequence[Envelope]) -> Envelope:
+    if len(envelopes) == 1:
+        return envelopes[0]
+    half = len(envelopes) // 2
+    return merge(_merge_all(envelopes[:half]), _merge_all(envelopes[half:]))
+
+
+def merge(first: Envelope, second: Envelope) -> Envelope:
+    """Lower envelope of two envelopes over one x-range, both walked in vertical sync.
+
+    Cost: O(size of first + size of second).
+    """
+    merged = Envelope([first.breaks[0]], [], [])
+    a_breaks, b_breaks = first.breaks, second.breaks
+    a_lines, b_lines = first.lines(), second.lines()
+    last = len(a_lines) - 1
+    i = j = 0
+    a, b = a_lines[0], b_lines[0]
+    n, d = a_breaks[0]
+    # The envelope has been on the first or the second chain since edge number `since` of it.
+    on_first, since = True, 0
+    u: Rational = 0
+    v: Rational = 0
+    while True:
+        end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
+        order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
+        end_n, end_d = end_a if order <= 0 else end_b
+        if a is None or b is None:
+            u, v = 0, (a is None) - (b is None)
+        else:
+            adx, ady, ac = a
+            bdx, bdy, bc = b
+            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+        at_start, at_end = u * n + v * d, u * end_n + v * end_d
+        # Where both lie on one line, the envelope stays on the chain that it is on.
+        if on_first:
+            if at_start > 0 or (at_start == 0 and at_end > 0):
+                merged.take(first, since, i, (n, d))
+                on_first, since = False, j
+        elif at_start < 0 or (at_start == 0 and at_end < 0):
+            merged.take(second, since, j, (n, d))
+            on_first, since = True, i
+        if (at_start < 0 < at_end) or (at_end < 0 < at_start):
+            if on_first:
+                merged.take(first, since, i, crossing(u, v))
+                since = j
+            else:
+                merged.take(second, since, j, crossing(u, v))
+                since = i
+            on_first = not on_first
+        if order <= 0:
+            if i == last:
+                break
+            i += 1
+            a = a_lines[i]
+        if order >= 0:
+            j += 1
+            b = b_lines[j]
+        n, d = end_n, end_d
+    low = first if on_first else second
+    merged.take(low, since, len(low.edges), low.breaks[-1])
+    return merged

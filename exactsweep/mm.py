@@ -1,0 +1,148 @@
+"""The MM sweep: monotone generatrix, monotone directrix (Section 5).
+
+G_t is split into convex parts as well; each is a CM sweep, and the trajectory is the lower
+envelope of what those give (Lemma 5.1).  Both loops are trajectories again, of the inverse
+generatrix along the two sides of the first trajectory (Lemma 5.3).
+
+Errata.  Lemma 5.3: along the inner side, I(G) must stay inside T, so that its x-range stays within
+T's; the boundary lives on D's x-range, and what Trajectory_MM adds at either end, where I(G) only
+partly overlaps, is cut off.  Lemma 5.2: the size is O(m n alpha(min(m, n))), alpha the inverse
+Ackermann function, since an envelope of segments can have more pieces than segments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from exactsweep.ceiling import Ceiling
+from exactsweep.chain import Vertex, complement, convex_parts, inverse
+from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
+from exactsweep.inside import Run, inside_runs
+from exactsweep.parts import ConvexPart, joined_parts
+from exactsweep.piece import Break
+
+
+def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
+    """Trajectory T(G_t, D_b) of a monotone top chain along a monotone bottom chain.
+
+    Procedure Trajectory_MM.
+
+    Args:
+        generatrix: G_t: points from right to left, vertical edges allowed.
+        directrix: D_b: points from left to right, vertical edges allowed; or an envelope.
+
+    Returns:
+        the path of G's origin as an envelope; with k convex parts in D_b, `sources` is
+        i * k + j where part i of G_t slides along part j of D_b.
+
+    Raises:
+        ChainError: when a chain is not X-monotone.
+
+    Cost: O(m n log n).
+
+    >>> print(trajectory_mm([(2, 1), (1, 0), (0, 1)], [(0, 0), (1, 1), (2, 0)]))
+    (-2, -1) (-1, 0) (0, -1) (1, 0) (2, -1)
+    """
+    return sweep_pairs(convex_parts(inverse(generatrix)), joined_parts(directrix))
+
+
+def sweep_pairs(
+    chains: Sequence[Sequence[Vertex]], parts: Sequence[ConvexPart] | Sequence[Run]
+) -> Envelope:
+    """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
+
+    The parts of G_t that reach highest go first.  What they give is a ceiling, and pairs that do
+    not come below it need not be swept; the others follow in batches, each four times the last,
+    so that the ceiling is lowered only O(log n) times.
+
+    LowerEnvelope_CM may be used on what is left of the D_i: where leaving out a pair lets two
+    sub-trajectories cross a second time, the pair left out was lower than the one that the
+    procedure then drops (their difference is monotone), and the ceiling is lower than that pair.
+
+    Args:
+        chains: the convex chains of reversed edges of G_t.
+        parts: the convex parts of D_b.
+
+    Returns:
+        The lower envelope, `sources` as in `trajectory_mm`.
+
+    Cost: O(m n log n), the number of pairs that are swept being at most m n.
+    """
+    boxes = [part.box for part in parts]
+    order = sorted(range(len(chains)), key=lambda i: min(y for _, y in chains[i]))
+    start: Break = (min(chain[0][0] for chain in chains) + boxes[0][0], 1)
+    end: Break = (max(chain[-1][0] for chain in chains) + boxes[-1][1], 1)
+    envelope = Envelope.hole(start, end)
+    done, size = 0, 1
+    while done < len(order):
+        ceiling = Ceiling(envelope)
+        swept = [envelope]
+        for i in order[done : done + size]:
+            chain = chains[i]
+            box = chain[0][0], chain[-1][0], min(y for _, y in chain)
+            partial = Envelope([start], [], [])
+            for j in ceiling.reached(box, boxes):
+                lower_envelope_cm(partial, parts[j].swept(chain, i * len(parts) + j))
+            if partial.edges:
+                swept.append(partial)
+        envelope = lower_envelope_mm(swept)
+        done, size = done + size, 4 * size
+    return envelope
+
+
+def sweep_mm(
+    generatrix_top: Sequence[Vertex],
+    generatrix_bottom: Sequence[Vertex],
+    directrix: Sequence[Vertex],
+    trajectory: Envelope | None = None,
+) -> tuple[list[Vertex], list[Vertex]]:
+    """Inner and outer boundary of the sweep of a monotone G along a monotone D_b.
+
+    Procedure Sweep_MM: `inner_mm` and `outer_mm` for T(G_t, D_b).
+
+    Args:
+        generatrix_top: G_t: points from right to left.
+        generatrix_bottom: G_b: points from left to right.
+        directrix: D_b: points from left to right.
+        trajectory: The result of `trajectory_mm` for G_t and D_b, when it is at hand.
+
+    Returns:
+        (inner, outer), each from left to right, vertical edges included, no three collinear.
+
+    Raises:
+        ChainError: when a chain is not X-monotone.
+
+    Cost: O(m n^2 log n).
+
+    >>> inner, outer = sweep_mm([(1, 1), (0, 1)], [(0, 0), (1, 0)], [(0, 0), (2, 0)])
+    >>> inner == [(0, 0), (2, 0)], outer
+    (True, [(-1, -1), (3, -1)])
+    """
+    if trajectory is None:
+        trajectory = trajectory_mm(generatrix_top, directrix)
+    return (
+        inner_mm(generatrix_top, trajectory, directrix),
+        list(outer_mm(generatrix_bottom, trajectory)),
+    )
+
+
+def outer_mm(generatrix_bottom: Sequence[Vertex], trajectory: Envelope) -> Envelope:
+    """Outer boundary: I(G) slides along the outside of T (Lemma 5.3).
+
+    Cost: O(t n log n) for t edges of T.
+    """
+    return trajectory_mm(inverse(generatrix_bottom), trajectory)
+
+
+def inner_mm(
+    generatrix_top: Sequence[Vertex], trajectory: Envelope, directrix: Sequence[Vertex]
+) -> list[Vertex]:
+    """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
+
+    Turned by half a turn, that is G_t along the bottom chain of the inverse of T's complement.
+
+    Cost: O(t n log n) for t edges of T.
+    """
+    boundary = sweep_pairs(convex_parts(inverse(generatrix_top)), inside_runs(trajectory))
+    boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
+    return inverse(complement(list(boundary)))
