@@ -76,13 +76,15 @@ def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     list of lists of points, each strictly convex and strictly increasing in x.
 
     Raises:
-        ChainError: when x decreases.
+        ChainError: x decreases, or never increases.
 
     Cost: O(m).
 
     >>> convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
     [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
     """
+    if not chain:
+        raise ChainError("a chain without points")
     parts: list[list[Vertex]] = []
     part: list[Vertex] = [chain[0]]
     for index in range(1, len(chain)):
@@ -114,7 +116,24 @@ def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
         part.append(vertex)
     if len(part) > 1:
         parts.append(part)
+    if not parts:
+        raise ChainError("a chain of no width: all of its edges are vertical")
     return parts
+
+
+def convex_chain(chain: Sequence[Vertex]) -> list[Vertex]:
+    """Return a bottom chain that has but one convex part.
+
+    Raises ChainError when it is not convex, or has a vertical edge between others.  Cost: O(n).
+
+    >>> convex_chain([(0, 0), (1, -1), (2, -2), (3, 0)])
+    [(0, 0), (2, -2), (3, 0)]
+    """
+    parts = convex_parts(chain)
+    if len(parts) > 1:
+        x, y = parts[1][0]
+        raise ChainError(f"the chain is not convex: it is reflex, or has a wall, at ({x}, {y})")
+    return parts[0]
 
 
 def graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
@@ -131,7 +150,8 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
 
     Args:
         chain: points in order; the line never turns back on itself.
-        suspects: the numbers of the points that may lie straight; all if left out.
+        suspects: the numbers of the points that may lie straight or be repeated, or repeat the
+            one before; all if left out.
 
     Cost: O(n).
 
@@ -139,17 +159,18 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
     [(0, 0), (2, 2), (3, 0)]
     """
     kept: list[Vertex] = []
-    suspect = False
+    before = False
     for k, point in enumerate(chain):
-        if kept and kept[-1] == point:
-            suspect = suspect or suspects is None or k in suspects
+        suspect = suspects is None or k in suspects
+        if kept and (before or suspect) and kept[-1] == point:
+            before = True
             continue
-        if suspect and len(kept) > 1:
+        if before and len(kept) > 1:
             (px, py), (qx, qy), (x, y) = kept[-2], kept[-1], point
             if (qx - px) * (y - qy) == (qy - py) * (x - qx):
                 kept.pop()
         kept.append(point)
-        suspect = suspects is None or k in suspects
+        before = suspect
     return kept
 
 

@@ -18,9 +18,10 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from typing import cast
 
-from exactsweep.cc import trajectory_cc
-from exactsweep.chain import Edge, Rational, Vertex, convex_parts, corners, inverse
+from exactsweep.cc import merge_by_slope
+from exactsweep.chain import Edge, Rational, Vertex, convex_chain, convex_parts, corners, inverse
 from exactsweep.envelope import Envelope, lower_envelope_cm
+from exactsweep.number import sums
 from exactsweep.parts import ConvexPart, flatter, joined_parts
 from exactsweep.piece import Break, cross, point_on
 
@@ -45,7 +46,7 @@ def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
-    return sweep_parts(inverse(generatrix), joined_parts(directrix))
+    return sweep_parts(convex_chain(inverse(generatrix)), joined_parts(directrix))
 
 
 def sweep_outer_cm(
@@ -62,7 +63,8 @@ def sweep_outer_cm(
     >>> print(sweep_outer_cm([(1, 0), (0, 0)], [(0, 0), (1, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
     """
-    return sweep_parts(trajectory_cc(generatrix_top, generatrix_bottom), joined_parts(directrix))
+    top, bottom = convex_chain(inverse(generatrix_top)), convex_chain(generatrix_bottom)
+    return sweep_parts(merge_by_slope(top, bottom), joined_parts(directrix))
 
 
 def sweep_parts(
@@ -103,9 +105,10 @@ def sweep_inner_cm(
     >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    reversed_edges, parts = inverse(generatrix), convex_parts(directrix)
+    reversed_edges, parts = convex_chain(inverse(generatrix)), convex_parts(directrix)
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
+    top = inverse(reversed_edges)
     edges, sources = cast(list[Edge], trajectory.edges), trajectory.sources
     inner: list[Vertex] = []
     joints: set[int] = set()
@@ -121,7 +124,7 @@ def sweep_inner_cm(
         inner += before[done : i + 1]
         first = len(inner)
         inner.append(point_on((before[i], before[i + 1]), left))
-        inner += _placed(generatrix, at, position, left, right)
+        inner += _placed(top, at, position, left, right)
         inner.append(point_on((after[j], after[j + 1]), right))
         joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
         done = j + 1
@@ -171,5 +174,6 @@ def _placed(
     count = len(generatrix)
     first = bisect_left(range(count), left[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
     last = bisect_right(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
-    x, y = position
-    return [(x + gx, y + gy) for gx, gy in reversed(generatrix[count - last : count - first])]
+    placed = generatrix[count - last : count - first][::-1]
+    xs, ys = (sums(p, [vertex[k] for vertex in placed]) for k, p in enumerate(position))
+    return list(zip(xs, ys, strict=True))

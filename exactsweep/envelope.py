@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple, cast
 
-from exactsweep.chain import ChainError, Edge, Rational, Vertex
+from exactsweep.chain import ChainError, Edge, Rational, Vertex, graph_edges
 from exactsweep.piece import (
     Break,
     Line,
@@ -29,7 +29,6 @@ from exactsweep.piece import (
     line_of,
     point_on,
     precedes,
-    value,
 )
 
 
@@ -66,6 +65,13 @@ class Envelope:
         return self._lines
 
     @classmethod
+    def graph(cls, chain: Sequence[Vertex]) -> Envelope:
+        """Wrap a chain, from left to right, that may have vertical edges.  Cost: O(n)."""
+        edges: list[Piece] = list(graph_edges(chain))
+        breaks: list[Break] = [(chain[0][0], 1), *((x, 1) for _, (x, _) in graph_edges(chain))]
+        return cls(breaks, edges, [0] * len(edges))
+
+    @classmethod
     def hole(cls, start: Break, end: Break) -> Envelope:
         """An envelope of nothing over an x-range."""
         return cls([start, end], [None], [-1])
@@ -94,6 +100,12 @@ class Envelope:
     @classmethod
     def of(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
         """Wrap one chain that has no vertical edge.  Cost: O(n)."""
+        # Points of its own: see `joined`.
+        return cls.of_own([(x, y) for x, y in chain], source)
+
+    @classmethod
+    def of_own(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
+        """The same for a chain whose point objects no other chain shares."""
         edges: list[Piece] = list(pairwise(chain))
         return cls([(x, 1) for x, _ in chain], edges, [source] * len(edges))
 
@@ -285,8 +297,12 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
         >>> print(lower_envelope_mm([a, b]))
         (0, 0) (3/2, 0) (2, -1) (3, 0) (4, 0) (4, 1) (5, 2)
     """
-    start = min((envelope.breaks[0] for envelope in envelopes), key=value)
-    end = max((envelope.breaks[-1] for envelope in envelopes), key=value)
+    start, end = envelopes[0].breaks[0], envelopes[0].breaks[-1]
+    for envelope in envelopes:
+        if precedes(envelope.breaks[0], start):
+            start = envelope.breaks[0]
+        if precedes(end, envelope.breaks[-1]):
+            end = envelope.breaks[-1]
     return _merge_all([envelope.padded(start, end) for envelope in envelopes])
 
 
@@ -311,35 +327,46 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
     n, d = a_breaks[0]
     # The envelope has been on the first or the second chain since edge number `since` of it.
     on_first, since = True, 0
-    u: Rational = 0
-    v: Rational = 0
     while True:
         end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
         order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
-        end_n, end_d = end_a if order <= 0 else end_b
         if a is None or b is None:
-            u, v = 0, (a is None) - (b is None)
+            # Over a hole of one chain the other one is lower throughout.
+            if on_first != (a is not None):
+                merged.take(*((first, since, i) if on_first else (second, since, j)), (n, d))
+                on_first, since = not on_first, j if on_first else i
+            if a is None:
+                while order > 0:
+                    j += 1
+                    end_b = b_breaks[j + 1]
+                    order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
+            else:
+                while order < 0:
+                    i += 1
+                    end_a = a_breaks[i + 1]
+                    order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
+            a, b = a_lines[i], b_lines[j]
+            n, d = end_a if order <= 0 else end_b
         else:
             adx, ady, ac = a
             bdx, bdy, bc = b
             u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-        at_start, at_end = u * n + v * d, u * end_n + v * end_d
-        # Where both lie on one line, the envelope stays on the chain that it is on.
-        if on_first:
-            if at_start > 0 or (at_start == 0 and at_end > 0):
-                merged.take(first, since, i, (n, d))
-                on_first, since = False, j
-        elif at_start < 0 or (at_start == 0 and at_end < 0):
-            merged.take(second, since, j, (n, d))
-            on_first, since = True, i
-        if (at_start < 0 < at_end) or (at_end < 0 < at_start):
+            at_start = u * n + v * d
+            start = n, d
+            n, d = end_a if order <= 0 else end_b
+            at_end = u * n + v * d
+            # Where both lie on one line, the envelope stays on the chain that it is on.
             if on_first:
-                merged.take(first, since, i, crossing(u, v))
-                since = j
-            else:
-                merged.take(second, since, j, crossing(u, v))
-                since = i
-            on_first = not on_first
+                if at_start > 0 or (at_start == 0 and at_end > 0):
+                    merged.take(first, since, i, start)
+                    on_first, since = False, j
+            elif at_start < 0 or (at_start == 0 and at_end < 0):
+                merged.take(second, since, j, start)
+                on_first, since = True, i
+            if (at_start < 0 < at_end) or (at_end < 0 < at_start):
+                at = crossing(u, v)
+                merged.take(*((first, since, i) if on_first else (second, since, j)), at)
+                on_first, since = not on_first, j if on_first else i
         if order <= 0:
             if i == last:
                 break
@@ -348,7 +375,6 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
         if order >= 0:
             j += 1
             b = b_lines[j]
-        n, d = end_n, end_d
     low = first if on_first else second
     merged.take(low, since, len(low.edges), low.breaks[-1])
     return merged

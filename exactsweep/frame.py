@@ -7,7 +7,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.chain import Rational, Vertex
-from exactsweep.direction import Vector
+from exactsweep.direction import X_AXIS, Vector
+from exactsweep.number import quotients
 from exactsweep.polygon import ORIGIN, Point, Polygon
 
 
@@ -36,20 +37,22 @@ class Frame(NamedTuple):
         p, q = self.direction
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
+    def turned_back(self, points: Sequence[Vertex]) -> Sequence[Vertex]:
+        """Points of the frame in the plane, but for a factor."""
+        p, q = self.direction
+        if (p, q) == X_AXIS:
+            return points
+        return [(p * x - q * y, q * x + p * y) for x, y in points]
+
     def leave(self, points: Sequence[Vertex], shift: Point) -> list[Point]:
         """Points of the frame in the plane, moved by a vector."""
-        p, q = self.direction
-        scale = self.scale * (p * p + q * q)
-        if (p, q) != (1, 0):
-            points = [(p * x - q * y, q * x + p * y) for x, y in points]
-        if scale == 1 and shift == ORIGIN:
-            return [Point(_fraction(x), _fraction(y)) for x, y in points]
-        dx, dy = shift
-        return [Point(Fraction(x) / scale + dx, Fraction(y) / scale + dy) for x, y in points]
-
-
-def _fraction(value: Rational) -> Fraction:
-    return value if isinstance(value, Fraction) else Fraction(value)
+        scale = self.scale * sum(c * c for c in self.direction)
+        points = self.turned_back(points)
+        xs, ys = (quotients(coordinates, scale) for coordinates in zip(*points, strict=True))
+        if shift != ORIGIN:
+            dx, dy = shift
+            xs, ys = [x + dx for x in xs], [y + dy for y in ys]
+        return list(map(Point._make, zip(xs, ys, strict=True)))
 
 
 def _plain(value: Fraction) -> Rational:

@@ -20,12 +20,14 @@ from exactsweep.piece import Break, Piece, cross, gap, joined, line_of, lower_bo
 class Run(NamedTuple):
     """A convex part of the complement: edges, each whole, and the breaks between which they hold.
 
+    `sources` are those of the trajectory's edges.
     `turns_left` and `turns_right` say whether the generatrix has to turn about that end; where it
     need not, the neighbouring part is at least as low (see `exactsweep.parts`).
     """
 
     edges: list[Edge]
     breaks: list[Break]
+    sources: list[int]
     turns_left: bool
     turns_right: bool
 
@@ -102,6 +104,7 @@ def inside_runs(trajectory: Envelope) -> list[Run]:
     trajectory_edges = cast(list[Edge], trajectory.edges)
     edges = [((-qx, -qy), (-px, -py)) for (px, py), (qx, qy) in reversed(trajectory_edges)]
     breaks = [(-n, d) for n, d in reversed(trajectory.breaks)]
+    sources = trajectory.sources[::-1]
     size = len(edges)
     runs: list[Run] = []
     start, turns_left = 0, True
@@ -118,6 +121,14 @@ def inside_runs(trajectory: Envelope) -> list[Run]:
                 if above == 0 and u < 0:
                     continue
                 turns_right, turns_next = above < 0, above > 0
-        runs.append(Run(edges[start:k], breaks[start : k + 1], turns_left, turns_right))
+        runs.append(
+            Run(
+                edges[start:k],
+                breaks[start : k + 1],
+                sources[start:k],
+                turns_left,
+                turns_right,
+            )
+        )
         start, turns_left = k, turns_next
     return runs

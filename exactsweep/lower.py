@@ -36,7 +36,7 @@ class LowerSweep:
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of(trajectory_cc(self.top, self.directrix))
+            return Envelope.of_own(trajectory_cc(self.top, self.directrix))
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)

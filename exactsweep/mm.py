@@ -12,7 +12,7 @@ Ackermann function, since an envelope of segments can have more pieces than segm
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from exactsweep.ceiling import Ceiling
 from exactsweep.chain import Vertex, complement, convex_parts, inverse
@@ -47,13 +47,16 @@ def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
 
 
 def sweep_pairs(
-    chains: Sequence[Sequence[Vertex]], parts: Sequence[ConvexPart] | Sequence[Run]
+    chains: Sequence[Sequence[Vertex]],
+    parts: Sequence[ConvexPart] | Sequence[Run],
+    guess: Sequence[Iterable[int]] | None = None,
+    floor: Envelope | None = None,
 ) -> Envelope:
     """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
 
-    The parts of G_t that reach highest go first.  What they give is a ceiling, and pairs that do
-    not come below it need not be swept; the others follow in batches, each four times the last,
-    so that the ceiling is lowered only O(log n) times.
+    A guess goes first: the part of G_t that reaches highest, or the pairs that are given.  What
+    it gives is a ceiling, and pairs that do not come below it need not be swept; the others follow
+    in batches, each four times the last, so that the ceiling is lowered only O(log n) times.
 
     LowerEnvelope_CM may be used on what is left of the D_i: where leaving out a pair lets two
     sub-trajectories cross a second time, the pair left out was lower than the one that the
@@ -62,6 +65,8 @@ def sweep_pairs(
     Args:
         chains: the convex chains of reversed edges of G_t.
         parts: the convex parts of D_b.
+        guess: for each chain the numbers of the parts with which it is likely to be lowest.
+        floor: what the envelope cannot come below, over the x-range of interest.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
@@ -69,23 +74,30 @@ def sweep_pairs(
     Cost: O(m n log n), the number of pairs that are swept being at most m n.
     """
     boxes = [part.box for part in parts]
-    order = sorted(range(len(chains)), key=lambda i: min(y for _, y in chains[i]))
-    start: Break = (min(chain[0][0] for chain in chains) + boxes[0][0], 1)
-    end: Break = (max(chain[-1][0] for chain in chains) + boxes[-1][1], 1)
+    chain_boxes = [(chain[0][0], chain[-1][0], min(y for _, y in chain)) for chain in chains]
+    start: Break = (min(first for first, _, _ in chain_boxes) + boxes[0][0], 1)
+    end: Break = (max(last for _, last, _ in chain_boxes) + boxes[-1][1], 1)
+
+    def sweep(i: int, numbers: Iterable[int]) -> Envelope:
+        partial = Envelope([start], [], [])
+        for j in numbers:
+            lower_envelope_cm(partial, parts[j].swept(chains[i], i * len(parts) + j))
+        return partial
+
     envelope = Envelope.hole(start, end)
-    done, size = 0, 1
+    order = sorted(range(len(chains)), key=lambda i: chain_boxes[i][2])
+    if guess is not None:
+        # Of a guess, unlike of what a ceiling leaves, LowerEnvelope_CM may lose pieces that
+        # matter: it serves as a ceiling, and its pairs come up again with the others.
+        guessed = [sweep(i, numbers) for i, numbers in enumerate(guess) if numbers]
+        envelope = lower_envelope_mm([envelope, *guessed])
+    done, size = 0, 1 if guess is None else 4
     while done < len(order):
-        ceiling = Ceiling(envelope)
-        swept = [envelope]
-        for i in order[done : done + size]:
-            chain = chains[i]
-            box = chain[0][0], chain[-1][0], min(y for _, y in chain)
-            partial = Envelope([start], [], [])
-            for j in ceiling.reached(box, boxes):
-                lower_envelope_cm(partial, parts[j].swept(chain, i * len(parts) + j))
-            if partial.edges:
-                swept.append(partial)
-        envelope = lower_envelope_mm(swept)
+        ceiling = Ceiling(envelope, floor)
+        swept = [
+            sweep(i, ceiling.reached(chain_boxes[i], boxes)) for i in order[done : done + size]
+        ]
+        envelope = lower_envelope_mm([envelope, *(partial for partial in swept if partial.edges)])
         done, size = done + size, 4 * size
     return envelope
 
@@ -143,6 +155,15 @@ def inner_mm(
 
     Cost: O(t n log n) for t edges of T.
     """
-    boundary = sweep_pairs(convex_parts(inverse(generatrix_top)), inside_runs(trajectory))
+    chains = convex_parts(inverse(generatrix_top))
+    runs = inside_runs(trajectory)
+    # Most of D is touched by the part of G_t that draws the trajectory there.
+    guess: list[list[int]] = [[] for _ in chains]
+    parts = len(joined_parts(directrix))
+    for k, run in enumerate(runs):
+        for i in {source // parts for source in run.sources}:
+            guess[i].append(k)
+    floor = Envelope.graph(inverse(complement(directrix)))
+    boundary = sweep_pairs(chains, runs, guess, floor)
     boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))

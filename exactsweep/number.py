@@ -2,7 +2,7 @@
 
 import operator
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from decimal import Decimal
@@ -108,6 +108,43 @@ def to_fraction(value: object) -> Fraction:
     if isinstance(value, Real):
         return _from_real(value)
     raise NumberError(f"{quoted(value)} is not a rational number")
+
+
+def _reduced(numerator: int, denominator: int) -> Fraction:
+    """Make a Fraction of coprime ints, the second one positive.
+
+    Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
+    """
+    fraction = object.__new__(Fraction)
+    fraction._numerator = numerator  # type: ignore[attr-defined]
+    fraction._denominator = denominator  # type: ignore[attr-defined]
+    return fraction
+
+
+def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
+    """Divide by a positive int, quickly where all is integer.
+
+    Example:
+        >>> quotients([3, Fraction(1, 2)], 1)
+        [Fraction(3, 1), Fraction(1, 2)]
+    """
+    if divisor != 1:
+        return [Fraction(v, divisor) for v in values]
+    return [_reduced(v, 1) if type(v) is int else Fraction(v) for v in values]
+
+
+def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
+    """Add a number to each of others, quickly where those are ints.
+
+    Example:
+        >>> sums(Fraction(1, 2), [1, 2])
+        [Fraction(3, 2), Fraction(5, 2)]
+    """
+    if isinstance(value, Fraction) and all(type(k) is int for k in ints):
+        # n/d + k is in lowest terms as n/d is.
+        n, d = value.as_integer_ratio()
+        return [_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
+    return [value + k for k in ints]
 
 
 def format_fraction(value: Fraction) -> str:

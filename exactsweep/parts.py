@@ -46,7 +46,7 @@ class ConvexPart(NamedTuple):
             edge = points[-2], points[-1]
             while first < last and cross(chain[last - 1], chain[last], edge) > 0:
                 last -= 1
-        piece = Envelope.of(merge_by_slope(chain[first : last + 1], points), source)
+        piece = Envelope.of_own(merge_by_slope(chain[first : last + 1], points), source)
         if left is not None:
             piece.breaks[0] = left[0] + chain[first][0] * left[1], left[1]
         if right is not None:

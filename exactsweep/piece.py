@@ -104,3 +104,8 @@ def value(at: Break) -> Fraction:
 def precedes(first: Break, second: Break) -> bool:
     """Whether a break lies left of another."""
     return first[0] * second[1] < second[0] * first[1]
+
+
+def min_break(first: Break, second: Break) -> Break:
+    """The left one of two breaks."""
+    return first if precedes(first, second) else second

@@ -14,7 +14,7 @@ from typing import Any
 
 from exactsweep.chain import Vertex, inverse, split
 from exactsweep.contact import Boundary, Contact, contacts_at, edge_contacts
-from exactsweep.direction import Vector, read_direction, require_monotone, shared_direction
+from exactsweep.direction import X_AXIS, Vector, read_direction, require_monotone, shared_direction
 from exactsweep.exact_fit import exact_fits
 from exactsweep.frame import Frame
 from exactsweep.lower import Kind, LowerSweep
@@ -71,9 +71,12 @@ class Sweep:
             del upper[0]
         if upper[-1] == lower[0]:
             del upper[-1]
-        points = self._frame.leave(lower + upper, shift)
-        start = min(range(len(points)), key=points.__getitem__)
-        return Polygon._from_canonical(points[start:] + points[:start])
+        loop = lower + upper
+        if self.direction != X_AXIS:
+            points = self._frame.turned_back(loop)
+            start = min(range(len(points)), key=points.__getitem__)
+            loop = loop[start:] + loop[:start]
+        return Polygon._from_canonical(self._frame.leave(loop, shift))
 
     @cached_property
     def trajectory(self) -> Polygon:

@@ -67,6 +67,7 @@ def pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket
         True
     """
     found: list[Pocket] = []
+    ends: list[Vertex] = []
     is_open = False
     low, high = graph_edges(inner), graph_edges(directrix)
     i = j = 0
@@ -80,25 +81,39 @@ def pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket
                 is_open = False
             else:
                 # The pocket goes on if the slices at its last x and here overlap.
-                if is_open and max(b0[1], found[-1].bottom[-1][1]) < min(
+                if not is_open or max(b0[1], found[-1].bottom[-1][1]) >= min(
                     a0[1], found[-1].top[-1][1]
                 ):
-                    pocket = found[-1]
-                else:
-                    pocket = Pocket([], [])
-                    found.append(pocket)
+                    outside = a0 if above[0][0] < left else high[j - 1][1] if j > 0 else None
+                    start = left, _contact_height(b0, a0, outside)
+                    found.append(Pocket([start], [start]))
+                    ends.append(start)
                     is_open = True
-                pocket.bottom.extend((b0, b1))
-                pocket.top.extend((a0, a1))
+                found[-1].bottom.extend((b0, b1))
+                found[-1].top.extend((a0, a1))
+                outside = (
+                    a1 if right < above[1][0] else high[j + 1][0] if j + 1 < len(high) else None
+                )
+                ends[-1] = right, _contact_height(b1, a1, outside)
         if below[1][0] == right:
             i += 1
         if above[1][0] == right:
             j += 1
-    for pocket in found:
-        # At a wall the contact is where the bottom chain meets it.
-        pocket.top.insert(0, pocket.bottom[0])
-        pocket.top.append(pocket.bottom[-1])
-    return [Pocket(corners(pocket.bottom), corners(pocket.top)) for pocket in found]
+    return [
+        Pocket(corners([*pocket.bottom, end]), corners([*pocket.top, end]))
+        for pocket, end in zip(found, ends, strict=True)
+    ]
+
+
+def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:
+    """Where at the end of a pocket the bottom chain meets D.
+
+    Between the two chains there may be a wall: of the inner loop, up to the height at which D
+    arrives from outside the pocket, and of D from there on.
+    """
+    if outside is None:
+        return below[1]
+    return max(below[1], min(outside[1], above[1]))
 
 
 def closing_positions(
