@@ -1,0 +1,232 @@
+"""Certificates as they come in: plain JSON, read into exact numbers, or refused with a reason.
+
+Everything that can be said about a certificate without geometry is decided here: its keys, its
+types, numbers written in lowest terms, indices in range. Nothing is computed from it yet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import pairwise
+from math import gcd
+from typing import Any, Literal, NamedTuple, TypeVar
+
+from exactsweep.number import NumberError, format_fraction, limits, to_fraction
+from exactsweep.polygon import Point
+
+FORMAT = "exactsweep certificate"
+VERSION = 1
+
+# Crossings have more digits than the input, and the area has more again; but reading a number
+# takes time that grows with the square of its length.
+_MAX_DIGITS = 20_000
+_MAX_AREA_DIGITS = 200_000
+MAX_BITS = 400_000  # of an int, which no reader has bounded yet
+
+Event = Literal["EV", "VE", "EE"]
+Kind = Literal["CC", "CM", "MM"]
+Loop = tuple[Point, ...]
+_T = TypeVar("_T")
+
+
+class CertificateError(ValueError):
+    """The first thing that is wrong with a certificate, and a point or translation to see it by."""
+
+    def __init__(self, reason: str, witness: Point | None = None) -> None:
+        super().__init__(reason)
+        self.witness = witness
+
+
+class Feature(NamedTuple):
+    """A vertex, or the edge from it to the next one."""
+
+    kind: Literal["vertex", "edge"]
+    number: int
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.number}"
+
+
+class Contact(NamedTuple):
+    """Edge (E) or vertex (V) i of the generatrix on vertex or edge j of the directrix."""
+
+    event: Event
+    i: int
+    j: int
+
+    def __str__(self) -> str:
+        return f"{self.event} ({self.i}, {self.j})"
+
+
+class Drawing(NamedTuple):
+    """A feature of the generatrix while its reference point is on a feature of the trajectory."""
+
+    position: Feature
+    feature: Feature
+
+    def __str__(self) -> str:
+        return f"generatrix {self.feature} at trajectory {self.position}"
+
+
+class Certificate(NamedTuple):
+    """What a certificate says; loops are tuples of Point, lists of evidence go with their edges."""
+
+    generatrix: Loop
+    directrix: Loop
+    kind: str
+    direction: tuple[int, int]
+    reference: Point
+    trajectory: Loop
+    inner: Loop
+    outer: Loop
+    area: Fraction
+    exact_fits: tuple[tuple[Point, Point], ...]
+    contacts: tuple[tuple[Contact, ...], ...]
+    inner_drawn: tuple[tuple[Drawing, ...], ...]
+    outer_drawn: tuple[tuple[Drawing, ...], ...]
+
+
+def read(certificate: Any) -> Certificate:
+    """Read a certificate as `json.loads` gives it.
+
+    Returns: Certificate.
+    Raises: CertificateError, naming the key and the place in it.
+    Cost: linear in the length of the input, for numbers of bounded length.
+    """
+    if type(certificate) is not dict:
+        raise CertificateError(f"a certificate is an object, not a {type(certificate).__name__}")
+    for key in ("format", "version", *Certificate._fields):
+        if key not in certificate:
+            raise CertificateError(f"the key {key!r} is missing")
+    if len(certificate) > 2 + len(Certificate._fields):
+        raise CertificateError("there are unknown keys")
+    if not _is(certificate["format"], str, FORMAT):
+        raise CertificateError(f"format is not {FORMAT!r}")
+    if not _is(certificate["version"], int, VERSION):
+        raise CertificateError(f"version is not {VERSION}")
+    if not any(_is(certificate["kind"], str, kind) for kind in ("CC", "CM", "MM")):
+        raise CertificateError("kind is not CC, CM or MM")
+    with limits(max_digits=_MAX_DIGITS):
+        g, d, t, inner, outer = (
+            _loop(certificate[name], name)
+            for name in ("generatrix", "directrix", "trajectory", "inner", "outer")
+        )
+        reference = _point(certificate["reference"], "reference")
+        fits = _list(certificate["exact_fits"], "exact_fits", _fit)
+    with limits(max_digits=_MAX_AREA_DIGITS):
+        area = _number(certificate["area"], "area")
+
+    def contact(item: Any, place: str) -> Contact:
+        event, i, j = _tuple(item, place, 3)
+        if event not in ("EV", "VE", "EE"):
+            raise CertificateError(f"{place}: not EV, VE or EE")
+        return Contact(event, _index(i, len(g), place), _index(j, len(d), place))
+
+    def drawing(item: Any, place: str) -> Drawing:
+        position, feature = _tuple(item, place, 2)
+        return Drawing(_feature(position, len(t), place), _feature(feature, len(g), place))
+
+    contacts = _evidence(certificate["contacts"], "contacts", len(t), contact)
+    for k, listed in enumerate(contacts):
+        if any(a >= b for a, b in pairwise(listed)):
+            raise CertificateError(f"contacts[{k}]: not in increasing order")
+    return Certificate(
+        generatrix=g,
+        directrix=d,
+        kind=certificate["kind"],
+        direction=_direction(certificate["direction"]),
+        reference=reference,
+        trajectory=t,
+        inner=inner,
+        outer=outer,
+        area=area,
+        exact_fits=fits,
+        contacts=contacts,
+        inner_drawn=_evidence(certificate["inner_drawn"], "inner_drawn", len(inner), drawing),
+        outer_drawn=_evidence(certificate["outer_drawn"], "outer_drawn", len(outer), drawing),
+    )
+
+
+def _is(item: Any, kind: type, value: object) -> bool:
+    """Equality of values of one type only: True is not 1."""
+    return type(item) is kind and bool(item == value)
+
+
+def _list(item: Any, place: str, entry: Callable[[Any, str], _T]) -> tuple[_T, ...]:
+    if type(item) is not list:
+        raise CertificateError(f"{place}: a {type(item).__name__}, not a list")
+    return tuple(entry(value, f"{place}[{k}]") for k, value in enumerate(item))
+
+
+def _tuple(item: Any, place: str, length: int) -> list[Any]:
+    if type(item) is not list or len(item) != length:
+        raise CertificateError(f"{place}: not a list of {length}")
+    return item
+
+
+def _number(item: Any, place: str) -> Fraction:
+    if type(item) is not str:
+        raise CertificateError(f"{place}: a {type(item).__name__}, not a number in a string")
+    try:
+        value = to_fraction(item)
+    except NumberError as error:
+        raise CertificateError(f"{place}: {error}") from None
+    if format_fraction(value) != item:
+        raise CertificateError(f"{place}: not a number in lowest terms")
+    return value
+
+
+def _point(item: Any, place: str) -> Point:
+    x, y = _tuple(item, place, 2)
+    return Point(_number(x, f"{place}[0]"), _number(y, f"{place}[1]"))
+
+
+def _loop(item: Any, name: str) -> Loop:
+    points = _list(item, name, _point)
+    if len(points) < 3:
+        raise CertificateError(f"{name}: fewer than three vertices")
+    if (least := min(points)) != points[0]:
+        raise CertificateError(f"{name}: not canonical, its least vertex is not the first", least)
+    return points
+
+
+def _fit(item: Any, place: str) -> tuple[Point, Point]:
+    hanging, end = _tuple(item, place, 2)
+    return _point(hanging, f"{place}[0]"), _point(end, f"{place}[1]")
+
+
+def _direction(item: Any) -> tuple[int, int]:
+    p, q = _tuple(item, "direction", 2)
+    if type(p) is not int or type(q) is not int:
+        raise CertificateError("direction: not a pair of integers")
+    if max(p.bit_length(), q.bit_length()) > MAX_BITS:
+        raise CertificateError(f"direction: more than {MAX_BITS} bits")
+    if gcd(p, q) != 1 or not (p > 0 or (p, q) == (0, 1)):
+        raise CertificateError("direction: not primitive")
+    return p, q
+
+
+def _index(item: Any, length: int, place: str) -> int:
+    if type(item) is not int or not 0 <= item < length:
+        raise CertificateError(f"{place}: not an index below {length}")
+    return item
+
+
+def _feature(item: Any, length: int, place: str) -> Feature:
+    kind, index = _tuple(item, place, 2)
+    if kind not in ("vertex", "edge"):
+        raise CertificateError(f"{place}: neither a vertex nor an edge")
+    return Feature(kind, _index(index, length, place))
+
+
+def _evidence(
+    item: Any, name: str, edges: int, entry: Callable[[Any, str], _T]
+) -> tuple[tuple[_T, ...], ...]:
+    lists = _list(item, name, lambda listed, place: _list(listed, place, entry))
+    if len(lists) != edges:
+        raise CertificateError(f"{name}: {len(lists)} lists for a loop of {edges} edges")
+    for k, listed in enumerate(lists):
+        if len(set(listed)) < len(listed):
+            raise CertificateError(f"{name}[{k}]: something is listed twice")
+    return lists

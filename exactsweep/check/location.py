@@ -1,0 +1,52 @@
+"""Where a point lies with regard to a polygon."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from exactsweep.number import to_fraction
+from exactsweep.polygon import Polygon
+
+Coordinates = tuple[int | Fraction, int | Fraction]
+
+
+def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
+    """Locate a point: 1 in the open interior of a simple polygon, 0 on its boundary, -1 outside.
+
+    Arguments: point, a pair of rationals; polygon, a Polygon or its vertices, n edges.
+    Raises: NumberError, PolygonError.
+    Cost: O(n) comparisons.
+
+    >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
+    [1, 0, -1]
+    """
+    scale, vertices = Polygon(polygon).lattice()
+    x, y = point
+    return locate((to_fraction(x) * scale, to_fraction(y) * scale), vertices)
+
+
+def locate(point: Coordinates, loop: Sequence[Coordinates]) -> int:
+    """Locate a point like `point_in_polygon`, by the parity of the edges to the right of it.
+
+    Arguments: point, two exact numbers; loop, the vertices of a simple polygon, not closed.
+    Cost: O(n) comparisons; multiplications only for edges across the height of the point.
+    """
+    x, y = point
+    side = -1
+    ax, ay = loop[-1]
+    for bx, by in loop:
+        # An edge owns its lower end and not its upper one: a vertex at the height of the point
+        # counts twice or not at all where the boundary turns back, and once where it goes on.
+        if (ay <= y) != (by <= y):
+            turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+            if turn == 0:
+                return 0
+            if (turn > 0) == (by > ay):
+                side = -side
+        elif (bx == x and by == y) or (ay == by == y and min(ax, bx) <= x <= max(ax, bx)):
+            return 0
+        ax, ay = bx, by
+    return side

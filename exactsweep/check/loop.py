@@ -1,0 +1,128 @@
+"""Loops of a certificate, in a frame whose x-axis is the shared direction, as pairs of chains."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import gcd, lcm
+
+from exactsweep.check.certificate import CertificateError
+from exactsweep.check.chain import Chain, Line, Node, heights, turn
+from exactsweep.polygon import Point
+
+
+class Frame:
+    """The integer map [u; u_perp], and back. Scale: units of the lattice in one unit of length."""
+
+    def __init__(self, direction: tuple[int, int], scale: int) -> None:
+        self._p, self._q = direction
+        self._scale = scale
+
+    @property
+    def unit_area(self) -> int:
+        """The area in the frame of one unit of area."""
+        return (self._p**2 + self._q**2) * self._scale**2
+
+    def enter(self, points: Sequence[Point], origin: Point) -> list[Node]:
+        """Nodes of points, taken from an origin."""
+        nodes = []
+        for point in points:
+            x, y = (a - b if b else a for a, b in zip(point, origin, strict=True))
+            w = lcm(x.denominator, y.denominator)
+            u = x.numerator * (w // x.denominator) * self._scale
+            v = y.numerator * (w // y.denominator) * self._scale
+            common = gcd(w, u, v)  # w first: it is small, as a rule, and then the rest is quick
+            u, v, w = u // common, v // common, w // common
+            nodes.append((self._p * u + self._q * v, self._p * v - self._q * u, w))
+        return nodes
+
+    def leave(self, node: Node) -> Point:
+        """The point, or translation, of a node."""
+        x, y, w = node
+        w *= (self._p**2 + self._q**2) * self._scale
+        return Point(Fraction(self._p * x - self._q * y, w), Fraction(self._q * x + self._p * y, w))
+
+
+class Loop:
+    """A simple polygon, weakly monotone to x.
+
+    Attributes:
+        nodes: list of Node, counter-clockwise.
+        lines: list of Line; line k is that of the edge from node k to the next one.
+        halves: the lower chain, and the upper one turned by half a turn about the origin, which
+            makes it a lower chain, too. Of the polygon turned so, the halves change places.
+    """
+
+    def __init__(self, nodes: list[Node], name: str, frame: Frame) -> None:
+        """Raise CertificateError if the nodes are not those of a canonical loop, monotone to x.
+
+        Cost: O(n).
+        """
+        n = len(nodes)
+        self.nodes = nodes
+        self.lines = [line_through(nodes[k], nodes[(k + 1) % n]) for k in range(n)]
+
+        def flaw(what: str, k: int) -> CertificateError:
+            return CertificateError(f"{name}: {what} vertex {k}", frame.leave(nodes[k]))
+
+        for k, line in enumerate(self.lines):
+            if line == (0, 0, 0):
+                raise flaw("not canonical, the next vertex repeats", k)
+        for k in range(n):
+            if turn(self.lines[k - 1], self.lines[k]) == 0:
+                raise flaw("not canonical, the boundary does not turn at", k)
+        self.is_convex = all(turn(self.lines[k - 1], self.lines[k]) > 0 for k in range(n))
+        steps = [(k, line[1] > 0) for k, line in enumerate(self.lines) if line[1]]
+        turning = [k for m, (k, ahead) in enumerate(steps) if ahead != steps[m - 1][1]]
+        if len(turning) != 2:
+            raise flaw("not monotone to the direction, it turns back again at", turning[-1])
+        start, end = turning if dict(steps)[turning[0]] else turning[::-1]
+        turned = [(-x, -y, w) for x, y, w in nodes]
+        turned_lines = [(-a, -b, c) for a, b, c in self.lines]
+        self.halves = (
+            self._chain(nodes, self.lines, start, end),
+            self._chain(turned, turned_lines, end, start),
+        )
+        if not _is_below(*self.halves):
+            raise CertificateError(f"{name}: not simple and counter-clockwise")
+
+    def doubled_area(self) -> tuple[int, int]:
+        """Twice the area, numerator and denominator, not in lowest terms."""
+        terms = [
+            (px * qy - qx * py, pw * qw)
+            for (px, py, pw), (qx, qy, qw) in zip(
+                self.nodes, self.nodes[1:] + self.nodes[:1], strict=True
+            )
+        ]
+        # In pairs, so that factors are of equal length.
+        while len(terms) > 1:
+            odd = terms[len(terms) & ~1 :]
+            pairs = zip(terms[::2], terms[1::2], strict=False)
+            terms = [(a * d + c * b, b * d) for (a, b), (c, d) in pairs] + odd
+        return terms[0]
+
+    def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> Chain:
+        """The chain from node `start` to the end of the last edge that does not go back."""
+        n = len(nodes)
+        last = (end - start) % n
+        while lines[(start + last - 1) % n][1] == 0:
+            last -= 1
+        numbers = [(start + k) % n for k in range(last + 1)]
+        return Chain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
+
+
+def line_through(p: Node, q: Node) -> Line:
+    """The line through two points; (0, 0, 0) if they are one."""
+    (px, py, pw), (qx, qy, qw) = p, q
+    a, b, c = py * qw - qy * pw, qx * pw - px * qw, px * qy - qx * py
+    common = gcd(a, b, c) or 1
+    return a // common, b // common, c // common
+
+
+def _is_below(lower: Chain, turned_upper: Chain) -> bool:
+    """Whether a lower chain is below an upper one, but for a common first and last point."""
+    for side in (-1, 1):
+        first, *inside, last = (gap for gap, _ in heights(lower, turned_upper, (0, 0, 1), side))
+        if max(first, last) > 0 or max(inside, default=-1) >= 0:
+            return False
+    return True

@@ -1,0 +1,147 @@
+"""Proving a certificate from the definition alone.
+
+With P = D + I(G), the Minkowski sum, a certificate says where three loops run:
+
+    trajectory   the boundary of P
+    outer loop   the boundary of P + G
+    inner loop   the boundary of P eroded by I(G): of the points p with p + I(G) in P
+
+All these regions are weakly monotone to the shared direction: lines perpendicular to it meet them
+in one piece. The checks below, in this order, prove them, and what goes with them.
+
+1. All loops are canonical, simple and monotone.
+2. Trajectory. Its edges are drawn by contacts, features of D and of I(G), so it lies in P; lines
+   perpendicular to the direction meet P in one piece, so its region is in P. And P is in its
+   region, by the lemma of `sums`.
+3. Outer loop. The same with P and G in place of D and I(G).
+4. Inner loop, with its region Q. That Q + I(G) is in P, again by the lemma, says that Q is in the
+   eroded region E. Its edges are drawn by G on the trajectory, through points t + g with t on the
+   boundary of P. Such a point is never inside E, or t would be inside P. So the inside of E, which
+   the inner loop does not enter, is all in Q. (It is in one piece: perpendiculars lead from
+   anywhere in it to the inside of D.)
+5. The exact fits are those of the definition; the area is that between the loops.
+
+That the loops are nested follows: D is in E, for D + I(G) = P; E is in P + G, for p + I(G) in P.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from exactsweep.check.certificate import Certificate, CertificateError, read
+from exactsweep.check.contacts import check_contacts
+from exactsweep.check.cover import check_drawings
+from exactsweep.check.fits import exact_fits
+from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.size import check_size, common_scale
+from exactsweep.check.sums import check_sum_within, steps_within
+from exactsweep.polygon import Point
+
+_ORIGIN = Point(Fraction(0), Fraction(0))
+
+
+class Verification(NamedTuple):
+    """Whether a certificate is proved, else the first thing that is wrong with it.
+
+    The witness, if there is one, is a point of the loop or edge that the reason speaks of, or in
+    its way. For the trajectory, contacts and exact fits it is a translation of G, without regard to
+    the reference point; so it is where the reason has G moved into the inner loop.
+    """
+
+    proved: bool
+    reason: str
+    witness: Point | None
+
+
+# About a microsecond each.
+_MAX_STEPS = 10**8
+
+
+def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
+    """Decide whether a certificate proves its answer, from the definition alone.
+
+    Arguments: certificate, as `json.loads` gives it, from any source; max_steps, the most work to
+    take on, in steps of about a microsecond. A certificate that asks for more is not proved.
+    Returns: Verification. The reason is "proved", or says which loop, edge or list is wrong.
+    Raises: nothing, whatever the certificate.
+    Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
+    the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
+    those only that are over G), and c log k for c pairs of convex corners.
+    Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
+
+    >>> verify({"format": "exactsweep certificate"})
+    Verification(proved=False, reason="the key 'version' is missing", witness=None)
+    """
+    try:
+        _prove(read(certificate), max_steps)
+    except CertificateError as flaw:
+        return Verification(False, str(flaw), flaw.witness)
+    return Verification(True, "proved", None)
+
+
+def _prove(c: Certificate, max_steps: int) -> None:
+    frame = Frame(c.direction, common_scale(c.generatrix + c.directrix))
+    placed = {
+        "generatrix": frame.enter(c.generatrix, _ORIGIN),
+        "directrix": frame.enter(c.directrix, _ORIGIN),
+        "trajectory": frame.enter(c.trajectory, c.reference),
+        "inner": frame.enter(c.inner, _ORIGIN),
+        "outer": frame.enter(c.outer, _ORIGIN),
+    }
+    check_size(placed.values(), len(c.generatrix) * len(c.directrix), max_steps)
+    g, d, trajectory, inner, outer = (Loop(nodes, name, frame) for name, nodes in placed.items())
+    inverse = Loop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
+    sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
+    check_size(placed.values(), sum(steps_within(*loops) for loops in sums), max_steps)
+
+    kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
+    if c.kind != kind:
+        raise CertificateError(f"kind: it is {kind}, not {c.kind}")
+
+    check_contacts(trajectory, d, inverse, c.contacts, frame)
+    check_sum_within(
+        *(trajectory, d, inverse, frame),
+        "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
+        "trajectory: G overlaps D at vertex {} or beside it",
+    )
+    _check_fits(exact_fits(d, inverse, frame), c)
+
+    check_drawings("outer_drawn", outer, trajectory, g, c.outer_drawn, frame)
+    check_sum_within(
+        *(outer, trajectory, g, frame),
+        "outer: with G at trajectory vertex {} its vertex {} is outside",
+        "outer: vertex {}, or the boundary beside it, is inside the area swept",
+    )
+
+    check_drawings("inner_drawn", inner, trajectory, g, c.inner_drawn, frame)
+    check_sum_within(
+        *(trajectory, inner, inverse, frame),
+        "inner: at vertex {} generatrix vertex {} can be put, and G is free of D",
+        "inner: at trajectory vertex {}, or beside it, G cuts into the region inside",
+    )
+    _check_area(c.area, outer, inner, frame)
+
+
+def _check_fits(found: list[tuple[Point, Point]], c: Certificate) -> None:
+    x0, y0 = c.reference
+    listed = [
+        (Point(ax - x0, ay - y0), Point(bx - x0, by - y0)) for (ax, ay), (bx, by) in c.exact_fits
+    ]
+    true, claimed = set(found), set(listed)
+    for k, fit in enumerate(listed):
+        if fit not in true:
+            raise CertificateError(f"exact_fits[{k}]: not an exact fit, from end to end", fit[1])
+    for fit in found:
+        if fit not in claimed:
+            raise CertificateError("exact_fits: one is missing", fit[1])
+    if listed != found:
+        raise CertificateError("exact_fits: not sorted, or one is listed twice")
+
+
+def _check_area(area: Fraction, outer: Loop, inner: Loop, frame: Frame) -> None:
+    # Denominators of many crossings have hardly a common factor: reducing would only cost time.
+    (n_out, d_out), (n_in, d_in) = outer.doubled_area(), inner.doubled_area()
+    doubled, unit = n_out * d_in - n_in * d_out, 2 * frame.unit_area * d_out * d_in
+    if doubled * area.denominator != area.numerator * unit:
+        raise CertificateError("area: it is not that of the outer loop minus that of the inner one")

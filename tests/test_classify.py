@@ -1,0 +1,196 @@
+"""`classify` against slabs between all abscissas of vertices and crossings, and by hand."""
+
+from fractions import Fraction
+from itertools import pairwise, product
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import NumberError, Point, Polygon, PolygonError
+from exactsweep.check import classify, point_in_polygon
+
+SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
+SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+#   ####       a corridor of width one that winds
+#   #  #       inwards, with a free corridor of
+#   # ##       width one beside it
+#   #
+#   #####
+SPIRAL = [(0, 0), (5, 0), (5, 1), (1, 1), (1, 4), (3, 4), (3, 3), (2, 3), (2, 2), (4, 2), (4, 5)]
+SPIRAL += [(0, 5)]
+Edge = tuple[Point, Point]
+# The slabs are slow by design.
+patient = settings(deadline=None)
+Case = tuple[Polygon, Polygon, tuple[Fraction, Fraction]]
+
+
+def edges(polygon: Polygon) -> list[Edge]:
+    v = polygon.vertices
+    return list(zip(v, (*v[1:], v[0]), strict=True))
+
+
+def turn(a: Point, b: Point, c: Point) -> Fraction:
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+
+
+def common_points(e: Edge, f: Edge) -> list[Point]:
+    """Ends of one edge that lie on the other, or the crossing."""
+    found = [
+        p
+        for (a, b), ends in ((e, f), (f, e))
+        for p in ends
+        if turn(a, b, p) == 0 and min(a, b) <= p <= max(a, b)
+    ]
+    (a, b), (c, d) = e, f
+    from_c, from_d = turn(a, b, c), turn(a, b, d)
+    if from_c * from_d < 0 and turn(c, d, a) * turn(c, d, b) < 0:
+        share = from_c / (from_c - from_d)
+        found.append(Point(c.x + share * (d.x - c.x), c.y + share * (d.y - c.y)))
+    return found
+
+
+def spans(polygon: Polygon, x: Fraction) -> list[tuple[Fraction, Fraction]]:
+    """The inside of a polygon on a vertical line that meets no vertex."""
+    heights = sorted(
+        a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
+        for a, b in edges(polygon)
+        if (a.x < x) != (b.x < x)
+    )
+    return list(zip(heights[::2], heights[1::2], strict=True))
+
+
+def verdict_by_slabs(d: Polygon, g: Polygon) -> str:
+    meetings = [p for e, f in product(edges(d), edges(g)) for p in common_points(e, f)]
+    cuts = sorted({p.x for p in (*d.vertices, *g.vertices, *meetings)})
+    for left, right in pairwise(cuts):
+        x = (left + right) / 2
+        for a, b in product(spans(d, x), spans(g, x)):
+            if max(a[0], b[0]) < min(a[1], b[1]):
+                return "OVERLAP"
+    return "CONTACT" if meetings else "FREE"
+
+
+def check(d: Polygon, g: Polygon, t: tuple[object, object]) -> str:
+    found = classify(d, g, t)
+    moved = g.translated(t)
+    assert found.verdict == verdict_by_slabs(d, moved)
+    if found.witness is None:
+        assert found.verdict == "FREE"
+    else:
+        where = 1 if found.verdict == "OVERLAP" else 0
+        assert point_in_polygon(found.witness, d) == where
+        assert point_in_polygon(found.witness, moved) == where
+    return found.verdict
+
+
+@st.composite
+def touching(draw: st.DrawFn) -> Case:
+    """Two polygons on one grid, as a rule with a vertex of one on a vertex of the other."""
+    d, g = Polygon(draw(own.simple_rings())), Polygon(draw(own.simple_rings()))
+    p, q = draw(st.sampled_from(d.vertices)), draw(st.sampled_from(g.vertices))
+    step = st.sampled_from([Fraction(s) for s in ("0", "0", "0", "1", "-1", "1/2", "1e-30")])
+    return d, g, (p.x - q.x + draw(step), p.y - q.y + draw(step))
+
+
+@patient
+@given(touching())
+def test_verdict_is_that_of_the_slabs(case: Case) -> None:
+    check(*case)
+
+
+@patient
+@given(touching())
+def test_roles_can_be_exchanged(case: Case) -> None:
+    d, g, (x, y) = case
+    assert classify(d, g, (x, y)).verdict == classify(g, d, (-x, -y)).verdict
+
+
+@patient
+@given(own.simple_polygons())
+def test_polygon_overlaps_itself(polygon: Polygon) -> None:
+    assert check(polygon, polygon, (0, 0)) == "OVERLAP"
+
+
+@patient
+@given(own.simple_polygons(), own.translations())
+def test_polygons_apart_are_free(polygon: Polygon, t: tuple[Fraction, Fraction]) -> None:
+    low, high = polygon.bounding_box
+    assert classify(polygon, polygon, (high.x - low.x + abs(t[0]) + 1, t[1])).verdict == "FREE"
+
+
+@pytest.mark.parametrize(
+    ("d", "g", "t", "verdict"),
+    [
+        pytest.param(SQUARE, SQUARE, (2, 2), "CONTACT", id="corner on corner"),
+        pytest.param(SQUARE, SQUARE, (2, 1), "CONTACT", id="side along side"),
+        pytest.param(SQUARE, SQUARE, (2, Fraction(3)), "FREE", id="beyond the corner"),
+        pytest.param(SQUARE, SQUARE, (Fraction(2) - Fraction(1, 10**40), 0), "OVERLAP", id="hair"),
+        pytest.param(SQUARE, [(0, 0), (1, -1), (1, 1)], (2, 1), "CONTACT", id="tip on side"),
+        pytest.param(SQUARE, [(0, 0), (1, -1), (1, 1)], (1, 1), "OVERLAP", id="inner tip on side"),
+        pytest.param(SQUARE, [(1, 0), (2, 1), (1, 2), (0, 1)], (0, 0), "OVERLAP", id="inscribed"),
+        pytest.param(
+            [(-9, -9), (9, -9), (9, 9), (-9, 9)], SQUARE, (0, 0), "OVERLAP", id="D holds G"
+        ),
+        pytest.param(
+            SQUARE, [(-9, -9), (9, -9), (9, 9), (-9, 9)], (0, 0), "OVERLAP", id="G holds D"
+        ),
+        pytest.param(SLOT, [(0, 0), (1, 0), (1, 1), (0, 1)], (1, 1), "CONTACT", id="exact fit"),
+        pytest.param(SLOT, [(0, 0), (1, 0), (1, 9), (0, 9)], (1, 1), "CONTACT", id="plug"),
+        pytest.param(SLOT, [(0, 0), (1, 0), (1, 1), (0, 1)], (1, "1/2"), "OVERLAP", id="too deep"),
+        pytest.param(SLOT, SLOT, (1, 0), "OVERLAP", id="slots shifted"),
+        pytest.param(SPIRAL, [(0, 0), (1, 0), (1, 1), (0, 1)], (2, 1), "CONTACT", id="corridor"),
+        pytest.param(
+            SPIRAL, [(0, 0), ("1/2", 0), ("1/2", 3)], ("1/4", "1/4"), "OVERLAP", id="wall"
+        ),
+        pytest.param(
+            SPIRAL, [(0, 0), ("1/4", 0), ("1/4", "1/4")], ("5/4", "5/4"), "FREE", id="inside"
+        ),
+    ],
+)
+def test_known_verdicts(d: object, g: object, t: tuple[object, object], verdict: str) -> None:
+    assert check(Polygon(d), Polygon(g), t) == verdict  # type: ignore[arg-type]
+
+
+def test_interlocked_combs_touch_and_then_overlap() -> None:
+    """Ten teeth of width one in ten gaps of width one."""
+    up = [(0, -1), (21, -1), (21, 0)]
+    for x in range(20, -1, -2):
+        up += [(x + 1, 0), (x + 1, 3), (x, 3), (x, 0)]
+    up = up[:2] + up[3:-1]
+    comb = Polygon(up)
+    other = comb.reflected((Fraction(21, 2), Fraction(3, 2)))
+    assert check(comb, other, (1, 0)) == "CONTACT"
+    assert check(comb, other, (1, 3)) == "CONTACT"
+    assert check(comb, other, (1, 4)) == "FREE"
+    assert check(comb, other, (Fraction(11, 10), 1)) == "OVERLAP"
+    assert check(comb, other, (1, Fraction(-1, 10**9))) == "OVERLAP"
+
+
+def test_bad_input_is_refused() -> None:
+    with pytest.raises(PolygonError):
+        classify([(0, 0), (1, 1)], SQUARE, (0, 0))
+    with pytest.raises(NumberError):
+        classify(SQUARE, SQUARE, (float("nan"), 0))
+
+
+@patient
+@given(own.simple_polygons(), st.data())
+def test_location_follows_the_spans(polygon: Polygon, data: st.DataObject) -> None:
+    corners = polygon.vertices
+    p, q = data.draw(st.sampled_from(corners)), data.draw(st.sampled_from(corners))
+    x, y = (p.x + q.x) / 2, (p.y + 2 * q.y) / 3
+    on_edge = any(
+        turn(a, b, Point(x, y)) == 0 and min(a, b) <= (x, y) <= max(a, b) for a, b in edges(polygon)
+    )
+    found = point_in_polygon((x, y), polygon)
+    assert (found == 0) == on_edge
+    if not on_edge and all(c.x != x for c in corners):
+        assert (found == 1) == any(low < y < high for low, high in spans(polygon, x))
+
+
+def test_every_vertex_and_midpoint_of_an_edge_is_on_the_boundary() -> None:
+    for a, b in edges(Polygon(SPIRAL)):
+        assert point_in_polygon(a, SPIRAL) == 0
+        assert point_in_polygon(((a.x + b.x) / 2, (a.y + b.y) / 2), SPIRAL) == 0
