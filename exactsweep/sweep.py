@@ -18,7 +18,7 @@ from exactsweep.direction import X_AXIS, Vector, read_direction, require_monoton
 from exactsweep.exact_fit import exact_fits
 from exactsweep.frame import Frame
 from exactsweep.lower import Kind, LowerSweep
-from exactsweep.polygon import ORIGIN, Point, Polygon, read_point
+from exactsweep.polygon import ORIGIN, Point, Polygon, abridged, read_point
 from exactsweep.tracing import Tracer
 from exactsweep.undercut import Undercut, closing_positions, pockets
 
@@ -215,6 +215,14 @@ class Sweep:
         from exactsweep.certificate import certificate
 
         return certificate(self)
+
+    def __str__(self) -> str:
+        names = "trajectory", "inner", "outer"
+        loops = [(name, getattr(self, name)) for name in names]
+        return "\n".join(
+            [f"{self.kind} sweep, monotone to {self.direction}, area {abridged(self.area)}"]
+            + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
+        )
 
     def __repr__(self) -> str:
         return (

@@ -11,7 +11,8 @@ from typing import Literal
 
 from hypothesis import strategies as st
 
-from exactsweep.polygon import Polygon
+from exactsweep.number import to_fraction
+from exactsweep.polygon import Point, Polygon
 
 Ring = Sequence[tuple[int, int]]
 Kind = Literal["CC", "CM", "MM"]
@@ -50,6 +51,11 @@ def hull(points: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
             half.append((x, y))
         halves += half[:-1]
     return halves
+
+
+def points(*pairs: tuple[object, object]) -> tuple[Point, ...]:
+    """Points written as pairs of ints or strings."""
+    return tuple(Point(to_fraction(x), to_fraction(y)) for x, y in pairs)
 
 
 @st.composite

@@ -1,0 +1,246 @@
+"""Seeded pairs of polygons: every class, and every degeneracy on purpose.
+
+All shapes are x-monotone as they are built, on small integer grids where features meet often; then
+the pair is placed: scaled, moved, turned, spelled otherwise. One `random.Random` decides
+everything, so that a pair is known by its seed.
+"""
+
+import random
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from strategies import hull
+
+IntRing = list[tuple[int, int]]
+Ring = list[tuple[Fraction, Fraction]]
+Shape = Callable[[random.Random], IntRing]
+
+NEAR = 10**15
+# Rows of invertible matrices, one of them turning over.
+MATRICES = [
+    (0, -1, 1, 0),
+    (1, 0, 1, 1),
+    (1, 1, 0, 1),
+    (3, -4, 4, 3),
+    (2, 1, 1, 1),
+    (1, 2, 3, -1),
+    (7, 10**6, 1, 3),
+]
+
+
+class Pair(NamedTuple):
+    """Generatrix and directrix as given to `sweep`, and a direction to which both are monotone."""
+
+    family: str
+    placement: str
+    generatrix: Ring
+    directrix: Ring
+    direction: tuple[int, int]
+
+
+def convex(rng: random.Random) -> IntRing:
+    """The hull of a few points of a grid; often with vertical or parallel edges."""
+    side = rng.choice([1, 2, 3, 5, 12, 1000])
+    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 14))]
+    found = hull(points)
+    return [*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
+
+
+def box(rng: random.Random) -> IntRing:
+    width, height = rng.randint(1, 3), rng.randint(1, 3)
+    return [(0, 0), (width, 0), (width, height), (0, height)]
+
+
+def fan(rng: random.Random) -> IntRing:
+    """Convex, with slopes that differ by one part in 10**15."""
+    steps = [(NEAR, rng.randint(-3, 3)) for _ in range(rng.randint(2, 5))]
+    steps += [(NEAR + rng.randint(0, 2), NEAR) for _ in range(rng.randint(0, 2))]
+    return [*hull([*_walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
+
+
+def jagged(rng: random.Random, walls: float = 0.0, cells: tuple[int, int] = (1, 6)) -> IntRing:
+    """Bottom and top on breakpoints of their own, with vertical edges if asked for."""
+    height = rng.choice([1, 2, 4, 9])
+    chains: list[IntRing] = []
+    for count in rng.randint(*cells), rng.randint(*cells):
+        xs = _abscissas(rng, count)
+        chain: IntRing = [(xs[0], rng.randint(0, height))]
+        for x in xs[1:]:
+            chain.append((x, rng.randint(0, height)))
+            if x != xs[-1] and rng.random() < walls:
+                chain.append((x, rng.randint(0, height)))
+        chains.append(chain)
+    return _between(rng, chains)
+
+
+def walled(rng: random.Random) -> IntRing:
+    return jagged(rng, walls=0.6)
+
+
+def long(rng: random.Random) -> IntRing:
+    return jagged(rng, walls=rng.choice([0, 0.2]), cells=(8, 20))
+
+
+def rectilinear(rng: random.Random) -> IntRing:
+    """Horizontal and vertical edges: slots and teeth, often of equal width."""
+    xs = _abscissas(rng, rng.randint(2, 6))
+    chains: list[IntRing] = []
+    for height in rng.choice([(2, 2), (3, 1), (0, 3)]):
+        heights = [rng.randint(0, height) for _ in xs[1:]]
+        chains.append([(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]])
+    return _between(rng, chains, pointed=0)
+
+
+def teeth(rng: random.Random) -> IntRing:
+    """Spikes of few slopes, up and down: parallel edges, tangent envelopes."""
+    depth = rng.choice([1, 3, 1000])
+    steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 0)]
+    chains = [_walk([rng.choice(steps) for _ in range(rng.randint(2, 7))]) for _ in "bt"]
+    return _between(rng, chains)
+
+
+def ripple(rng: random.Random) -> IntRing:
+    """Slopes that differ by one part in 10**15, up and down."""
+    slope = rng.choice([0, 1, NEAR])
+    chains = [
+        _walk([(NEAR, slope + rng.randint(-2, 2)) for _ in range(rng.randint(2, 5))]) for _ in "bt"
+    ]
+    return _between(rng, chains)
+
+
+def mould(rng: random.Random, ring: IntRing) -> IntRing:
+    """A directrix with dents into which the top of a generatrix fits, as a rule exactly."""
+    top = _top_of(ring)
+    ground = min(y for _, y in top) - rng.randint(0, 2)
+    bottom: IntRing = [(0, ground)]
+    for _ in range(rng.randint(1, 2)):
+        gap = rng.choice([1, 2, top[-1][0]])
+        stretch = rng.choice([1, 1, 1, 2])
+        x = bottom[-1][0] + gap
+        bottom += [(x, ground), *((x + stretch * px, py) for px, py in top)]
+        bottom.append((bottom[-1][0], ground))
+    bottom.append((bottom[-1][0] + rng.randint(1, 2), ground))
+    ceiling = max(y for _, y in bottom) + 1
+    return [*bottom, (bottom[-1][0], ceiling), (0, ceiling)]
+
+
+CONVEX: dict[str, Sequence[Shape]] = {
+    "grid": [convex],
+    "walls": [box, convex],
+    "rectilinear": [box],
+    "teeth": [convex],
+    "near-parallel": [fan],
+    "long": [convex],
+}
+MONOTONE: dict[str, Sequence[Shape]] = {
+    "grid": [jagged],
+    "walls": [walled],
+    "rectilinear": [rectilinear],
+    "teeth": [teeth],
+    "near-parallel": [ripple],
+    "long": [long],
+}
+FAMILIES = (*CONVEX, "mould", "same", "opposite", "unequal")
+CLASSES = ("CC", "CM", "MC", "MM")
+
+
+def random_pair(rng: random.Random, families: Sequence[str] = FAMILIES) -> Pair:
+    """Draw a pair of any class; the letter M stands for a ring that may happen to be convex."""
+    family = rng.choice(families)
+    letters = rng.choice(CLASSES)
+    shapes = family if family in CONVEX else rng.choice([*CONVEX][:-1])
+    generatrix, directrix = (
+        rng.choice((CONVEX if letter == "C" else MONOTONE)[shapes])(rng) for letter in letters
+    )
+    ratio = Fraction(1)
+    if family == "mould":
+        directrix = mould(rng, generatrix)
+    elif family == "same":
+        directrix = generatrix
+    elif family == "opposite":
+        directrix = [(-x, -y) for x, y in generatrix]
+    elif family == "unequal":
+        ratio = Fraction(rng.choice(["1/7", "3", "10", "1e9", "1e-9"]))
+    return place(rng, family, _scaled(generatrix, ratio), _scaled(directrix, Fraction(1)))
+
+
+def place(rng: random.Random, family: str, *rings: Ring) -> Pair:
+    """Scale, turn, respell and move both polygons."""
+    placement = rng.choice(["as built", "moved", "huge", "minute", "turned", "respelled"])
+    direction = (1, 0)
+    if placement in ("huge", "minute"):
+        unit = Fraction("1e30" if placement == "huge" else "1e-30")
+        rings = tuple(_scaled(ring, unit) for ring in rings)
+    elif placement == "turned":
+        a, b, c, d = rng.choice(MATRICES)
+        rings = tuple([(a * x + b * y, c * x + d * y) for x, y in ring] for ring in rings)
+        # (d, -b) times the matrix is (ad - bc, 0): the old x-axis.
+        direction = (d, -b)
+    elif placement == "respelled":
+        rings = tuple(respelled(rng, ring) for ring in rings)
+    if placement != "as built":
+        rings = tuple(_moved(rng, ring) for ring in rings)
+    generatrix, directrix = rings
+    return Pair(family, placement, generatrix, directrix, direction)
+
+
+def respelled(rng: random.Random, ring: Ring) -> Ring:
+    """Another first vertex and orientation, repeated and collinear vertices, closed."""
+    first = rng.randrange(len(ring))
+    ring = [*ring[first:], *ring[:first]]
+    spelled: Ring = []
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1], strict=True):
+        spelled += [(ax, ay)] * rng.choice([1, 1, 2])
+        if rng.random() < 0.4:
+            share = Fraction(1, rng.randint(2, 4))
+            spelled.append((ax + share * (bx - ax), ay + share * (by - ay)))
+    if rng.random() < 0.5:
+        spelled.append(spelled[0])
+    return spelled[::-1] if rng.random() < 0.5 else spelled
+
+
+def _walk(steps: Sequence[tuple[int, int]]) -> IntRing:
+    chain: IntRing = [(0, 0)]
+    for dx, dy in steps:
+        x, y = chain[-1]
+        chain.append((x + dx, y + dy))
+    return chain
+
+
+def _abscissas(rng: random.Random, cells: int) -> list[int]:
+    widths = rng.choice([[1], [1, 2], [1, 1, 1, 4]])
+    return [x for x, _ in _walk([(rng.choice(widths), 0) for _ in range(cells)])]
+
+
+def _between(rng: random.Random, chains: list[IntRing], pointed: float = 0.4) -> IntRing:
+    """The ring between two chains, pointed or with a vertical edge at each end."""
+    bottom, top = chains
+    last = max(bottom[-1][0], top[-1][0])
+    for chain in chains:
+        if chain[-1][0] < last:
+            chain.append((last, chain[0][1]))
+    rise = max(y for _, y in bottom) - min(y for _, y in top) + rng.randint(1, 3)
+    tips: list[IntRing] = [
+        [(x, bottom[0][1] + rng.randint(-1, 4))] if rng.random() < pointed else []
+        for x in (last + 1, bottom[0][0] - 1)
+    ]
+    return [*bottom, *tips[0], *((x, y + rise) for x, y in reversed(top)), *tips[1]]
+
+
+def _top_of(ring: IntRing) -> IntRing:
+    """The top chain of a counter-clockwise ring, from left to right, starting at x = 0."""
+    n = len(ring)
+    right = max(range(n), key=lambda k: ring[k])
+    left = min(range(n), key=lambda k: (ring[k][0], -ring[k][1]))
+    chain = [ring[(left - k) % n] for k in range((left - right) % n + 1)]
+    return [(x - ring[left][0], y) for x, y in chain]
+
+
+def _scaled(ring: IntRing | Ring, factor: Fraction) -> Ring:
+    return [(x * factor, y * factor) for x, y in ring]
+
+
+def _moved(rng: random.Random, ring: Ring) -> Ring:
+    dx, dy = (Fraction(rng.randint(-9, 9), rng.choice([1, 3])) for _ in "xy")
+    return [(x + dx, y + dy) for x, y in ring]

@@ -1,0 +1,266 @@
+"""Contacts against all pairs of features, tried one by one."""
+
+from fractions import Fraction
+from itertools import pairwise, product
+from typing import Any
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Point, Polygon, PolygonError, sweep
+
+Pair = tuple[Polygon, Polygon]
+Found = set[tuple[str, int, int]]
+Edge = tuple[Point, Point]
+
+usually = settings(deadline=None, max_examples=40)
+
+
+def numbered(polygon: Polygon) -> Polygon:
+    """The polygon as if it had been given in canonical order."""
+    return Polygon(iter(polygon.vertices))
+
+
+any_pair = (own.pairs("CC") | own.pairs("CM") | own.pairs("MM")).map(
+    lambda pair: (numbered(pair[0]), numbered(pair[1]))
+)
+
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+
+def edges(polygon: Polygon) -> list[Edge]:
+    v = polygon.vertices
+    return list(zip(v, (*v[1:], v[0]), strict=True))
+
+
+def cross(a: Point, b: Point, c: Point) -> Fraction:
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+
+
+def inside(edge: Edge, p: Point) -> bool:
+    return min(edge) < p < max(edge) and cross(*edge, p) == 0
+
+
+def overlap(e: Edge, f: Edge) -> bool:
+    """Whether two edges have a segment of positive length in common."""
+    if max(min(e), min(f)) >= min(max(e), max(f)):
+        return False
+    return cross(*e, f[0]) == cross(*e, f[1]) == 0
+
+
+def touching(generatrix: Polygon, directrix: Polygon, t: Point) -> Found:
+    """All contacts of G + t with D, features numbered in canonical order."""
+    g = Polygon([(x + t.x, y + t.y) for x, y in generatrix.vertices])
+    found: Found = set()
+    vertices = product(enumerate(g.vertices), enumerate(directrix.vertices))
+    found |= {("VV", i, j) for (i, w), (j, v) in vertices if w == v}
+    for (i, e), (j, v) in product(enumerate(edges(g)), enumerate(directrix.vertices)):
+        if inside(e, v):
+            found.add(("EV", i, j))
+    for (i, w), (j, d) in product(enumerate(g.vertices), enumerate(edges(directrix))):
+        if inside(d, w):
+            found.add(("VE", i, j))
+    for (i, e), (j, d) in product(enumerate(edges(g)), enumerate(edges(directrix))):
+        if overlap(e, d):
+            found.add(("EE", i, j))
+    return found
+
+
+def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Found:
+    """What touches along an edge of the trajectory for longer than a moment.
+
+    Contacts change only where a vertex meets a vertex, so one point between each two will do.
+    """
+    n, m = len(generatrix), len(directrix)
+    differences = {
+        Point(v.x - w.x, v.y - w.y) for v, w in product(directrix.vertices, generatrix.vertices)
+    }
+    stops = sorted({p, q} | {t for t in differences if inside((p, q), t)})
+    whole: Found = set()
+    for a, b in pairwise(stops):
+        found = touching(generatrix, directrix, Point((a.x + b.x) / 2, (a.y + b.y) / 2))
+        parts: Found = set()
+        for event, i, j in found:
+            if event == "EE":
+                parts |= {("EV", i, j), ("EV", i, (j + 1) % m)}
+                parts |= {("VE", i, j), ("VE", (i + 1) % n, j)}
+        whole |= found - parts
+    return whole
+
+
+@given(any_pair)
+@usually
+def test_contacts_of_each_edge_are_all_that_last(pair: Pair) -> None:
+    generatrix, directrix = pair
+    s = sweep(generatrix, directrix)
+    assert len(s.contacts) == len(s.trajectory)
+    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
+        assert found
+        assert list(found) == sorted(lasting(generatrix, directrix, p, q))
+
+
+@given(any_pair)
+@usually
+def test_contacts_of_each_vertex_are_all_there_are(pair: Pair) -> None:
+    generatrix, directrix = pair
+    s = sweep(generatrix, directrix)
+    assert len(s.vertex_contacts) == len(s.trajectory)
+    for t, found in zip(s.trajectory.vertices, s.vertex_contacts, strict=True):
+        assert found
+        assert list(found) == sorted(touching(generatrix, directrix, t))
+
+
+@given(any_pair, own.tiny(1, 6))
+@usually
+def test_contacts_at_any_position_are_all_there_are(pair: Pair, part: int) -> None:
+    generatrix, directrix = pair
+    s = sweep(generatrix, directrix)
+    p, q = edges(s.trajectory)[part % len(s.trajectory)]
+    t = Point(p.x + (q.x - p.x) * part / 7, p.y + (q.y - p.y) * part / 7)
+    assert list(s.contacts_at(t)) == sorted(touching(generatrix, directrix, t))
+    for fit in s.exact_fits:
+        assert list(s.contacts_at(fit[1])) == sorted(touching(generatrix, directrix, fit[1]))
+    box = directrix.bounding_box[1]
+    beyond = Point(box.x + generatrix.bounding_box[1].x + generatrix.area + 10**40, box.y)
+    assert s.contacts_at(beyond) == ()
+
+
+@given(own.turned_pairs("CM"))
+@usually
+def test_contacts_do_not_depend_on_the_frame(pair: tuple[Polygon, Polygon, Any]) -> None:
+    generatrix, directrix, direction = numbered(pair[0]), numbered(pair[1]), pair[2]
+    s = sweep(generatrix, directrix, direction=direction)
+    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
+        assert list(found) == sorted(lasting(generatrix, directrix, p, q))
+    t = s.trajectory.vertices[0]
+    assert list(s.contacts_at(t)) == sorted(touching(generatrix, directrix, t))
+
+
+@given(any_pair, st.data())
+@usually
+def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None:
+    """Reversed, turned, closed, with repeated and with collinear vertices."""
+    spelled = [data.draw(own.spellings(polygon)) for polygon in pair]
+    s, plain = sweep(*spelled), sweep(*pair)
+    assert s.trajectory == plain.trajectory
+
+    def canonical(kind: str, polygon: Polygon, given_: Any, index: int) -> int:
+        """The canonical number of the vertex or edge that has an index in the input."""
+        a, b = Point(*given_[index]), Point(*given_[(index + 1) % len(given_)])
+        if kind == "V":
+            return polygon.vertices.index(a)
+        (k,) = (k for k, edge in enumerate(edges(polygon)) if overlap(edge, (a, b)))
+        return k
+
+    positions = (*s.contacts, *s.vertex_contacts)
+    for found, expected in zip(positions, (*plain.contacts, *plain.vertex_contacts), strict=True):
+        renumbered = [
+            (
+                event,
+                canonical(event[0], pair[0], spelled[0], i),
+                canonical(event[1], pair[1], spelled[1], j),
+            )
+            for event, i, j in found
+        ]
+        assert sorted(renumbered) == list(expected)
+
+
+@given(own.pairs("CC") | own.pairs("CM"))
+@settings(deadline=None, max_examples=150)
+def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pair) -> None:
+    """Lemma A.1, for contacts that last, vertical edges of the frame included.
+
+    Either one vertex of G slides along one edge of D (VE), or all contacts are of one and the same
+    edge of G (EV and EE). For a convex G has one vertex or one edge furthest out to either side of
+    a line; a vertex that slid along two edges of D, in one line, would dip in between them.
+    """
+    generatrix, directrix = pair
+    for found in sweep(generatrix, directrix).contacts:
+        events = {event for event, _, _ in found}
+        if "VE" in events:
+            assert len(found) == 1
+        else:
+            assert events <= {"EV", "EE"}
+            assert len({i for _, i, _ in found}) == 1
+
+
+def test_lemma_a1_does_not_hold_at_a_moment() -> None:
+    r"""At a vertex of a CM trajectory two vertices of G touch two edges of D.
+
+    ::
+
+        # # # # #
+        # /---\ #
+    """
+    roof = [(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)]
+    s = sweep(UNIT, roof)
+    assert s.contacts_at(("3/2", "1/2")) == (("VE", 2, 1), ("VE", 3, 0))
+
+
+def test_lemma_a1_does_not_hold_for_two_horns() -> None:
+    r"""MM: both tips of G slide along one edge of D at once.
+
+    ::
+
+        # # # # #
+         |\_/|       D's bottom edge is 0, G's tips are 2 and 4
+    """
+    horns = [(0, 0), (2, 0), (2, 1), (1, "1/2"), (0, 1)]
+    s = sweep(horns, [(0, 0), (9, 0), (9, 3), (0, 3)])
+    assert s.kind == "MM"
+    assert s.trajectory.vertices[:2] == own.points((-2, -1), (9, -1))
+    assert s.contacts[0] == (("VE", 2, 0), ("VE", 4, 0))
+
+
+def test_all_events_worked_by_hand() -> None:
+    r"""A triangle around a square: EV along its slanted edge, VE along the sides of the square.
+
+    ::
+
+        .        # #      T: (-1, 0) (0, -1) (2, -1) (2, 2) (-1, 2)
+        . .      # #
+    """
+    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    s = sweep([(0, 0), (1, 0), (0, 1)], square)
+    assert s.contacts == (
+        (("EV", 1, 0),),  # the slanted edge turns about (0, 0)
+        (("VE", 2, 0),),  # the upper tip under the bottom side
+        (("EE", 2, 1),),  # the left side on the right side
+        (("EE", 0, 2),),  # the lower side on the upper side
+        (("VE", 1, 3),),  # the right tip at the left side
+    )
+    assert s.vertex_contacts[0] == (("VV", 1, 0),)
+    # At (2, -1), the upper tip comes to the corner of the square.
+    assert s.vertex_contacts[2] == (("VV", 2, 1),)
+    assert s.vertex_contacts[3] == (("VV", 0, 2),)
+
+
+def test_one_edge_of_the_trajectory_may_have_several_contacts() -> None:
+    """Three teeth on one line, two of them under the bar at a time.
+
+    ::
+
+        #############
+        #   ##   ##  #
+        =======>
+    """
+    teeth = [(0, 0), (1, 0), (1, 2), (3, 2), (3, 0), (4, 0), (4, 2), (6, 2), (6, 0), (7, 0)]
+    bar = [(0, 0), (5, 0), (5, 1), (0, 1)]
+    s = sweep(bar, [*teeth, (7, 4), (0, 4)])
+    assert s.trajectory.vertices[:2] == own.points((-5, -1), (7, -1))
+    assert s.contacts[0] == (("EE", 2, 0), ("EE", 2, 4), ("EE", 2, 8))
+    assert s.contacts_at((-1, -1)) == (
+        ("EE", 2, 0),
+        ("EE", 2, 4),
+        ("EV", 2, 0),
+        ("EV", 2, 1),
+        ("EV", 2, 4),
+        ("VV", 2, 5),
+    )
+
+
+def test_positions_that_are_no_points_are_refused() -> None:
+    with pytest.raises(PolygonError, match="position is not a pair of numbers"):
+        sweep(UNIT, UNIT).contacts_at([1])
