@@ -1,0 +1,30 @@
+"""`exactsweep explain`."""
+
+import click
+
+from exactsweep import Sweep
+from exactsweep.cli.output import takes_output, terminal_size, write
+from exactsweep.cli.pair import takes_pair
+from exactsweep.formats import story_to_json
+from exactsweep.story import story
+
+
+@click.command("explain")
+@takes_pair
+@click.option("--json", "as_json", is_flag=True, help="Write the steps, exactly, as JSON.")
+@takes_output
+def explain_command(result: Sweep, as_json: bool, output: str) -> None:
+    """Tell a sweep as a story, step by step.
+
+    A step is an edge of the trajectory. For each one: what touches and slides, in which direction,
+    from where to where, and why it ends; and the undercuts and exact fits on the way. Vertices and
+    edges have their index in the files, edge i being the one from vertex i to the next.
+
+    Files are read as by 'exactsweep sweep'; without files, its example is told.
+    """
+    text = story_to_json(result) if as_json else "".join(f"{line}\n" for line in story(result))
+    terminal = terminal_size(output)
+    if terminal and text.count("\n") > terminal.lines:
+        click.echo_via_pager(text)
+    else:
+        write(text, output)

@@ -1,0 +1,53 @@
+"""Where the answer of a command goes: a file, a pipe or a terminal."""
+
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from shutil import get_terminal_size
+from typing import TypeVar
+
+import click
+
+from exactsweep.cli.pair import PATH
+from exactsweep.formats import FormatError, file_name
+
+_Command = TypeVar("_Command", bound=Callable[..., None])
+
+
+def takes_output(command: _Command) -> _Command:
+    """Give a command the option -o FILE, as `output`; "-" if left out."""
+    option = click.option(
+        "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
+    )
+    return option(command)
+
+
+def terminal_size(output: str) -> os.terminal_size | None:
+    """Return the size of the terminal that the output goes to, or None if that is none."""
+    if output == "-" and sys.stdout is not None and sys.stdout.isatty():
+        return get_terminal_size()
+    return None
+
+
+def write(text: str, output: str) -> None:
+    """Write to a file, or to standard output.
+
+    Raises FormatError when that fails, with the name of the file and the reason.
+    """
+    try:
+        if output != "-":
+            Path(output).write_text(text, encoding="utf-8", newline="\n")
+        elif sys.stdout is None:
+            raise FormatError("standard output: closed")
+        else:
+            click.echo(text, nl=False)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        name = file_name(output)
+        if output == "-":
+            # What could not be written is still in the buffer and would fail again on exit.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            name = "standard output"
+        raise FormatError(f"{name}: {error.strerror or error}") from None

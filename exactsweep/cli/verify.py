@@ -1,0 +1,36 @@
+"""`exactsweep verify`."""
+
+import sys
+
+import click
+
+from exactsweep.cli.output import write
+from exactsweep.cli.pair import PATH
+from exactsweep.formats import read_certificate, verification_to_json
+from exactsweep.words import pair
+
+
+@click.command("verify")
+@click.argument("file", type=PATH)
+@click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
+def verify_command(file: str, as_json: bool) -> None:
+    """Check a certificate, from the definition.
+
+    Decides whether the certificate in FILE, or - for standard input, proves its answer, from
+    the definition of a sweep and the polygons in the certificate, by code that has nothing to do
+    with the one that wrote it. Prints "proved"; or the first thing that is wrong, with a witness,
+    a translation or a point to see it by, and the exit code is 1.
+
+    'exactsweep sweep --certificate' writes certificates.
+    """
+    from exactsweep.check import verify
+
+    verdict = verify(read_certificate(file))
+    if as_json:
+        text = verification_to_json(verdict)
+    else:
+        text = f"{verdict.reason}\n"
+        if verdict.witness is not None:
+            text += f"witness: {pair(verdict.witness)}\n"
+    write(text, "-")
+    sys.exit(0 if verdict.proved else 1)

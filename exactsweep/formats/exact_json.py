@@ -1,0 +1,138 @@
+"""JSON in: numbers are decimals or fractions and never become floats."""
+
+import json
+from collections.abc import Callable
+
+from exactsweep.formats.error import FormatError
+from exactsweep.number import NumberError, quoted, to_fraction
+from exactsweep.polygon import Point
+
+
+def parse_json(text: str) -> object:
+    """Parse JSON with all numbers, NaN and Infinity included, left as the text that they are.
+
+    Args:
+        text: a JSON document.
+
+    Returns:
+        dict, list, str (strings and numbers), bool or None.
+
+    Raises:
+        FormatError: not JSON, nested too deeply, or a name twice in one object.
+
+    Cost: linear in the length of the text.
+
+    Example:
+        >>> parse_json('[0.10, 1e400, "1/3"]')
+        ['0.10', '1e400', '1/3']
+    """
+    return _parsed(text, str)
+
+
+def parse_certificate(text: str) -> object:
+    """Parse JSON with integers as ints, which a certificate uses for indices.
+
+    Args:
+        text: a JSON document.
+
+    Returns:
+        What `exactsweep.check.verify` takes, whatever it may be.
+
+    Raises:
+        FormatError: as by `parse_json`, and integers too long for Python to read.
+
+    Cost: linear in the length of the text.
+
+    Example:
+        >>> parse_certificate('[0, "1/3"]')
+        [0, '1/3']
+    """
+    return _parsed(text, None)
+
+
+def read_vertices(value: object, path: str) -> list[Point]:
+    """Read a list of pairs of numbers.
+
+    Args:
+        value: part of what `parse_json` returned.
+        path: where it was found, for messages.
+
+    Returns:
+        list of Point, in the same order.
+
+    Raises:
+        FormatError: anything else; the message starts with the JSON path of what is wrong.
+
+    Cost: linear.
+
+    Example:
+        >>> read_vertices(parse_json("[[0.5, 2]]"), "$")
+        [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
+    """
+    if not isinstance(value, list):
+        raise FormatError(f"{path} is {described(value)}, not a list of vertices")
+    return [_read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
+
+
+def described(value: object) -> str:
+    """Name the kind of a JSON value.
+
+    >>> described(parse_json("[true]")), described(parse_json("-1"))
+    ('a list', "'-1'")
+    """
+    if isinstance(value, dict):
+        return "an object"
+    if isinstance(value, list):
+        return "a list"
+    if isinstance(value, str):
+        return quoted(value)
+    return json.dumps(value)
+
+
+def _parsed(text: str, number: Callable[[str], object] | None) -> object:
+    try:
+        document: object = json.loads(
+            text,
+            parse_int=number,
+            parse_float=number,
+            parse_constant=number,
+            object_pairs_hook=_without_repeats,
+        )
+    except json.JSONDecodeError as error:
+        raise FormatError(
+            f"line {error.lineno}, column {error.colno}: not JSON: {error.msg}"
+        ) from None
+    except FormatError:
+        raise
+    except RecursionError:
+        raise FormatError("nested too deeply") from None
+    except ValueError as error:
+        # The interpreter's limit on the digits of an int.
+        raise FormatError(f"not JSON that can be read: {error}") from None
+    return document
+
+
+def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    found: dict[str, object] = {}
+    for name, value in pairs:
+        # JSON leaves open which one counts; programs differ.
+        if name in found:
+            raise FormatError(f"the name {quoted(name)} is twice in one object")
+        found[name] = value
+    return found
+
+
+def _read_point(pair: object, path: str) -> Point:
+    if not isinstance(pair, list):
+        raise FormatError(f"{path} is {described(pair)}, not a pair of numbers")
+    if len(pair) != 2:
+        raise FormatError(f"{path} has {len(pair)} coordinates, not 2")
+    coordinates = []
+    for j, value in enumerate(pair):
+        if not isinstance(value, str):
+            raise FormatError(f"{path}[{j}] is {described(value)}, not a number")
+        try:
+            coordinates.append(to_fraction(value))
+        except NumberError as error:
+            raise FormatError(f"{path}[{j}]: {error}") from None
+    return Point(*coordinates)
