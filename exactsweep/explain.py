@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from math import lcm
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from exactsweep.blocking import blocks
@@ -123,7 +122,7 @@ class _Guide:
         for k, (edge, following) in enumerate(zip(edges, edges[1:] + edges[:1], strict=True)):
             pieces = [(c, self._piece(c, edge)) for c in s._numbered_contacts[k]]
             pieces.sort(key=lambda piece: _progress(edge, piece[1][0]))
-            ending, reasons = self._ending(edge, following, pieces)
+            ending, reasons = self._ending(edge, following, s._numbered_contacts[k])
             found.append(
                 Step(
                     positions[k],
@@ -162,25 +161,17 @@ class _Guide:
         return max(edge[0], low, key=progress), min(edge[1], high, key=progress)
 
     def _ending(
-        self, edge: Edge, following: Edge, pieces: Sequence[tuple[Contact, Edge]]
+        self, edge: Edge, following: Edge, contacts: Sequence[Contact]
     ) -> tuple[Ending, list[Contact]]:
         step, turned = minus(edge[1], edge[0]), minus(following[1], following[0])
         if step[0] * turned[1] > step[1] * turned[0]:
-            return "corner", self._meeting(edge[1], [c for c, p in pieces if p[1] == edge[1]])
+            return "corner", self._meeting(edge[1], contacts)
         g, d = self.generatrix, self.directrix
-        stops = [c for c in self._contacts_at(edge[1]) if blocks(c, step, g.loop, d.loop)]
+        stops = [c for c in contacts_at(g, d, edge[1]) if blocks(c, step, g.loop, d.loop)]
         return ("stop", stops) if stops else ("exact fit", [])
 
-    def _contacts_at(self, t: Vertex) -> list[Contact]:
-        g, d = self.generatrix, self.directrix
-        # Ten times faster than with fractions: a lattice that holds the translation, too.
-        scale = lcm(t[0].denominator, t[1].denominator)
-        if scale > 1:
-            g, d = (Boundary([(scale * x, scale * y) for x, y in b.loop]) for b in (g, d))
-        return contacts_at(g, d, (int(scale * t[0]), int(scale * t[1])))
-
     def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
-        """The vertices, of features in contact, that meet at a translation."""
+        """The vertices, of features in contact on the way there, that meet at a translation."""
         g, d = self.generatrix.loop, self.directrix.loop
         found = set()
         for event, i, j in contacts:

@@ -12,6 +12,7 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from exactsweep.chain import Edge, Rational, Vertex
@@ -104,6 +105,31 @@ class Tracer:
                     p, q = self.ends_of(Feature("edge", k))
                     return _at(p, q, first, u), _at(p, q, last, u)
         return None
+
+    def covering_position(self, chain: Sequence[Vertex]) -> Vertex | None:
+        """A translation on the trajectory at which G's boundary covers a chain, if there is one.
+
+        Then each corner of the chain is a vertex of G.  Cost: O(n s) for s edges of the chain,
+        and O(t) to find a translation on the trajectory.
+        """
+        for w in self._generatrix:
+            t = minus(chain[1], w)
+            if all(self._covers(edge, t) for edge in pairwise(chain)) and self._passes(t):
+                return t
+        return None
+
+    def _covers(self, edge: Edge, t: Vertex) -> bool:
+        whole = segment(edge)
+        own = [segment(e, whole.direction) for _, e in self._g_edges.get(whole.direction, ())]
+        pieces = [(piece.moved(t), 0) for piece in own]
+        return covered(whole, [p for p in pieces if p[0].offset == whole.offset]) is not None
+
+    def _passes(self, t: Vertex) -> bool:
+        return t in self._positions or any(
+            offset(u, t) == path.offset and path.low <= along(u, t) <= path.high
+            for u, paths in self._paths.items()
+            for path, _ in paths
+        )
 
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         for i, own in self._g_edges.get(whole.direction, ()):

@@ -133,6 +133,10 @@ def closing_positions(
         ends = tracer.closing_range(edges[0])
         if ends is not None:
             return ("segment", list(ends)) if ends[0] != ends[1] else ("point", [ends[0]])
+    else:
+        position = tracer.covering_position(bottom)
+        if position is not None:
+            return "point", [position]
     positions: dict[Vertex, None] = {}
     for edge in edges:
         for trace in tracer.trace(edge):

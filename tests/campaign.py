@@ -18,8 +18,13 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from exactsweep import Point, Polygon, sweep
-from exactsweep.check import classify, reference_exact_fits, reference_loops
+from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep.check import (
+    classify,
+    point_in_polygon,
+    reference_exact_fits,
+    reference_loops,
+)
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent))
@@ -54,13 +59,29 @@ def failure_of(generatrix: Ring, directrix: Ring, direction: Direction) -> str:
                 return f"exact fits, swept in direction {s.direction}"
         if not all(s.contacts):
             return "an edge of the trajectory without contact"
-        if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
-            return "areas of the undercuts"
+        if failure := undercuts_failure_of(s):
+            return failure
     except Exception as error:
         return f"{type(error).__name__}: {error}"
     for fit in fits:
         if not is_exact_fit(generatrix, directrix, fit):
             return f"{fit} is not an exact fit"
+    return ""
+
+
+def undercuts_failure_of(s: Sweep) -> str:
+    """Say what is wrong with the undercuts of a sweep whose loops are right."""
+    if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
+        return "areas of the undercuts"
+    for undercut in s.undercuts:
+        if classify(s.directrix, undercut.polygon, (0, 0)).verdict != "CONTACT":
+            return f"{undercut.polygon} is no pocket of D"
+        for extreme in undercut.extremes:
+            if point_in_polygon(extreme, s.directrix) or point_in_polygon(extreme, s.inner):
+                return f"{extreme} is no extreme contact point"
+        for position in undercut.positions:
+            if point_in_polygon(position, s.trajectory):
+                return f"{position} closes an undercut but is not on the trajectory"
     return ""
 
 

@@ -180,6 +180,12 @@ VALLEY: Chain = [(0, 2), (2, 0), (4, 2)]
             id="hidden piece",
         ),
         pytest.param(
+            [(0, 0), (6, 0)],
+            [(1, 3), (5, 0)],
+            [(0, 0), (6, 0)],
+            id="hidden piece that ends on the partial envelope",
+        ),
+        pytest.param(
             [(0, 5), (1, 4), (2, 4)],
             [(0, 3), (1, 1), (2, 1), (3, 2)],
             [(0, 3), (1, 1), (2, 1), (3, 2)],

@@ -327,6 +327,18 @@ def test_a_contact_may_end_on_the_way() -> None:
     assert "slides along edge 0 of D, (8,0)-(0,0), from (6,0) on" in told
 
 
+def test_landmarks_of_one_step_are_in_the_order_of_travel() -> None:
+    tips = [(0, 0), (8, 0), (8, 3), (6, 3), (5, 1), (4, 3), (3, 1), (2, 3), (0, 3)]
+    top = next(step for step in explain(sweep(TABLE, tips)) if step.half == "upper")
+    first, second, third, fourth = points((4, 3), (2, 3), (0, 3), (-2, 3))
+    assert top.landmarks == (
+        Landmark("undercut opens", 0, first),
+        Landmark("undercut opens", 1, second),
+        Landmark("undercut closes", 0, third),
+        Landmark("undercut closes", 1, fourth),
+    )
+
+
 SADDLE = [(0, -3), (6, -3), (6, 3), (3, 0), (0, 3)]
 SPIKE = [(0, 0), (1, -2), (2, 0)]
 STAIR = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (0, 1)]

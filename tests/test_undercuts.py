@@ -1,9 +1,11 @@
 """Undercuts: the regions between D and the inner loop, and what closes them."""
 
+import random
 from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import Any
 
+import families
 import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -16,7 +18,14 @@ Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
 
 often = settings(deadline=None, max_examples=100)
-any_pair = own.pairs("CM") | own.pairs("MM")
+walled_pairs = st.integers(0, 10**9).map(
+    lambda seed: families.random_pair(random.Random(seed), ["same", "mould", "walls"])
+)
+any_pair = (
+    own.pairs("CM")
+    | own.pairs("MM")
+    | walled_pairs.map(lambda pair: (Polygon(pair.generatrix), Polygon(pair.directrix)))
+)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
@@ -111,6 +120,17 @@ def test_convex_generatrix_closes_an_undercut_in_one_place(pair: Pair) -> None:
 
 @given(any_pair)
 @often
+def test_one_position_is_given_where_one_will_do(pair: Pair) -> None:
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        closing = [t for t in s.trajectory.vertices if covers(s.generatrix, t, undercut)]
+        if len(undercut.bottom) > 2 and closing:
+            assert len(undercut.positions) == 1
+            assert {*undercut.positions} <= {*closing}
+
+
+@given(any_pair)
+@often
 def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
     s = sweep(*pair)
     for undercut in s.undercuts:
@@ -194,3 +214,22 @@ def test_pocket_behind_a_wall_ends_on_the_wall() -> None:
     assert undercut.polygon == Polygon([(1, 2), (2, 2), (1, 3)])
     assert undercut.extremes == own.points((1, 2), (2, 2))
     assert undercut.positions == own.points((1, 1))
+
+
+def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
+    """Once the upper end of G's wall was taken for the contact, a point that is not on D.
+
+    D around itself: the overhang at G's right end keeps it out of the corner before D's tower.
+
+    ::
+
+                    #
+                  + #       G at (-1, 3): its floor on D, its overhang at the tower
+        # # # # # # #
+        # # # # # #
+    """
+    tower = [(0, 0), (6, 0), (6, 1), (7, 1), (7, 5), (6, 5), (6, 3), (0, 3)]
+    (undercut,) = sweep(tower, tower).undercuts
+    assert undercut.polygon == Polygon([(5, 3), (6, 3), (6, 4), (5, 4)])
+    assert undercut.bottom == own.points((6, 4), (5, 4), (5, 3))
+    assert undercut.positions == own.points((-1, 3))
