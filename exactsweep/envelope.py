@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple, cast
 
-from exactsweep.chain import ChainError, Edge, Rational, Vertex, graph_edges
+from exactsweep.chain import ChainError, Edge, Rational, Vertex, convex_parts
 from exactsweep.piece import (
     Break,
     Line,
@@ -64,12 +64,9 @@ class Envelope:
             self._lines = [None if edge is None else line_of(edge) for edge in self.edges]
         return self._lines
 
-    @classmethod
-    def graph(cls, chain: Sequence[Vertex]) -> Envelope:
-        """Wrap a chain, from left to right, that may have vertical edges.  Cost: O(n)."""
-        edges: list[Piece] = list(graph_edges(chain))
-        breaks: list[Break] = [(chain[0][0], 1), *((x, 1) for _, (x, _) in graph_edges(chain))]
-        return cls(breaks, edges, [0] * len(edges))
+    def forget_lines(self) -> None:
+        """Say that the edges are about to change."""
+        self._lines = None
 
     @classmethod
     def hole(cls, start: Break, end: Break) -> Envelope:
@@ -99,13 +96,22 @@ class Envelope:
 
     @classmethod
     def of(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
-        """Wrap one chain that has no vertical edge.  Cost: O(n)."""
-        # Points of its own: see `joined`.
-        return cls.of_own([(x, y) for x, y in chain], source)
+        """Wrap a chain, from left to right, vertical edges allowed.
+
+        Raises ChainError when it is not X-monotone.  Cost: O(n).
+        """
+        envelope = cls([(chain[0][0], 1)], [], [])
+        for part in convex_parts(chain):
+            # Points of its own, so that edges are `joined` inside the part alone.
+            piece = cls.of_own([(x, y) for x, y in part], source)
+            envelope.edges += piece.edges
+            envelope.sources += piece.sources
+            envelope.breaks += piece.breaks[1:]
+        return envelope
 
     @classmethod
     def of_own(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
-        """The same for a chain whose point objects no other chain shares."""
+        """Wrap a strictly convex chain whose point objects no other chain shares.  Cost: O(n)."""
         edges: list[Piece] = list(pairwise(chain))
         return cls([(x, 1) for x, _ in chain], edges, [source] * len(edges))
 
@@ -218,6 +224,7 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
+    partial.forget_lines()
     breaks, edges, sources = partial.breaks, partial.edges, partial.sources
     start, end = piece.breaks[0], breaks[-1]
     if precedes(start, breaks[0]):

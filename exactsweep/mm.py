@@ -163,7 +163,7 @@ def inner_mm(
     for k, run in enumerate(runs):
         for i in {source // parts for source in run.sources}:
             guess[i].append(k)
-    floor = Envelope.graph(inverse(complement(directrix)))
+    floor = Envelope.of(inverse(complement(directrix)))
     boundary = sweep_pairs(chains, runs, guess, floor)
     boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))
