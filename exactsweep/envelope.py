@@ -207,15 +207,15 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
 
     Args:
         partial: the envelope so far; it is changed in place.
-        piece: one convex chain, starting no further left, that crosses the partial trajectory at
-            most once and is the lower one on the right (Lemma A.3).  If it ends first, what is
-            left of the partial trajectory beyond is dropped with what is trimmed.
+        piece: one convex chain, starting over the partial trajectory, that crosses it at most
+            once and is the lower one on the right (Lemma A.3).  If it ends first, what is left of
+            the partial trajectory beyond is dropped: the next piece will be lower there.
 
     Returns:
         The same envelope.
 
     Raises:
-        ChainError: the piece starts left of the partial trajectory.
+        ChainError: the piece does not start over the partial trajectory.
 
     Cost: O(edges of the piece + edges trimmed off), and O(log n) to find the right end.
 
@@ -227,12 +227,10 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
     partial.forget_lines()
     breaks, edges, sources = partial.breaks, partial.edges, partial.sources
     start, end = piece.breaks[0], breaks[-1]
-    if precedes(start, breaks[0]):
-        raise ChainError("the piece starts left of the partial trajectory")
+    if precedes(start, breaks[0]) or precedes(end, start):
+        raise ChainError("the piece does not start over the partial trajectory")
     j = 0
-    if precedes(end, start):
-        partial.extend_hole(start)
-    elif precedes(piece.breaks[-1], end):
+    if precedes(piece.breaks[-1], end):
         end = piece.breaks[-1]
         k, j = partial.edge_before(end), len(piece.edges) - 1
         if height(edges[k], piece.edges[j], end) <= 0:
@@ -240,7 +238,7 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         del edges[k + 1 :], sources[k + 1 :], breaks[k + 2 :]
         breaks[-1] = end
         j = _trim(partial, piece, j)
-    elif edges and precedes(start, end):
+    elif precedes(start, end):
         j = piece.edge_before(end)
         if height(edges[-1], piece.edges[j], end) > 0:
             j = _trim(partial, piece, j)
@@ -263,13 +261,11 @@ def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
         top, mine, others = edges[-1], breaks[-2], piece.breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
         n, d = others if order > 0 else mine
-        above: Rational = 1
-        if top is not None:
-            u, v = gap(line_of(top), line_of(piece.edges[j]))
-            above = u * n + v * d
-            if above < 0:
-                breaks[-1] = crossing(u, v)
-                return j
+        u, v = gap(line_of(top), line_of(piece.edges[j]))
+        above = u * n + v * d
+        if above < 0:
+            breaks[-1] = crossing(u, v)
+            return j
         if order > 0:
             if above == 0 or j == 0:
                 # They meet in a vertex; or the piece starts below: a step down.

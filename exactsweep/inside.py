@@ -31,6 +31,12 @@ class Run(NamedTuple):
     turns_left: bool
     turns_right: bool
 
+    def turning(self, *, left: bool, right: bool) -> Run:
+        """The same part, the generatrix turning about the given ends in any case."""
+        return self._replace(
+            turns_left=left or self.turns_left, turns_right=right or self.turns_right
+        )
+
     @property
     def box(self) -> Box:
         """Bounds, rounded outwards to ints, of least x, greatest x and least y.

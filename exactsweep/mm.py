@@ -12,7 +12,9 @@ Ackermann function, since an envelope of segments can have more pieces than segm
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
+from itertools import chain
 
 from exactsweep.ceiling import Ceiling
 from exactsweep.chain import Vertex, complement, convex_parts, inverse
@@ -58,9 +60,8 @@ def sweep_pairs(
     it gives is a ceiling, and pairs that do not come below it need not be swept; the others follow
     in batches, each four times the last, so that the ceiling is lowered only O(log n) times.
 
-    LowerEnvelope_CM may be used on what is left of the D_i: where leaving out a pair lets two
-    sub-trajectories cross a second time, the pair left out was lower than the one that the
-    procedure then drops (their difference is monotone), and the ceiling is lower than that pair.
+    LowerEnvelope_CM needs neighbours: what it drops it drops for the next part's sake.  So the
+    parts left are taken in runs of consecutive ones, each run a directrix of its own.
 
     Args:
         chains: the convex chains of reversed edges of G_t.
@@ -74,32 +75,50 @@ def sweep_pairs(
     Cost: O(m n log n), the number of pairs that are swept being at most m n.
     """
     boxes = [part.box for part in parts]
-    chain_boxes = [(chain[0][0], chain[-1][0], min(y for _, y in chain)) for chain in chains]
+    chain_boxes = [(c[0][0], c[-1][0], min(y for _, y in c)) for c in chains]
     start: Break = (min(first for first, _, _ in chain_boxes) + boxes[0][0], 1)
     end: Break = (max(last for _, last, _ in chain_boxes) + boxes[-1][1], 1)
 
-    def sweep(i: int, numbers: Iterable[int]) -> Envelope:
-        partial = Envelope([start], [], [])
-        for j in numbers:
-            lower_envelope_cm(partial, parts[j].swept(chains[i], i * len(parts) + j))
-        return partial
+    def sweep(i: int, numbers: Iterable[int]) -> Iterator[Envelope]:
+        for run in runs(numbers):
+            pieces = (
+                parts[j]
+                .turning(left=j == run[0], right=j == run[-1])
+                .swept(chains[i], i * len(parts) + j)
+                for j in run
+            )
+            yield reduce(lower_envelope_cm, pieces)
 
     envelope = Envelope.hole(start, end)
     order = sorted(range(len(chains)), key=lambda i: chain_boxes[i][2])
     if guess is not None:
-        # Of a guess, unlike of what a ceiling leaves, LowerEnvelope_CM may lose pieces that
-        # matter: it serves as a ceiling, and its pairs come up again with the others.
-        guessed = [sweep(i, numbers) for i, numbers in enumerate(guess) if numbers]
-        envelope = lower_envelope_mm([envelope, *guessed])
+        # Its pairs come up again with the others, few of them under the ceiling that they make.
+        guessed = (sweep(i, numbers) for i, numbers in enumerate(guess))
+        envelope = lower_envelope_mm([envelope, *chain.from_iterable(guessed)])
     done, size = 0, 1 if guess is None else 4
     while done < len(order):
         ceiling = Ceiling(envelope, floor)
-        swept = [
+        swept = (
             sweep(i, ceiling.reached(chain_boxes[i], boxes)) for i in order[done : done + size]
-        ]
-        envelope = lower_envelope_mm([envelope, *(partial for partial in swept if partial.edges)])
+        )
+        envelope = lower_envelope_mm([envelope, *chain.from_iterable(swept)])
         done, size = done + size, 4 * size
     return envelope
+
+
+def runs(numbers: Iterable[int]) -> list[list[int]]:
+    """Split ascending numbers into maximal runs of consecutive ones.
+
+    >>> runs([1, 2, 3, 5, 8, 9])
+    [[1, 2, 3], [5], [8, 9]]
+    """
+    found: list[list[int]] = []
+    for number in numbers:
+        if found and found[-1][-1] == number - 1:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    return found
 
 
 def sweep_mm(
@@ -156,14 +175,14 @@ def inner_mm(
     Cost: O(t n log n) for t edges of T.
     """
     chains = convex_parts(inverse(generatrix_top))
-    runs = inside_runs(trajectory)
+    inside = inside_runs(trajectory)
     # Most of D is touched by the part of G_t that draws the trajectory there.
     guess: list[list[int]] = [[] for _ in chains]
     parts = len(joined_parts(directrix))
-    for k, run in enumerate(runs):
+    for k, run in enumerate(inside):
         for i in {source // parts for source in run.sources}:
             guess[i].append(k)
     floor = Envelope.of(inverse(complement(directrix)))
-    boundary = sweep_pairs(chains, runs, guess, floor)
+    boundary = sweep_pairs(chains, inside, guess, floor)
     boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))

@@ -53,6 +53,13 @@ class ConvexPart(NamedTuple):
             piece.breaks[-1] = right[0] + chain[last][0] * right[1], right[1]
         return piece
 
+    def turning(self, *, left: bool, right: bool) -> ConvexPart:
+        """The same part, G turning about the given ends in any case.
+
+        Where the part is cut there, it then ends where its edge does: above the chain, as ever.
+        """
+        return ConvexPart(self.points, None if left else self.left, None if right else self.right)
+
     @property
     def box(self) -> Box:
         """Least x, greatest x and least y."""

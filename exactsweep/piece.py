@@ -70,9 +70,7 @@ def gap(first: Line, second: Line) -> tuple[Rational, Rational]:
 
 
 def height(first: Piece, second: Piece, at: Break) -> Rational:
-    """Positive when the first edge or hole is above the line of the second edge at a break."""
-    if first is None:
-        return 1
+    """Positive when the line of the first edge is above that of the second at a break."""
     u, v = gap(line_of(first), line_of(second))
     return u * at[0] + v * at[1]
 

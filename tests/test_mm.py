@@ -1,14 +1,18 @@
 """The MM procedures on chains: Lemmas 5.1 and 5.3."""
 
+import random
 from fractions import Fraction
 
+import families
+import pytest
 import strategies as own
 from hypothesis import given, settings
 
 from exactsweep import Polygon, sweep
 from exactsweep.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.chain import Vertex, complement, inverse, split
+from exactsweep.chain import Vertex, complement, convex_parts, inverse, split
 from exactsweep.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.envelope import Envelope, lower_envelope_mm
 from exactsweep.mm import inner_mm, outer_mm, sweep_mm, trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
@@ -43,6 +47,34 @@ def test_halves_are_those_of_the_whole_sweep(pair: Pair) -> None:
     found = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
     for chain, loop in zip(found, (s.trajectory, s.inner, s.outer), strict=True):
         assert chain == split(loop.vertices)[0]
+
+
+def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
+    """Every convex part along every convex part, and nothing left out."""
+    chains = [
+        trajectory_cc(inverse(part), other)
+        for part in convex_parts(inverse(top))
+        for other in convex_parts(bottom)
+    ]
+    return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+
+
+@pytest.mark.parametrize("first", range(0, 400, 100))
+def test_no_pair_of_convex_parts_is_missed(first: int) -> None:
+    """Lemma 5.1, thrice: pairs that are not swept would not have reached the envelope."""
+    for number in range(first, first + 100):
+        rng = random.Random(f"all pairs:{number}")
+        (g_bottom, g_top), (bottom, _) = (
+            split(Polygon(families.long(rng)).lattice()[1]) for _ in "gd"
+        )
+        trajectory = list(trajectory_mm(g_top, bottom))
+        assert trajectory == envelope_of_all_pairs(g_top, bottom), number
+        inner, outer = sweep_mm(g_top, g_bottom, bottom)
+        assert outer == envelope_of_all_pairs(inverse(g_bottom), trajectory), number
+        inside = envelope_of_all_pairs(g_top, inverse(complement(trajectory)))
+        left, right = bottom[0][0], bottom[-1][0]
+        closed = [v for v in inverse(complement(inside)) if left < v[0] < right]
+        assert closed == [v for v in inner if left < v[0] < right], number
 
 
 @given(own.pairs("MM"))

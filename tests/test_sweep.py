@@ -85,6 +85,24 @@ def test_campaign_begins_without_mismatch(first: int) -> None:
             [(14, 2), (18, 4), (24, 2), (24, 0), (28, 3), (0, 6)],
             id="break not reduced, wall in the directrix",
         ),
+        # The part of the trajectory left of one on the outer boundary need not be swept; without
+        # it, a later part seemed to be below all that lies right of it.
+        pytest.param(
+            [
+                *[(4, -1), (15, -2), (18, 0), (35, -1), (24, 3)],
+                *[(19, 3), (18, 2), (14, 3), (3, 1), (1, 3)],
+            ],
+            [(0, 0), (9, 0), (13, 1), (14, 0), (15, 5)],
+            id="pruned neighbour, convex directrix but for one vertex",
+        ),
+        pytest.param(
+            [
+                *[(6, -1), (12, 1), (29, 0), (18, 5), (17, 6)],
+                *[(15, 6), (5, 4), (3, 6), (2, 4), (0, 6)],
+            ],
+            [(1, 0), (5, -2), (6, 0), (7, -2), (17, -1), (0, 8)],
+            id="pruned neighbour, zigzag directrix",
+        ),
     ],
 )
 def test_pairs_that_once_failed(generatrix: Any, directrix: Any, name: str) -> None:

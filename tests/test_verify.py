@@ -295,6 +295,19 @@ def test_drawing_beside_its_edge_is_refused() -> None:
     assert result.reason.endswith("draws no part of the edge")
 
 
+def test_loop_drawn_inside_the_swept_area_is_not_the_outer_one() -> None:
+    """The path of one vertex of G is drawn all along, but other vertices pass outside."""
+    certificate = sweep(UNIT, VALLEY).certificate()
+    certificate["outer"] = certificate["trajectory"]
+    certificate["outer_drawn"] = [[[["edge", k], ["vertex", 0]]] for k in range(7)]
+    result = verify(certificate)
+    assert result == (
+        False,
+        "outer: with G at trajectory vertex 1 its vertex 1 is outside",
+        Point(Fraction(5), Fraction(-1)),
+    )
+
+
 def test_undercut_must_be_closed() -> None:
     """A trajectory and outer loop that are right, and D itself given as the inner loop."""
     g, d = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), Polygon(SLOT)
@@ -377,6 +390,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
 @example([(0, 0), (1, 0), (1, 2), (2, 2), (2, 4), (1, 4), (1, 1), (0, 1)])
+@example([(2, 1), (1, 1), (1, 4), (0, 4), (0, 2), (1, 2), (1, 0), (2, 0)])
 def test_loop_is_what_a_canonical_monotone_polygon_is(ring: list[tuple[int, int]]) -> None:
     start = ring.index(min(ring))
     vertices = tuple(Point(Fraction(x), Fraction(y)) for x, y in ring[start:] + ring[:start])
