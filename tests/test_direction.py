@@ -21,7 +21,7 @@ from exactsweep.direction import (
 
 Vector = tuple[int, int]
 
-often = settings(deadline=None, max_examples=150)
+often = settings(deadline=None, max_examples=100)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #  ____     a notch from the left: vertical lines

@@ -224,9 +224,16 @@ def test_envelopes_of_any_chains(chains: list[Chain], expected: Chain) -> None:
     assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == expected
 
 
-def test_piece_that_starts_too_far_left_is_refused() -> None:
-    with pytest.raises(ChainError, match="left of the partial trajectory"):
-        lower_envelope_cm(Envelope.of(VALLEY), Envelope.of([(-1, 2), (6, 2)]))
+@pytest.mark.parametrize("piece", [[(-1, 2), (6, 2)], [(5, 0), (6, 2)]])
+def test_piece_that_starts_elsewhere_is_refused(piece: Chain) -> None:
+    with pytest.raises(ChainError, match="does not start over the partial trajectory"):
+        lower_envelope_cm(Envelope.of(VALLEY), Envelope.of(piece))
+
+
+def test_hole_between_chains_is_refused_when_it_is_read() -> None:
+    holed = lower_envelope_mm([Envelope.of([(0, 0), (1, 0)]), Envelope.of([(2, 0), (3, 0)])])
+    with pytest.raises(ChainError, match="the envelope has a hole"):
+        list(holed)
 
 
 def test_equal_breaks_need_not_be_written_alike() -> None:

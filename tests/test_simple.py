@@ -91,7 +91,9 @@ def test_sweep_agrees_with_all_pairs_on_random_rings(side: int) -> None:
     simple = 0
     for _ in range(4000):
         count = rng.randint(3, 9)
-        points = [(rng.randrange(side), rng.randrange(side)) for _ in range(count)]
+        points: list[LatticePoint] = [
+            (rng.randrange(side), rng.randrange(side)) for _ in range(count)
+        ]
         simple += agrees(points)
     assert simple > 50
 

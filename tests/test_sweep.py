@@ -361,6 +361,6 @@ def test_refusals_name_what_is_wrong(
         sweep(*arguments, **options)
 
 
-def test_random_is_not_needed_to_repeat_a_pair() -> None:
+def test_pairs_are_known_by_their_seed() -> None:
     first, again = (families.random_pair(random.Random("1:7")) for _ in range(2))
     assert first == again

@@ -1,0 +1,1 @@
+"""Benchmarks: how the procedures grow, beside their claimed bounds, and beside other programs."""

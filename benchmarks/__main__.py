@@ -1,0 +1,83 @@
+"""`python -m benchmarks`: scaling, peers, report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import click
+from rich.console import Console
+
+from benchmarks import scaling as scaling_runs
+from benchmarks.clock import machine
+from benchmarks.peers.measured import Comparison
+from benchmarks.peers.run import compare
+from benchmarks.peers.tables import tables
+
+WIDTH = 140
+
+quick_option = click.option("--quick", is_flag=True, help="Small pairs only; growth by counts.")
+limit_option = click.option(
+    "--limit", default=20.0, help="Seconds that one program may take on one pair."
+)
+cgal_option = click.option(
+    "--cgal",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="CGAL's program, if it is compiled already; otherwise it is, in a temporary folder.",
+)
+
+
+def measure_peers(quick: bool, limit: float, cgal: Path | None) -> Comparison:
+    """Run the comparison; what is under way goes to standard error."""
+    console = Console(stderr=True)
+    with TemporaryDirectory() as folder, console.status("compiling") as status:
+        return compare(Path(folder), limit=limit, quick=quick, cgal_program=cgal, say=status.update)
+
+
+@click.group()
+def main() -> None:
+    """Measure exactsweep: its growth beside the claimed bounds, and its time beside others'."""
+
+
+@main.command()
+@quick_option
+def scaling(quick: bool) -> None:
+    """Counted operations and time of each procedure over five doublings."""
+    console = Console(width=max(WIDTH, Console().width))
+    console.print(machine())
+    measured = []
+    for series in scaling_runs.measure_all(quick=quick):
+        measured.append(series)
+        console.print(scaling_runs.series_table(series))
+    console.print(scaling_runs.summary_table(measured))
+
+
+@main.command()
+@quick_option
+@limit_option
+@cgal_option
+def peers(quick: bool, limit: float, cgal: Path | None) -> None:
+    """The same sweeps by CGAL, SFCGAL, shapely, Clipper and KLayout, side by side."""
+    found = measure_peers(quick, limit, cgal)
+    Console(width=max(WIDTH, Console().width)).print(*tables(found), sep="\n")
+
+
+@main.command()
+@click.option("-o", "folder", required=True, type=click.Path(file_okay=False, path_type=Path))
+@click.option("--redraw", is_flag=True, help="From what is in the folder, without measuring.")
+@quick_option
+@limit_option
+@cgal_option
+def report(folder: Path, redraw: bool, quick: bool, limit: float, cgal: Path | None) -> None:
+    """Measure everything, and write Markdown and plots into a folder."""
+    # matplotlib is needed for nothing else.
+    from benchmarks.report import load, save, write
+
+    if not redraw:
+        measured = list(scaling_runs.measure_all(quick=quick))
+        save(folder, measured, measure_peers(quick, limit, cgal))
+    click.echo(write(folder, *load(folder)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,55 @@
+"""Time, and what it was measured on.
+
+Times are the processor's for one process and one thread: the wall time of a machine that does
+nothing else, whatever other jobs there are.
+"""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from statistics import median
+from time import process_time
+from typing import NamedTuple
+
+REPEATS = 100
+
+
+class Times(NamedTuple):
+    """Median, minimum and maximum, in milliseconds."""
+
+    median: float
+    least: float
+    greatest: float
+
+    @classmethod
+    def of(cls, milliseconds: list[float]) -> Times:
+        return cls(median(milliseconds), min(milliseconds), max(milliseconds))
+
+
+def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float]:
+    """Call for about that many seconds in all, at least once and at most 100 times.
+
+    Returns the time of each call.
+    """
+    times: list[float] = []
+    while not times or (len(times) < REPEATS and sum(times) < 1000 * seconds):
+        start = process_time()
+        call()
+        times.append(1000 * (process_time() - start))
+    return times
+
+
+def machine() -> str:
+    """Processor, Python and date, for the head of a table."""
+    processor = platform.processor() or platform.machine()
+    described = Path("/proc/cpuinfo")
+    if described.exists():
+        for line in described.read_text().splitlines():
+            if line.startswith("model name"):
+                processor = line.partition(":")[2].strip()
+                break
+    python = f"{platform.python_implementation()} {platform.python_version()}"
+    return f"{processor}, {platform.system()}, {python}, {datetime.now(UTC):%Y-%m-%d}"

@@ -1,0 +1,61 @@
+"""The pairs that are measured, and how much faster than CGAL the kernel has to be on them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from benchmarks.families import FAMILIES, Pair
+
+TRAJECTORY, LOOPS = "trajectory", "three loops"
+
+
+class Case(NamedTuple):
+    """A pair of a family, and which operations are measured on it."""
+
+    family: str
+    m: int
+    n: int
+    operations: tuple[str, ...] = (TRAJECTORY, LOOPS)
+
+    def pair(self) -> tuple[list[Pair], list[Pair]]:
+        """Generatrix and directrix."""
+        return FAMILIES[self.family](self.m, self.n, 0)
+
+    def bar(self, operation: str) -> float | None:
+        """The least ratio of CGAL's time to the kernel's that is asked for."""
+        if operation == LOOPS:
+            bars = {(16, 16): 1.0, (64, 64): 3.0, (256, 64): 5.0, (256, 256): 10.0}
+        elif self.family in ("mm", "stair"):
+            bars = {(64, 64): 2.0, (256, 64): 5.0, (256, 256): 5.0}
+        else:
+            bars = {(64, 64): 2.0, (256, 64): 2.0, (256, 256): 2.0}
+        return bars.get((self.m, self.n))
+
+
+_SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
+_LARGE = (
+    Case("cc", 10_000, 10_000, (TRAJECTORY,)),
+    Case("cm_hard", 1024, 256, (TRAJECTORY,)),
+    Case("mm", 1024, 256, (TRAJECTORY,)),
+)
+
+CASES = tuple(
+    case
+    for family in ("cc", "cm", "cm_hard", "mm", "stair")
+    for case in (
+        *(Case(family, m, n) for m, n in _SIZES),
+        *(large for large in _LARGE if large.family == family),
+    )
+)
+
+# Trajectories that are held against the making of the output's Fractions and nothing else.
+FLOOR_CASES = (
+    Case("cc", 100_000, 100_000, (TRAJECTORY,)),
+    Case("cm_hard", 1024, 256, (TRAJECTORY,)),
+)
+FLOOR_BAR = 3.0
+
+MEMORY_CASE = Case("cm_hard", 1024, 256, (TRAJECTORY,))
+PAIRS_BARS = {TRAJECTORY: 1000.0, LOOPS: 400.0}
+MEMORY_BYTES = 600
+MEMORY_FIXED = 50_000_000

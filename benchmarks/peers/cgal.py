@@ -1,0 +1,152 @@
+"""CGAL: its exact Minkowski sums by every strategy it has, from our own small program.
+
+The program (`benchmarks/cgal/minkowski.cpp`) times what is between reading exact numbers and
+having exact coordinates of the result.  The three loops are three runs: D + I(G); the result
+plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
+"""
+
+from __future__ import annotations
+
+import subprocess
+from collections import Counter
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+from shutil import which
+from typing import NamedTuple
+
+from benchmarks.clock import Times
+from benchmarks.peers.worker import Loop
+from exactsweep import Polygon
+from exactsweep.polygon import PolygonError
+
+SOURCE = Path(__file__).parent.parent / "cgal" / "minkowski.cpp"
+SECONDS = 0.5
+
+STRATEGIES = (
+    "reduced",
+    "full",
+    "bisectors",
+    "Hertel-Mehlhorn",
+    "Greene",
+    "optimal",
+    "vertical",
+    "triangulation",
+)
+SUMS = tuple(("sum", strategy) for strategy in STRATEGIES)
+EROSIONS = (
+    *(("frame", strategy) for strategy in ("reduced", "vertical", "triangulation")),
+    *(("halves", strategy) for strategy in STRATEGIES),
+)
+
+# A strategy this many times slower than the fastest on a smaller pair of the same family is not
+# tried on a larger one; on one pair none is given longer than this many times the fastest.
+HOPELESS = 4.0
+
+
+class MissingError(Exception):
+    """A program that is not installed here."""
+
+
+class Best(NamedTuple):
+    """The fastest strategy for a sum or an erosion, and what it gave."""
+
+    strategy: str
+    times: Times
+    loop: Loop
+
+
+def compile_program(folder: Path) -> Path:
+    """Compile the program into a folder.
+
+    Raises MissingError if there is no compiler or no CGAL for it.
+    """
+    compiler = which("g++") or which("clang++")
+    if compiler is None:
+        raise MissingError("no C++ compiler")
+    program = folder / "minkowski"
+    command = [compiler, "-std=c++17", "-O3", "-DNDEBUG", "-o", str(program), str(SOURCE)]
+    done = subprocess.run([*command, "-lgmp", "-lmpfr"], capture_output=True, text=True)
+    if done.returncode:
+        problem = next((line for line in done.stderr.splitlines() if "error" in line), "")
+        raise MissingError(f"cannot be compiled: {problem}")
+    return program
+
+
+class Cgal:
+    """Runs the program, and remembers which strategies are worth a try.
+
+    Args:
+        program: the compiled program.
+        limit: seconds that one run may take.
+    """
+
+    def __init__(self, program: Path, limit: float) -> None:
+        self._program = program
+        self._limit = limit
+        self._worth: dict[tuple[str, str], list[tuple[str, str]]] = {}
+        self.version = subprocess.run(
+            [program, "version"], capture_output=True, text=True, check=True
+        ).stdout.strip()
+
+    def best(self, family: str, stage: str, p: Loop, q: Loop) -> Best | None:
+        """The fastest way to P + Q, or to P eroded by -Q.
+
+        Args:
+            family: the family of the pair.
+            stage: "trajectory", "outer" or "inner"; what is learnt holds for family and stage.
+            p: vertices of P, counter-clockwise.
+            q: vertices of Q, counter-clockwise.
+
+        Returns:
+            None if no strategy ends within the limit.
+        """
+        ways = self._worth.get((family, stage), EROSIONS if stage == "inner" else SUMS)
+        found: list[tuple[Best, tuple[str, str]]] = []
+        polygons: list[Polygon] = []
+        allowed = self._limit
+        for way in ways:
+            ran = self._run(way, p, q, allowed)
+            if ran is None:
+                continue
+            try:
+                polygons.append(Polygon(ran.loop))
+            except PolygonError:
+                continue
+            found.append((ran, way))
+            allowed = min(allowed, max(1.0, HOPELESS * ran.times.median / 1000))
+        if not found:
+            return None
+        # Some strategies go wrong on collinear vertices: what most of them say is CGAL's answer.
+        answer = Counter(polygons).most_common(1)[0][0]
+        found = [pair for pair, polygon in zip(found, polygons, strict=True) if polygon == answer]
+        found.sort(key=lambda pair: pair[0].times.median)
+        best = found[0][0]
+        self._worth[family, stage] = [
+            way for ran, way in found if ran.times.median <= HOPELESS * best.times.median
+        ]
+        return best
+
+    def _run(self, way: tuple[str, str], p: Loop, q: Loop, allowed: float) -> Best | None:
+        given = "\n".join(line for part in (p, q) for line in [str(len(part)), *_lines(part)])
+        try:
+            done = subprocess.run(
+                [self._program, *way, str(SECONDS)],
+                input=given,
+                capture_output=True,
+                text=True,
+                timeout=allowed + SECONDS,
+            )
+        except subprocess.TimeoutExpired:
+            return None
+        if done.returncode:
+            # On collinear vertices, some strategies fail with an error or a signal.
+            return None
+        times, *lines = done.stdout.splitlines()
+        loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
+        name = way[1] if way[0] == "sum" else f"{way[1]}, {way[0]}"
+        return Best(name, Times.of([float(time) for time in times.split()]), loop)
+
+
+def _lines(part: Sequence[tuple[object, object]]) -> list[str]:
+    return [f"{x} {y}" for x, y in part]

@@ -1,0 +1,25 @@
+"""pyclipper: its Minkowski sum, on integers; crossings are rounded to integers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from importlib.metadata import version as installed
+
+import pyclipper
+
+from benchmarks.families import Pair
+from benchmarks.peers.worker import Loop
+
+
+def version() -> str:
+    return f"pyclipper {installed('pyclipper')}"
+
+
+def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+    inverse = [(-x, -y) for x, y in generatrix]
+
+    def run() -> list[Loop]:
+        paths = pyclipper.MinkowskiSum(inverse, directrix, True)
+        return [max(paths, key=lambda path: abs(pyclipper.Area(path)))]
+
+    return run

@@ -1,0 +1,238 @@
+"""Runs all programs on all cases, one after the other, in processes of their own.
+
+The kernel is measured before and after the others on each pair, so that a machine that is
+busier at one time than at another shows in its spread and not in the ratios.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from importlib import import_module
+from pathlib import Path
+from typing import Any, cast
+
+from benchmarks.clock import Times, machine
+from benchmarks.families import Pair
+from benchmarks.outlines import part_pairs
+from benchmarks.peers import ours
+from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
+from benchmarks.peers.cgal import Cgal, MissingError, compile_program
+from benchmarks.peers.measured import Comparison, Result
+from benchmarks.peers.worker import Loop
+from exactsweep import Polygon
+
+OURS, CGAL, FLOOR = "exactsweep", "CGAL", "floor"
+MODULES = {
+    "pysfcgal": "sfcgal",
+    "shapely": "shapely_pieces",
+    "pyclipper": "clipper",
+    "klayout": "klayout_sum",
+}
+SECONDS = 0.5
+STARTING = 3.0
+"""Seconds that a process of Python may take to start, beyond the limit."""
+
+
+class StoppedError(Exception):
+    """A program gave no answer; the message says why."""
+
+
+def compare(
+    folder: Path,
+    *,
+    limit: float,
+    quick: bool = False,
+    cgal_program: Path | None = None,
+    say: Callable[[str], None] = print,
+) -> Comparison:
+    """Measure everything.
+
+    Args:
+        folder: where CGAL's program is compiled.
+        limit: seconds that one program may take on one case.
+        quick: pairs up to 64 vertices only.
+        cgal_program: CGAL's program, if it is compiled already.
+        say: is told what is under way.
+    """
+    found = Comparison(machine(), versions={OURS: ours.version()})
+    cgal: Cgal | None = None
+    try:
+        cgal = Cgal(cgal_program or compile_program(folder), limit)
+        found.versions[CGAL] = f"CGAL {cgal.version}"
+    except MissingError as problem:
+        found.skipped[CGAL] = str(problem)
+    peers = []
+    for name, module in MODULES.items():
+        try:
+            found.versions[name] = import_module(f"benchmarks.peers.{module}").version()
+            peers.append(name)
+        except ImportError as problem:
+            found.skipped[name] = str(problem)
+    for case in CASES:
+        if quick and max(case.m, case.n) > 64:
+            continue
+        say(f"{case.family} {case.m}, {case.n}")
+        found.results += measure(case, peers, cgal, limit)
+    for case in () if quick else FLOOR_CASES:
+        say(f"floor of {case.family} {case.m}, {case.n}")
+        found.results += measure_floor(case)
+    say("small pairs")
+    for operation in (TRAJECTORY, LOOPS):
+        found.pairs_a_second[operation] = pairs_a_second(operation)
+    if not quick:
+        say("memory")
+        found.memory = memory(MEMORY_CASE)
+    return found
+
+
+def measure(case: Case, peers: Iterable[str], cgal: Cgal | None, limit: float) -> list[Result]:
+    """All programs on one pair."""
+    before = {operation: run_ours(case, operation) for operation in case.operations}
+    exact = {operation: loops for operation, (_, loops) in before.items()}
+    results = []
+    if cgal is not None:
+        results += measure_cgal(case, cgal, limit, exact)
+    for name in peers:
+        try:
+            times, loops = run_worker(MODULES[name], "trajectory", case, limit)
+            results.append(_result(name, TRAJECTORY, case, times, exact[TRAJECTORY], loops))
+        except StoppedError as problem:
+            results.append(Result(name, TRAJECTORY, case, note=str(problem)))
+    for operation in case.operations:
+        times = before[operation][0] + run_ours(case, operation)[0]
+        results.append(_result(OURS, operation, case, times, exact[operation], exact[operation]))
+    return results
+
+
+def measure_cgal(
+    case: Case, cgal: Cgal, limit: float, exact: dict[str, list[Loop]]
+) -> list[Result]:
+    """The trajectory by the fastest strategy, and the three loops by the fastest for each."""
+    generatrix, directrix = case.pair()
+    inverse = [(-x, -y) for x, y in generatrix]
+    slow = f"> {limit:g} s"
+    trajectory = cgal.best(case.family, TRAJECTORY, directrix, inverse)
+    if trajectory is None:
+        return [Result(CGAL, operation, case, note=slow) for operation in case.operations]
+    one = _result(CGAL, TRAJECTORY, case, trajectory.times, exact[TRAJECTORY], [trajectory.loop])
+    one.note = trajectory.strategy
+    if LOOPS not in case.operations:
+        return [one]
+    swept = exact[TRAJECTORY][0]
+    inner = cgal.best(case.family, "inner", swept, generatrix)
+    outer = cgal.best(case.family, "outer", swept, generatrix)
+    if inner is None or outer is None:
+        return [one, Result(CGAL, LOOPS, case, note=slow)]
+    times = Times(*map(sum, zip(trajectory.times, inner.times, outer.times, strict=True)))
+    three = _result(
+        CGAL, LOOPS, case, times, exact[LOOPS], [trajectory.loop, inner.loop, outer.loop]
+    )
+    three.note = "; ".join(best.strategy for best in (trajectory, inner, outer))
+    return [one, three]
+
+
+def measure_floor(case: Case) -> list[Result]:
+    """A trajectory, and the making of its Fractions alone."""
+    times, loops = run_ours(case, TRAJECTORY)
+    floor, _ = run_worker("ours", "floor", case, 600)
+    return [
+        _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY)[0], loops, loops),
+        _result(FLOOR, TRAJECTORY, case, floor, loops, loops),
+    ]
+
+
+def run_ours(case: Case, operation: str) -> tuple[list[float], list[Loop]]:
+    """The kernel; what it gives is the measure of all others."""
+    return run_worker("ours", "loops" if operation == LOOPS else "trajectory", case, 600)
+
+
+def run_worker(
+    module: str, operation: str, case: Case, limit: float
+) -> tuple[list[float], list[Loop]]:
+    """Times in milliseconds and loops of one operation in a process of its own.
+
+    Raises StoppedError when it takes too long or fails.
+    """
+    generatrix, directrix = case.pair()
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(SECONDS)],
+            input=json.dumps({"generatrix": generatrix, "directrix": directrix}),
+            capture_output=True,
+            text=True,
+            timeout=limit + STARTING,
+            cwd=Path(__file__).parents[2],
+        )
+    except subprocess.TimeoutExpired:
+        raise StoppedError(f"> {limit:g} s") from None
+    if done.returncode < 0:
+        raise StoppedError(f"crashes, signal {-done.returncode}")
+    if done.returncode:
+        raise StoppedError(f"fails: {done.stderr.strip().splitlines()[-1]}")
+    result: dict[str, Any] = json.loads(done.stdout)
+    if min(result["milliseconds"]) > 1000 * limit:
+        raise StoppedError(f"> {limit:g} s")
+    loops = [[(Fraction(x), Fraction(y)) for x, y in loop] for loop in result["loops"]]
+    return result["milliseconds"], cast(list[Loop], loops)
+
+
+def _result(
+    program: str,
+    operation: str,
+    case: Case,
+    times: list[float] | Times,
+    exact: list[Loop],
+    given: list[Loop],
+) -> Result:
+    wrong = 0
+    for right, answer in zip(exact, given, strict=True):
+        if answer is not right and not same(right, answer):
+            wrong += max(1, len(set(right) - {(Fraction(x), Fraction(y)) for x, y in answer}))
+    return Result(
+        program,
+        operation,
+        case,
+        times if isinstance(times, Times) else Times.of(times),
+        sum(map(len, exact)),
+        wrong,
+    )
+
+
+def same(right: Loop, answer: Loop) -> bool:
+    """Whether a loop is the same set of points as a canonical one."""
+    try:
+        return list(Polygon(answer).vertices) == list(right)
+    except ValueError:
+        return False
+
+
+def pairs_a_second(operation: str, passes: int = 3) -> float:
+    """Pairs of part outlines a second on one core, the median of some passes over all of them."""
+    from benchmarks.clock import milliseconds
+
+    pairs: list[tuple[list[Pair], list[Pair]]] = list(part_pairs())
+    task = ours.loops if operation == LOOPS else ours.trajectory
+
+    def run() -> None:
+        for generatrix, directrix in pairs:
+            task(generatrix, directrix)()
+
+    times = [milliseconds(run, 0)[0] for _ in range(passes)]
+    return 1000 * len(pairs) / Times.of(times).median
+
+
+def memory(case: Case) -> dict[str, float]:
+    """Peak memory of the trajectory in a process of its own; see `benchmarks.peers.memory`."""
+    done = subprocess.run(
+        [sys.executable, "-m", "benchmarks.peers.memory", case.family, str(case.m), str(case.n)],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=Path(__file__).parents[2],
+    )
+    peaks: dict[str, float] = json.loads(done.stdout)
+    return peaks

@@ -1,0 +1,40 @@
+"""Runs one operation of one program in a process of its own, so that it can be stopped.
+
+    python -m benchmarks.peers.worker MODULE OPERATION SECONDS < pair.json > result.json
+
+MODULE has a function OPERATION that takes generatrix and directrix and returns what is timed.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from fractions import Fraction
+from importlib import import_module
+
+from benchmarks.clock import milliseconds
+
+Coordinate = int | float | Fraction
+Loop = Sequence[tuple[Coordinate, Coordinate]]
+
+
+def main() -> None:
+    module, operation, seconds = sys.argv[1:]
+    pair = json.load(sys.stdin)
+    program = import_module(f"benchmarks.peers.{module}")
+    task = getattr(program, operation)(
+        *([(x, y) for x, y in pair[name]] for name in ("generatrix", "directrix"))
+    )
+    result: list[Loop] = []
+
+    def run() -> None:
+        result[:] = task()
+
+    times = milliseconds(run, float(seconds))
+    loops = [[(str(Fraction(x)), str(Fraction(y))) for x, y in loop] for loop in result]
+    json.dump({"milliseconds": times, "loops": loops}, sys.stdout)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,133 @@
+"""Log-log plots: measured points beside the claimed curves, and programs beside each other.
+
+Colours are Okabe and Ito's, which colour-blind readers tell apart; markers and dashes differ too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import cycle
+from pathlib import Path
+from typing import Any
+
+from matplotlib.figure import Figure
+from matplotlib.style import context
+
+from benchmarks.growth import Point, Series
+from benchmarks.peers.cases import TRAJECTORY
+from benchmarks.peers.measured import Comparison
+
+STYLES = (
+    ("#0072B2", "o"),
+    ("#D55E00", "s"),
+    ("#009E73", "^"),
+    ("#CC79A7", "D"),
+    ("#E69F00", "v"),
+    ("#56B4E9", "P"),
+)
+SETTINGS: dict[str, Any] = {
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "legend.fontsize": 6.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.5,
+    "lines.markersize": 4,
+    "lines.linewidth": 1,
+    "svg.hashsalt": "benchmarks",
+}
+COLUMNS = 3
+DPI = 300
+
+
+def growth(
+    measured: Sequence[Series], value: Callable[[Point], float | None], label: str, path: Path
+) -> None:
+    """One panel a procedure: a value over the size doubled, and the claimed bound through it.
+
+    The claimed curve is scaled to the value at the largest size.
+    """
+    names = list(dict.fromkeys(series.procedure for series in measured))
+    with context(SETTINGS):
+        figure, panels = _panels(len(names))
+        for panel, name in zip(panels, names, strict=False):
+            chosen = [s for s in measured if s.procedure == name]
+            for series, (colour, marker) in zip(chosen, cycle(STYLES), strict=False):
+                _series(panel, series, value, colour, marker)
+            panel.set_title(f"{name}: O({chosen[0].bound})")
+            panel.legend(frameon=False, loc="upper left")
+        _finish(figure, panels, "size that is doubled", label, path)
+
+
+def _series(
+    panel: Any, series: Series, value: Callable[[Point], float | None], colour: str, marker: str
+) -> None:
+    values = [value(point) for point in series.points]
+    label = f"{series.family}, {series.varied}"
+    if any(not v for v in values):
+        # Nothing to be drawn on a logarithmic scale; the legend says so.
+        panel.plot([], [], color=colour, marker=marker, linestyle="", label=f"{label}: none")
+        return
+    last = series.points[-1]
+    claimed = [point.bound * float(values[-1] or 0) / last.bound for point in series.points]
+    panel.loglog(series.sizes, claimed, color=colour, linestyle="--")
+    panel.loglog(series.sizes, values, color=colour, marker=marker, linestyle="", label=label)
+
+
+def programs(found: Comparison, path: Path) -> None:
+    """One panel a family: the time of every program on pairs with m = n."""
+    results = [
+        r
+        for r in found.results
+        if r.operation == TRAJECTORY and r.case.m == r.case.n and r.times and r.program != "floor"
+    ]
+    families = list(dict.fromkeys(r.case.family for r in results))
+    names = sorted({r.program for r in results}, key=list(found.versions).index)
+    with context(SETTINGS):
+        figure, panels = _panels(len(families))
+        for panel, family in zip(panels, families, strict=False):
+            for name, (colour, marker) in zip(names, STYLES, strict=False):
+                times = sorted(
+                    {
+                        (r.case.m, r.times)
+                        for r in results
+                        if (r.program, r.case.family) == (name, family) and r.times
+                    }
+                )
+                panel.errorbar(
+                    [m for m, _ in times],
+                    [t.median for _, t in times],
+                    [
+                        [t.median - t.least for _, t in times],
+                        [t.greatest - t.median for _, t in times],
+                    ],
+                    color=colour,
+                    marker=marker,
+                    elinewidth=0.6,
+                    label=name,
+                )
+            panel.set_xscale("log")
+            panel.set_yscale("log")
+            panel.set_title(f"trajectory, {family}")
+        panels[0].legend(frameon=False, loc="upper left")
+        _finish(figure, panels, "m = n", "ms", path)
+
+
+def _panels(count: int) -> tuple[Any, list[Any]]:
+    rows = -(-count // COLUMNS)
+    figure = Figure(figsize=(7.2, 2.3 * rows), layout="constrained")
+    grid = figure.subplots(rows, COLUMNS, squeeze=False)
+    panels = list(grid.flat)
+    for panel in panels[count:]:
+        panel.remove()
+    return figure, panels[:count]
+
+
+def _finish(figure: Any, panels: Iterable[Any], x: str, y: str, path: Path) -> None:
+    for panel in panels:
+        panel.set_xlabel(x)
+        panel.set_ylabel(y)
+    figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
+    figure.savefig(path.with_suffix(".png"), dpi=DPI)
