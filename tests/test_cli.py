@@ -1,36 +1,22 @@
-import contextlib
-import fcntl
 import json
 import os
-import pty
 import re
-import struct
 import subprocess
 import sys
-import sysconfig
-import termios
 import time
 import tomllib
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, ROOT, refusal, run, shell
 
 import exactsweep
 from exactsweep import sweep
 from exactsweep.cli import main
-from exactsweep.examples import DIRECTRIX, GENERATRIX
+from exactsweep.examples import DIRECTRIX
 from exactsweep.formats import MAX_BYTES, parse_polygon, sweep_to_json, sweep_to_wkt
 from exactsweep.report import report
-from exactsweep.story import story
-
-ROOT = Path(__file__).parent.parent
-HOUSE = str(Path(__file__).parent / "polygons" / "house.json")
-NOTCH = str(Path(__file__).parent / "polygons" / "notch.wkt")
-EXAMPLE = sweep(GENERATRIX, DIRECTRIX)
-SCRIPTS = sysconfig.get_path("scripts")
-EXACTSWEEP = str(Path(SCRIPTS) / "exactsweep")
 
 REPORT = """\
 class       CM, convex generatrix and monotone directrix
@@ -51,18 +37,6 @@ trajectory  (-2,-1) (-1,-2) (7,-2) (8,-1) (8,5) (5,5) (13/5,13/5) (2,5) ... 1 mo
 inner loop  (0,0) (8,0) (8,5) (7,5) (23/5,13/5) (13/5,13/5) (2,5) (0,5)
 outer loop  (-2,-1) (-1,-2) (9,-2) (10,-1) (10,6) (9,7) (6,7) (21/5,26/5) ... 4 more
 """
-
-
-def run(*arguments: str, stdin: str | bytes | None = None) -> Result:
-    return CliRunner().invoke(main, arguments, input=stdin)
-
-
-def refusal(result: Result, code: int = 1) -> str:
-    """The one line of a refusal."""
-    assert result.exit_code == code
-    assert result.stdout == ""
-    assert re.fullmatch(r"Error: [^\n]+\n", result.stderr)
-    return result.stderr.removeprefix("Error: ").removesuffix("\n")
 
 
 def test_the_example_has_one_undercut() -> None:
@@ -205,14 +179,6 @@ def test_unreadable_files_are_refused(tmp_path: Path) -> None:
     assert refusal(run("sweep", str(path), NOTCH)) == f"{path}: Permission denied"
 
 
-def shell(command: str) -> subprocess.CompletedProcess[str]:
-    environment = {**os.environ, "PATH": f"{SCRIPTS}{os.pathsep}{os.environ['PATH']}"}
-    environment.pop("COLUMNS", None)
-    return subprocess.run(
-        ["bash", "-c", command], env=environment, capture_output=True, text=True, timeout=60
-    )
-
-
 @pytest.mark.parametrize(
     ("command", "code", "message"),
     [
@@ -282,157 +248,6 @@ def test_a_terminal_is_not_overrun(width: int) -> None:
     # Lines are broken between vertices only.
     vertices = re.findall(r"\(\S+\)", REPORT)
     assert re.findall(r"\(\S+\)", plain) == vertices
-
-
-def test_the_example_is_told() -> None:
-    told = run("explain").stdout
-    assert told == "".join(f"{line}\n" for line in story(EXAMPLE))
-    assert run("explain", HOUSE, NOTCH, "-o-").stdout == told
-
-
-def test_a_story_goes_to_a_file(tmp_path: Path) -> None:
-    path = tmp_path / "story"
-    assert run("explain", "-o", str(path)).output == ""
-    assert path.read_text() == run("explain").stdout
-
-
-def test_the_steps_are_written_as_json() -> None:
-    # Clockwise, and with a vertex that is no corner: numbers are those of the file all the same.
-    notch = "[[0, 0], [0, 5], [1, 5], [2, 5], [3, 1], [7, 5], [8, 5], [8, 0]]"
-    document = json.loads(run("explain", HOUSE, "-", "--json", stdin=notch).stdout)
-    step = document["steps"][5]
-    assert step == {
-        "start": ["5", "5"],
-        "end": ["13/5", "13/5"],
-        "direction": ["-1", "-1"],
-        "half": "upper",
-        "touches": [
-            {"contact": ["VE", 1, 4], "start": ["5", "5"], "end": ["13/5", "13/5"]},
-        ],
-        "landmarks": [{"mark": "undercut", "number": 0, "position": ["13/5", "13/5"]}],
-        "ending": "stop",
-        "reasons": [["VE", 0, 3]],
-    }
-    assert len(document["steps"]) == len(document["generatrix"]) + 4
-    assert document["features"]["directrix"] == {
-        "vertices": [0, 7, 6, 5, 4, 3, 1],
-        "edges": [7, 6, 5, 4, 3, 1, 0],
-    }
-    assert document["undercuts"][0]["area"] == "8/5"
-    assert document["undercuts"][0]["extremes"] == [["23/5", "13/5"], ["13/5", "13/5"]]
-    assert document["exact_fits"] == []
-
-
-def on_a_terminal(command: str) -> str:
-    """What is sent to a terminal of 24 lines and 80 columns."""
-    end, terminal = pty.openpty()
-    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-    environment = {**os.environ, "PAGER": "sed s/^/page:/", "TERM": "xterm"}
-    for name in ("COLUMNS", "LINES"):
-        environment.pop(name, None)
-    child = subprocess.Popen(
-        [EXACTSWEEP, *command.split()],
-        env=environment,
-        stdin=terminal,
-        stdout=terminal,
-        stderr=terminal,
-        close_fds=True,
-    )
-    os.close(terminal)
-    shown = b""
-    # Linux ends a terminal without other users by an error.
-    with contextlib.suppress(OSError):
-        while piece := os.read(end, 4096):
-            shown += piece
-    os.close(end)
-    assert child.wait(timeout=60) == 0
-    return shown.decode()
-
-
-def test_a_long_story_pages_on_a_terminal_and_a_short_one_does_not() -> None:
-    assert on_a_terminal("explain").startswith("page:Class CM")
-    assert "page:" not in on_a_terminal("sweep")
-
-
-def test_a_certificate_is_proved(tmp_path: Path) -> None:
-    path = str(tmp_path / "proof.json")
-    assert run("sweep", HOUSE, NOTCH, "--certificate", "-o", path).output == ""
-    assert json.loads(Path(path).read_text()) == EXAMPLE.certificate()
-    for result in (run("verify", path), run("verify", "-", stdin=Path(path).read_bytes())):
-        assert (result.exit_code, result.stdout, result.stderr) == (0, "proved\n", "")
-    verdict = run("verify", "--json", path)
-    assert json.loads(verdict.stdout) == {"proved": True, "reason": "proved", "witness": None}
-
-
-def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
-    proof = EXAMPLE.certificate()
-    # Into the notch, as deep as the point of the house would fit.
-    proof["inner"][5], proof["inner"][4] = ["11/4", "2"], ["4", "2"]
-    result = run("verify", "-", stdin=json.dumps(proof))
-    assert (result.exit_code, result.stderr) == (1, "")
-    verdict = json.loads(run("verify", "--json", "-", stdin=json.dumps(proof)).stdout)
-    assert verdict["proved"] is False
-    reason, *witness = result.stdout.splitlines()
-    assert reason == verdict["reason"]
-    assert witness == [f"witness: ({','.join(verdict['witness'])})"] * bool(verdict["witness"])
-
-
-@pytest.mark.parametrize(
-    ("content", "reason"),
-    [
-        ("{}", "the key 'format' is missing"),
-        ("[]", "a certificate is an object, not a list"),
-        ("null", "a certificate is an object, not a NoneType"),
-        ('{"format": "exactsweep certificate", "version": 1}', "the key 'generatrix' is missing"),
-    ],
-)
-def test_what_is_no_certificate_is_not_proved(content: str, reason: str) -> None:
-    result = run("verify", "-", stdin=content)
-    assert (result.exit_code, result.stdout, result.stderr) == (1, f"{reason}\n", "")
-
-
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [
-        (b"", "line 1, column 1: not JSON: Expecting value"),
-        (b"proved", "line 1, column 1: not JSON: Expecting value"),
-        (b"{}{}", "line 1, column 3: not JSON: Extra data"),
-        (b'{"kind": "CC", "kind": "CM"}', "the name 'kind' is twice in one object"),
-        (b"[" * 100_000, "nested too deeply"),
-        (b'{"version":' * 100_000, "nested too deeply"),
-        (b"9" * 5000, "not JSON that can be read: Exceeds the limit"),
-        (b"\xff", "not UTF-8 text: invalid start byte at byte 0"),
-        (b" " * (MAX_BYTES + 1), f"more than {MAX_BYTES} bytes"),
-    ],
-    ids=range(9),
-)
-def test_malformed_certificates_are_refused_in_one_line(content: bytes, message: str) -> None:
-    start = time.process_time()
-    found = refusal(run("verify", "-", stdin=content))
-    assert found.startswith(f"standard input: {message}")
-    assert time.process_time() - start < 2
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"version": 1e999},
-        {"area": 72},
-        {"area": "1e999999999"},
-        {"direction": [1, 10**4000]},
-        {"trajectory": [["0", "0"]] * 50_000},
-        {"contacts": [[]] * 100_000},
-        {"outer": {"0": "0"}},
-    ],
-    ids=range(7),
-)
-def test_hostile_certificates_are_refused_at_once(change: dict[str, object]) -> None:
-    text = json.dumps({**EXAMPLE.certificate(), **change})
-    start = time.process_time()
-    result = run("verify", "-", stdin=text)
-    assert (result.exit_code, result.stderr) == (1, "")
-    assert len(result.stdout.splitlines()) <= 2
-    assert time.process_time() - start < 2
 
 
 def test_the_module_is_the_command() -> None:

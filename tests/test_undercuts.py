@@ -42,9 +42,10 @@ def middle(p: Point, q: Point) -> Point:
 def along(edge: Edge, p: Point, q: Point) -> bool:
     """Whether p to q is a piece of a directed edge, the same way round."""
     (ax, ay), (bx, by) = edge
+    if not all(min(edge) <= v <= max(edge) for v in (p, q)):
+        return False
     turns = [(bx - ax) * (v.y - ay) - (by - ay) * (v.x - ax) for v in (p, q)]
-    forward = (bx - ax) * (q.x - p.x) + (by - ay) * (q.y - p.y) > 0
-    return turns == [0, 0] and forward and all(min(edge) <= v <= max(edge) for v in (p, q))
+    return turns == [0, 0] and (bx - ax) * (q.x - p.x) + (by - ay) * (q.y - p.y) > 0
 
 
 @given(any_pair)
@@ -85,10 +86,13 @@ def test_extremes_lie_on_the_directrix(pair: Pair) -> None:
 
 
 def covers(generatrix: Polygon, position: Point, undercut: Undercut) -> bool:
-    """Whether the bottom chain lies on the boundary of G at a position."""
-    moved = generatrix.translated(position)
-    chain = [*undercut.bottom, *(middle(p, q) for p, q in pairwise(undercut.bottom))]
-    return all(point_in_polygon(v, moved) == 0 for v in chain)
+    """Whether the bottom chain lies on the boundary of G at a position, edge in edge."""
+    boundary = edges(generatrix.translated(position))
+    return all(
+        # The region is on the left of the chain, G on its right.
+        any(along(edge, q, p) for edge in boundary)
+        for p, q in pairwise(undercut.bottom)
+    )
 
 
 @given(any_pair)

@@ -1,25 +1,32 @@
 """Certificates: true ones are proved, whoever wrote them, and false ones are not."""
 
-import copy
 import json
 import random
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
 
 import pytest
 from families import random_pair
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from producer import (
+    SLOT,
+    UNIT,
+    VALLEY,
+    WIDE_SLOT,
+    Vertices,
+    certificate_of,
+    edges,
+    replace_trajectory,
+)
 from strategies import Kind, Ring, monotone_rings, pairs
-from tampering import Certificate, changes, report, tamper
+from tampering import report, tamper
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import (
     classify,
     point_in_polygon,
-    reference_exact_fits,
     reference_loops,
     verify,
 )
@@ -28,112 +35,6 @@ from exactsweep.check.chain import heights
 from exactsweep.check.loop import Frame, Loop
 from exactsweep.check.sums import check_sum_within
 from exactsweep.direction import is_monotone
-from exactsweep.number import format_fraction
-
-Vertices = tuple[Point, ...]
-
-UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-WIDE_SLOT = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
-VALLEY = [(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)]
-
-
-# --- A producer of certificates from the definition, by brute force -----------------------------
-
-
-def certificate_of(
-    g: Polygon, d: Polygon, loops: tuple[Vertices, Vertices, Vertices] | None = None
-) -> Certificate:
-    """The certificate of a pair, or one that gives other loops with all evidence that there is."""
-    trajectory, inner, outer = loops or reference_loops(g, d)
-    certificate: Certificate = {
-        "format": "exactsweep certificate",
-        "version": 1,
-        "generatrix": _texts(g.vertices),
-        "directrix": _texts(d.vertices),
-        "kind": "MM" if not g.is_convex else "CC" if d.is_convex else "CM",
-        "direction": [1, 0],
-        "reference": ["0", "0"],
-        "trajectory": _texts(trajectory),
-        "inner": _texts(inner),
-        "outer": _texts(outer),
-        "area": format_fraction(Polygon(outer).area - Polygon(inner).area),
-        "exact_fits": [_texts(fit) for fit in reference_exact_fits(g, d)],
-        "contacts": [_contacts(g, d, edge) for edge in _edges(trajectory)],
-    }
-    features = [[kind, k] for k in range(len(g)) for kind in ("vertex", "edge")]
-    positions = [[kind, k] for k in range(len(trajectory)) for kind in ("vertex", "edge")]
-    for loop, edges in (("inner", inner), ("outer", outer)):
-        certificate[f"{loop}_drawn"] = [
-            [
-                [position, feature]
-                for position in positions
-                for feature in features
-                if _share(edge, _sums(trajectory, position, g.vertices, feature, 1))
-            ]
-            for edge in _edges(edges)
-        ]
-    return certificate
-
-
-def _replace_trajectory(
-    certificate: Certificate, g: Polygon, d: Polygon, trajectory: Vertices
-) -> None:
-    """Put in another one with all contacts that there are, and leave out what depends on it."""
-    certificate["trajectory"] = _texts(trajectory)
-    certificate["contacts"] = [_contacts(g, d, edge) for edge in _edges(trajectory)]
-    for loop in ("inner", "outer"):
-        certificate[f"{loop}_drawn"] = [[] for _ in certificate[loop]]
-
-
-def _contacts(g: Polygon, d: Polygon, edge: Vertices) -> list[list[Any]]:
-    found: list[list[Any]] = []
-    for event in ("EE", "EV", "VE"):
-        of_g, of_d = ("edge" if letter == "E" else "vertex" for letter in event)
-        for i in range(len(g)):
-            for j in range(len(d)):
-                sums = _sums(d.vertices, [of_d, j], g.vertices, [of_g, i], -1)
-                # The EE pairs whose segments would include that of an EV or VE pair.
-                if event == "EE":
-                    wider = []
-                elif event == "EV":
-                    wider = [["EE", i, b % len(d)] for b in (j - 1, j)]
-                else:
-                    wider = [["EE", a % len(g), j] for a in (i - 1, i)]
-                if _share(edge, sums) and not any(contact in found for contact in wider):
-                    found.append([event, i, j])
-    return sorted(found)
-
-
-def _sums(one: Vertices, feature: list[Any], other: Vertices, of: list[Any], sign: int) -> Vertices:
-    return tuple(
-        Point(p.x + sign * q.x, p.y + sign * q.y)
-        for p in _ends(one, *feature)
-        for q in _ends(other, *of)
-    )
-
-
-def _ends(loop: Vertices, kind: str, k: int) -> Vertices:
-    return (loop[k], loop[(k + 1) % len(loop)]) if kind == "edge" else (loop[k],)
-
-
-def _share(edge: Vertices, sums: Vertices) -> bool:
-    """Whether all points are on the line of an edge, and more than a point of it between them."""
-    (px, py), (qx, qy) = edge
-    if any((qx - px) * (y - py) != (qy - py) * (x - px) for x, y in sums):
-        return False
-    return max(min(edge), min(sums)) < min(max(edge), max(sums))
-
-
-def _edges(loop: Vertices) -> Iterator[Vertices]:
-    return pairwise((*loop, loop[0]))
-
-
-def _texts(points: Vertices) -> list[list[str]]:
-    return [[format_fraction(c) for c in point] for point in points]
-
-
-# --- True certificates ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
@@ -213,7 +114,7 @@ def test_false_trajectory_of_true_segments_is_refused(seed: int) -> None:
     walked = Polygon([*lower, *true.trajectory[split + 1 :]]).vertices
     certificate = sweep(g, d, direction=(1, 0)).certificate()
     if walked != true.trajectory:
-        _replace_trajectory(certificate, g, d, walked)
+        replace_trajectory(certificate, g, d, walked)
     result = verify(certificate)
     assert result.proved == (walked == true.trajectory)
     if not result.proved and "G overlaps D" in result.reason:
@@ -276,7 +177,7 @@ def test_edge_without_contact_is_refused() -> None:
     g, d = Polygon(UNIT), Polygon(VALLEY)
     certificate = sweep(g, d).certificate()
     filled = Polygon([(-1, -1), (4, -1), (4, 3), (-1, 3)]).vertices
-    _replace_trajectory(certificate, g, d, filled)
+    replace_trajectory(certificate, g, d, filled)
     assert verify(certificate) == (
         False,
         "contacts[2]: nothing that is listed draws all of the edge",
@@ -410,132 +311,9 @@ def _holds(q: Polygon, loop: Vertices) -> bool:
     """Whether all of a loop is in Q: its vertices, the points where it meets edges of Q, and a
     point of each part between.
     """
-    for edge in _edges(loop):
-        stops = {*edge, *(m for other in _edges(q.vertices) for m in _meeting(edge, other))}
+    for edge in edges(loop):
+        stops = {*edge, *(m for other in edges(q.vertices) for m in _meeting(edge, other))}
         parts = [((a.x + b.x) / 2, (a.y + b.y) / 2) for a, b in pairwise(sorted(stops))]
         if any(point_in_polygon(p, q) < 0 for p in [*stops, *parts]):
             return False
     return True
-
-
-# --- Not certificates ----------------------------------------------------------------------------
-
-NESTED: list[Any] = []
-for _ in range(10**5):
-    NESTED = [NESTED]
-
-JUNK = [
-    *(None, True, False, 0, 1, -1, 10**5000, 0.5, float("nan"), float("inf"), b"1", (1, 0), {1, 2}),
-    *("", "0", "1e9999999999", "1/0", "2/4", "-0", "nan", "0.5", " 1", "\ud800", "9" * 10**6),
-    *([], {}, [[]], [[], []], [None] * 3, ["0", "0"], [["0", "0"]] * 3, [["0"] * 2] * 2),
-    *([[0, 0], [1, 0], [0, 1]], [[["EV", 0, 0]]], [True, False], [10**5000, 1], object()),
-    *(NESTED, {"a": NESTED}, [NESTED, NESTED]),
-]
-
-
-def _places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
-    """Every place in nested lists and dicts, the first and last two entries of each list."""
-    yield path
-    if isinstance(value, dict):
-        for key in value:
-            yield from _places(value[key], (*path, key))
-    if isinstance(value, list):
-        for k in sorted({0, 1, len(value) - 1} & set(range(len(value)))):
-            yield from _places(value[k], (*path, k))
-
-
-def _with(value: Any, path: tuple[Any, ...], junk: Any) -> Any:
-    if not path:
-        return junk
-    changed = value.copy()
-    changed[path[0]] = _with(value[path[0]], path[1:], junk)
-    return changed
-
-
-def test_junk_is_refused_with_a_reason() -> None:
-    certificate = sweep(UNIT, SLOT).certificate()
-    for path in _places(certificate):
-        for junk in JUNK:
-            changed = _with(certificate, path, junk)
-            result = verify(changed)
-            if result.proved:
-                assert type(junk) in (str, int, list)
-                assert changed == certificate, path
-            else:
-                assert 0 < len(result.reason) < 200
-
-
-@pytest.mark.parametrize(
-    ("key", "value", "reason"),
-    [
-        ("format", "x", "format is not 'exactsweep certificate'"),
-        ("version", True, "version is not 1"),
-        ("kind", "MC", "kind is not CC, CM or MM"),
-        ("kind", "MM", "kind: it is CM, not MM"),
-        ("direction", [2, 0], "direction: not primitive"),
-        ("direction", [1, 0.0], "direction: not a pair of integers"),
-        ("direction", [0, 1], "directrix: not monotone to the direction, it turns back again at"),
-        ("generatrix", [["0", "0"]], "generatrix: fewer than three vertices"),
-        ("directrix", "0", "directrix: a str, not a list"),
-        ("inner", [["0", "0"], ["1", 0], ["0", "1"]], "inner[1][1]: a int, not a number"),
-        ("outer", [["0", "0"], ["2/4", "0"], ["0", "1"]], "outer[1][0]: not a number in lowest"),
-        ("trajectory", [["0", "0"], ["-1", "0"], ["0", "1"]], "trajectory: not canonical, its"),
-        ("contacts", [], "contacts: 0 lists for a loop of"),
-        ("area", "1e-3", "area: not a number in lowest terms"),
-        ("area", "1", "area: it is not that of the outer loop minus that of the inner one"),
-        ("exact_fits", [], "exact_fits: one is missing"),
-    ],
-)
-def test_reason_names_the_place(key: str, value: Any, reason: str) -> None:
-    certificate = {**sweep(UNIT, SLOT).certificate(), key: value}
-    result = verify(certificate)
-    assert not result.proved
-    assert result.reason.startswith(reason)
-
-
-def test_reasons_for_evidence_name_the_edge() -> None:
-    certificate = sweep(UNIT, VALLEY).certificate()
-    seen = set()
-    for seed in range(5):
-        for _, changed in changes(certificate, random.Random(seed)):
-            seen.add(verify(changed).reason.split("[")[0])
-    assert {"contacts", "inner_drawn", "outer_drawn", "exact_fits"} <= seen
-
-
-def test_loop_that_meets_itself_is_refused() -> None:
-    certificate = sweep(UNIT, VALLEY).certificate()
-    pinched = [["0", "0"], ["2", "1"], ["4", "0"], ["4", "3"], ["2", "1"], ["0", "3"]]
-    result = verify({**certificate, "directrix": pinched})
-    assert result.reason == "directrix: not simple and counter-clockwise"
-
-
-def test_many_edges_are_refused_at_once() -> None:
-    loop = [[str(k), str(k * k)] for k in range(10**4)] + [["0", str(10**8)]]
-    loop.sort(key=lambda point: point != ["0", "0"])
-    certificate = {**sweep(UNIT, VALLEY).certificate(), "generatrix": loop, "directrix": loop}
-    assert verify(certificate).reason == (
-        "too large: to check it would take more than 100000000 steps"
-    )
-
-
-def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
-    parabola = [[str(k), f"1/{10**1000 + k}"] for k in range(1, 10**3)]
-    certificate = {**sweep(UNIT, VALLEY).certificate(), "directrix": [["0", "0"], *parabola]}
-    assert verify(certificate).reason == (
-        "too large: a common denominator has more than 400000 bits"
-    )
-
-
-def test_more_steps_may_be_allowed() -> None:
-    certificate = sweep(UNIT, VALLEY).certificate()
-    assert verify(certificate, max_steps=10).reason == (
-        "too large: to check it would take more than 10 steps"
-    )
-    assert verify(certificate, max_steps=10**4).proved
-
-
-def test_verify_leaves_the_certificate_alone() -> None:
-    certificate = sweep(UNIT, SLOT).certificate()
-    before = copy.deepcopy(certificate)
-    assert verify(certificate).proved
-    assert certificate == before
