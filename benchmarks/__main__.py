@@ -29,9 +29,14 @@ cgal_option = click.option(
 
 def measure_peers(quick: bool, limit: float, cgal: Path | None) -> Comparison:
     """Run the comparison; what is under way goes to standard error."""
-    console = Console(stderr=True)
-    with TemporaryDirectory() as folder, console.status("compiling") as status:
-        return compare(Path(folder), limit=limit, quick=quick, cgal_program=cgal, say=status.update)
+    with TemporaryDirectory() as folder:
+        return compare(
+            Path(folder),
+            limit=limit,
+            quick=quick,
+            cgal_program=cgal,
+            say=Console(stderr=True, style="dim").print,
+        )
 
 
 @click.group()

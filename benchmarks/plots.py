@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.style import context
+from matplotlib.ticker import NullFormatter, NullLocator
 
 from benchmarks.growth import Point, Series
 from benchmarks.peers.cases import TRAJECTORY
@@ -29,6 +31,8 @@ SETTINGS: dict[str, Any] = {
     "font.size": 8,
     "axes.titlesize": 8,
     "legend.fontsize": 6.5,
+    "xtick.labelsize": 6.5,
+    "ytick.labelsize": 6.5,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
@@ -57,7 +61,14 @@ def growth(
             for series, (colour, marker) in zip(chosen, cycle(STYLES), strict=False):
                 _series(panel, series, value, colour, marker)
             panel.set_title(f"{name}: O({chosen[0].bound})")
-            panel.legend(frameon=False, loc="upper left")
+            panel.legend(frameon=False, loc="lower right")
+            _axes(panel, sorted({size for series in chosen for size in series.sizes}))
+        figure.legend(
+            handles=[Line2D([], [], color="black", linestyle="--")],
+            labels=["claimed bound, through the largest size"],
+            loc="outside lower center",
+            frameon=False,
+        )
         _finish(figure, panels, "size that is doubled", label, path)
 
 
@@ -108,11 +119,25 @@ def programs(found: Comparison, path: Path) -> None:
                     elinewidth=0.6,
                     label=name,
                 )
-            panel.set_xscale("log")
-            panel.set_yscale("log")
             panel.set_title(f"trajectory, {family}")
-        panels[0].legend(frameon=False, loc="upper left")
+            _axes(panel, sorted({r.case.m for r in results if r.case.family == family}))
+        figure.legend(
+            *panels[0].get_legend_handles_labels(),
+            loc="outside lower center",
+            ncols=len(names),
+            frameon=False,
+        )
         _finish(figure, panels, "m = n", "ms", path)
+
+
+def _axes(panel: Any, sizes: Sequence[int]) -> None:
+    """Logarithmic axes, the sizes themselves, at most six, along one of them."""
+    panel.set_xscale("log")
+    panel.set_yscale("log")
+    shown = sizes[:: 1 + (len(sizes) - 1) // 6]
+    panel.set_xticks(shown, [str(size) for size in shown])
+    panel.xaxis.set_minor_locator(NullLocator())
+    panel.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _panels(count: int) -> tuple[Any, list[Any]]:

@@ -16,6 +16,7 @@ from shutil import which
 from typing import NamedTuple
 
 from benchmarks.clock import Times
+from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 from exactsweep.polygon import PolygonError
@@ -85,9 +86,7 @@ class Cgal:
         self._program = program
         self._limit = limit
         self._worth: dict[tuple[str, str], list[tuple[str, str]]] = {}
-        self.version = subprocess.run(
-            [program, "version"], capture_output=True, text=True, check=True
-        ).stdout.strip()
+        self.version = run([program, "version"], "", limit).strip()
 
     def best(self, family: str, stage: str, p: Loop, q: Loop) -> Best | None:
         """The fastest way to P + Q, or to P eroded by -Q.
@@ -130,19 +129,11 @@ class Cgal:
     def _run(self, way: tuple[str, str], p: Loop, q: Loop, allowed: float) -> Best | None:
         given = "\n".join(line for part in (p, q) for line in [str(len(part)), *_lines(part)])
         try:
-            done = subprocess.run(
-                [self._program, *way, str(SECONDS)],
-                input=given,
-                capture_output=True,
-                text=True,
-                timeout=allowed + SECONDS,
-            )
-        except subprocess.TimeoutExpired:
+            written = run([self._program, *way, str(SECONDS)], given, allowed + SECONDS)
+        except StoppedError:
+            # Too slow; or, on collinear vertices, some strategies fail.
             return None
-        if done.returncode:
-            # On collinear vertices, some strategies fail with an error or a signal.
-            return None
-        times, *lines = done.stdout.splitlines()
+        times, *lines = written.splitlines()
         loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
         name = way[1] if way[0] == "sum" else f"{way[1]}, {way[0]}"
         return Best(name, Times.of([float(time) for time in times.split()]), loop)

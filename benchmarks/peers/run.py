@@ -7,7 +7,6 @@ busier at one time than at another shows in its spread and not in the ratios.
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
@@ -15,13 +14,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
-from benchmarks.clock import Times, machine
+from benchmarks.clock import Times, machine, milliseconds
 from benchmarks.families import Pair
 from benchmarks.outlines import part_pairs
 from benchmarks.peers import ours
 from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
 from benchmarks.peers.cgal import Cgal, MissingError, compile_program
 from benchmarks.peers.measured import Comparison, Result
+from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 
@@ -35,10 +35,7 @@ MODULES = {
 SECONDS = 0.5
 STARTING = 3.0
 """Seconds that a process of Python may take to start, beyond the limit."""
-
-
-class StoppedError(Exception):
-    """A program gave no answer; the message says why."""
+UNLIMITED = 3600.0
 
 
 def compare(
@@ -138,7 +135,7 @@ def measure_cgal(
 def measure_floor(case: Case) -> list[Result]:
     """A trajectory, and the making of its Fractions alone."""
     times, loops = run_ours(case, TRAJECTORY)
-    floor, _ = run_worker("ours", "floor", case, 600)
+    floor, _ = run_worker("ours", "floor", case, UNLIMITED)
     return [
         _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY)[0], loops, loops),
         _result(FLOOR, TRAJECTORY, case, floor, loops, loops),
@@ -147,7 +144,7 @@ def measure_floor(case: Case) -> list[Result]:
 
 def run_ours(case: Case, operation: str) -> tuple[list[float], list[Loop]]:
     """The kernel; what it gives is the measure of all others."""
-    return run_worker("ours", "loops" if operation == LOOPS else "trajectory", case, 600)
+    return run_worker("ours", "loops" if operation == LOOPS else "trajectory", case, UNLIMITED)
 
 
 def run_worker(
@@ -158,22 +155,12 @@ def run_worker(
     Raises StoppedError when it takes too long or fails.
     """
     generatrix, directrix = case.pair()
-    try:
-        done = subprocess.run(
-            [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(SECONDS)],
-            input=json.dumps({"generatrix": generatrix, "directrix": directrix}),
-            capture_output=True,
-            text=True,
-            timeout=limit + STARTING,
-            cwd=Path(__file__).parents[2],
-        )
-    except subprocess.TimeoutExpired:
-        raise StoppedError(f"> {limit:g} s") from None
-    if done.returncode < 0:
-        raise StoppedError(f"crashes, signal {-done.returncode}")
-    if done.returncode:
-        raise StoppedError(f"fails: {done.stderr.strip().splitlines()[-1]}")
-    result: dict[str, Any] = json.loads(done.stdout)
+    written = run(
+        [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(SECONDS)],
+        json.dumps({"generatrix": generatrix, "directrix": directrix}),
+        limit + STARTING,
+    )
+    result: dict[str, Any] = json.loads(written)
     if min(result["milliseconds"]) > 1000 * limit:
         raise StoppedError(f"> {limit:g} s")
     loops = [[(Fraction(x), Fraction(y)) for x, y in loop] for loop in result["loops"]]
@@ -212,27 +199,21 @@ def same(right: Loop, answer: Loop) -> bool:
 
 def pairs_a_second(operation: str, passes: int = 3) -> float:
     """Pairs of part outlines a second on one core, the median of some passes over all of them."""
-    from benchmarks.clock import milliseconds
-
     pairs: list[tuple[list[Pair], list[Pair]]] = list(part_pairs())
     task = ours.loops if operation == LOOPS else ours.trajectory
 
-    def run() -> None:
+    def sweep_all() -> None:
         for generatrix, directrix in pairs:
             task(generatrix, directrix)()
 
-    times = [milliseconds(run, 0)[0] for _ in range(passes)]
+    times = [milliseconds(sweep_all, 0)[0] for _ in range(passes)]
     return 1000 * len(pairs) / Times.of(times).median
 
 
 def memory(case: Case) -> dict[str, float]:
     """Peak memory of the trajectory in a process of its own; see `benchmarks.peers.memory`."""
-    done = subprocess.run(
-        [sys.executable, "-m", "benchmarks.peers.memory", case.family, str(case.m), str(case.n)],
-        capture_output=True,
-        text=True,
-        check=True,
-        cwd=Path(__file__).parents[2],
+    command = [sys.executable, "-m", "benchmarks.peers.memory"]
+    peaks: dict[str, float] = json.loads(
+        run([*command, case.family, str(case.m), str(case.n)], "", UNLIMITED)
     )
-    peaks: dict[str, float] = json.loads(done.stdout)
     return peaks
