@@ -15,6 +15,12 @@ from time import process_time
 from typing import NamedTuple
 
 REPEATS = 100
+FINEST = 100e-6
+"""Seconds; a clock with coarser ticks cannot time the small pairs."""
+
+
+class ClockError(RuntimeError):
+    """A processor clock too coarse to measure with."""
 
 
 class Times(NamedTuple):
@@ -40,6 +46,24 @@ def milliseconds(call: Callable[[], object], seconds: float = 0.3) -> list[float
         call()
         times.append(1000 * (process_time() - start))
     return times
+
+
+def require_fine_clock() -> None:
+    """Make sure that the processor's clock runs smoothly.
+
+    The resolution that a system states is not always what it delivers.
+
+    Raises ClockError.
+    """
+    ticks: list[float] = []
+    last = process_time()
+    while len(ticks) < 20:
+        now = process_time()
+        if now != last:
+            ticks.append(now - last)
+            last = now
+    if median(ticks) > FINEST:
+        raise ClockError(f"the processor's clock ticks only every {1000 * median(ticks):.3g} ms")
 
 
 def machine() -> str:

@@ -129,11 +129,13 @@ class Cgal:
     def _run(self, way: tuple[str, str], p: Loop, q: Loop, allowed: float) -> Best | None:
         given = "\n".join(line for part in (p, q) for line in [str(len(part)), *_lines(part)])
         try:
-            written = run([self._program, *way, str(SECONDS)], given, allowed + SECONDS)
+            written = run([self._program, *way, str(SECONDS)], given, allowed, overhead=SECONDS)
         except StoppedError:
             # Too slow; or, on collinear vertices, some strategies fail.
             return None
         times, *lines = written.splitlines()
+        if min(map(float, times.split())) > 1000 * allowed:
+            return None
         loop = [(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)]
         name = way[1] if way[0] == "sum" else f"{way[1]}, {way[0]}"
         return Best(name, Times.of([float(time) for time in times.split()]), loop)

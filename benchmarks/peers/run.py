@@ -158,7 +158,8 @@ def run_worker(
     written = run(
         [sys.executable, "-m", "benchmarks.peers.worker", module, operation, str(SECONDS)],
         json.dumps({"generatrix": generatrix, "directrix": directrix}),
-        limit + STARTING,
+        limit,
+        overhead=STARTING,
     )
     result: dict[str, Any] = json.loads(written)
     if min(result["milliseconds"]) > 1000 * limit:

@@ -13,13 +13,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from importlib import import_module
 
-from benchmarks.clock import milliseconds
+from benchmarks.clock import milliseconds, require_fine_clock
 
 Coordinate = int | float | Fraction
 Loop = Sequence[tuple[Coordinate, Coordinate]]
 
 
 def main() -> None:
+    require_fine_clock()
     module, operation, seconds = sys.argv[1:]
     pair = json.load(sys.stdin)
     program = import_module(f"benchmarks.peers.{module}")
