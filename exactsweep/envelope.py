@@ -27,6 +27,7 @@ from exactsweep.piece import (
     height,
     joined,
     line_of,
+    min_break,
     point_on,
     precedes,
 )
@@ -59,9 +60,16 @@ class Envelope:
         self._lines: list[Line | None] | None = None
 
     def lines(self) -> list[Line | None]:
-        """The lines of the edges, kept from one merge to the next."""
+        """The lines of the edges, as `line_of` gives them, kept from one merge to the next."""
         if self._lines is None:
-            self._lines = [None if edge is None else line_of(edge) for edge in self.edges]
+            self._lines = lines = []
+            for edge in self.edges:
+                if edge is None or len(edge) == 3:
+                    lines.append(edge)
+                else:
+                    (px, py), (qx, qy) = edge
+                    dx, dy = qx - px, qy - py
+                    lines.append((dx, dy, py * dx - px * dy))
         return self._lines
 
     def forget_lines(self) -> None:
@@ -78,6 +86,16 @@ class Envelope:
         self.edges.append(None)
         self.sources.append(-1)
         self.breaks.append(end)
+
+    def followed_by(self, other: Envelope) -> Envelope:
+        """This one and another one that begins where it ends, or right of that.  Cost: O(n)."""
+        both = Envelope(self.breaks[:], self.edges[:], self.sources[:])
+        if precedes(self.breaks[-1], other.breaks[0]):
+            both.extend_hole(other.breaks[0])
+        both.breaks += other.breaks[1:]
+        both.edges += other.edges
+        both.sources += other.sources
+        return both
 
     def padded(self, start: Break, end: Break) -> Envelope:
         """The same over a wider x-range, with holes at the ends.  Cost: O(n)."""
@@ -173,10 +191,13 @@ class Envelope:
                 self._lines = []
             self._lines += chain.lines()[first : last + 1]
 
-    def edge_before(self, at: Break) -> int:
-        """The number of the edge that holds just left of a break.  Cost: O(log n)."""
+    def edge_before(self, at: Break, first: int = 0) -> int:
+        """The number of the edge, from the first, that holds just left of a break.
+
+        Cost: O(log n).
+        """
         n, d = at
-        return bisect_left(self.breaks, True, key=lambda b: b[0] * d >= n * b[1]) - 1
+        return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d >= n * b[1]) - 1
 
     def edge_after(self, at: Break) -> int:
         """The number of the edge that holds just right of a break.  Cost: O(log n)."""
@@ -300,20 +321,16 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
         >>> print(lower_envelope_mm([a, b]))
         (0, 0) (3/2, 0) (2, -1) (3, 0) (4, 0) (4, 1) (5, 2)
     """
-    start, end = envelopes[0].breaks[0], envelopes[0].breaks[-1]
-    for envelope in envelopes:
-        if precedes(envelope.breaks[0], start):
-            start = envelope.breaks[0]
-        if precedes(end, envelope.breaks[-1]):
-            end = envelope.breaks[-1]
-    return _merge_all([envelope.padded(start, end) for envelope in envelopes])
-
-
-def _merge_all(envelopes: Sequence[Envelope]) -> Envelope:
     if len(envelopes) == 1:
         return envelopes[0]
     half = len(envelopes) // 2
-    return merge(_merge_all(envelopes[:half]), _merge_all(envelopes[half:]))
+    first, second = lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:])
+    if not precedes(second.breaks[0], first.breaks[-1]):
+        return first.followed_by(second)
+    start, end = min_break(first.breaks[0], second.breaks[0]), first.breaks[-1]
+    if precedes(end, second.breaks[-1]):
+        end = second.breaks[-1]
+    return merge(first.padded(start, end), second.padded(start, end))
 
 
 def merge(first: Envelope, second: Envelope) -> Envelope:
@@ -339,13 +356,13 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
                 merged.take(*((first, since, i) if on_first else (second, since, j)), (n, d))
                 on_first, since = not on_first, j if on_first else i
             if a is None:
-                while order > 0:
-                    j += 1
+                if order > 0:
+                    j = second.edge_before(end_a, j + 1)
                     end_b = b_breaks[j + 1]
                     order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
             else:
-                while order < 0:
-                    i += 1
+                if order < 0:
+                    i = first.edge_before(end_b, i + 1)
                     end_a = a_breaks[i + 1]
                     order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
             a, b = a_lines[i], b_lines[j]

@@ -31,12 +31,6 @@ class Run(NamedTuple):
     turns_left: bool
     turns_right: bool
 
-    def turning(self, *, left: bool, right: bool) -> Run:
-        """The same part, the generatrix turning about the given ends in any case."""
-        return self._replace(
-            turns_left=left or self.turns_left, turns_right=right or self.turns_right
-        )
-
     @property
     def box(self) -> Box:
         """Bounds, rounded outwards to ints, of least x, greatest x and least y.
@@ -52,16 +46,16 @@ class Run(NamedTuple):
         (left, left_d), (right, right_d) = self.breaks[0], self.breaks[-1]
         return left // left_d, -(-right // right_d), low
 
-    def swept(self, chain: Sequence[Vertex], source: int) -> Envelope:
+    def swept(self, chain: Sequence[Vertex], source: int, *, turns_left: bool = False) -> Envelope:
         """The CC sweep of a convex chain of reversed edges along this part, as far as it matters.
 
-        Cost: O(m_i + n_t).
+        Arguments as for `ConvexPart.swept`.  Cost: O(m_i + n_t).
         """
         edges: list[Piece] = []
         breaks: list[Break] = []
         last = len(chain) - 1
         at = 0
-        if not self.turns_left:
+        if not (turns_left or self.turns_left):
             while at < last and cross(chain[at], chain[at + 1], self.edges[0]) < 0:
                 at += 1
         n, d = self.breaks[0]

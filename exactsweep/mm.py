@@ -12,16 +12,18 @@ Ackermann function, since an envelope of segments can have more pieces than segm
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from functools import reduce
-from itertools import chain
+from collections.abc import Container, Iterable, Iterator, Sequence
 
-from exactsweep.ceiling import Ceiling
+from exactsweep.ceiling import Boxes, Ceiling
 from exactsweep.chain import Vertex, complement, convex_parts, inverse
 from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
 from exactsweep.inside import Run, inside_runs
 from exactsweep.parts import ConvexPart, joined_parts
-from exactsweep.piece import Break
+from exactsweep.piece import Break, Span
+from exactsweep.touched import gaps, pierced
+
+Guess = Sequence[Container[int]]
+"""For each part of G_t, numbers of parts of D_b."""
 
 
 def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
@@ -51,8 +53,9 @@ def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
 def sweep_pairs(
     chains: Sequence[Sequence[Vertex]],
     parts: Sequence[ConvexPart] | Sequence[Run],
-    guess: Sequence[Iterable[int]] | None = None,
-    floor: Envelope | None = None,
+    known: Envelope | None = None,
+    gaps: Sequence[Span] | None = None,
+    guess: Guess | None = None,
 ) -> Envelope:
     """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
 
@@ -61,64 +64,60 @@ def sweep_pairs(
     in batches, each four times the last, so that the ceiling is lowered only O(log n) times.
 
     LowerEnvelope_CM needs neighbours: what it drops it drops for the next part's sake.  So the
-    parts left are taken in runs of consecutive ones, each run a directrix of its own.
+    parts left are taken in runs of consecutive ones, each run a directrix of its own, about whose
+    left end G turns in any case.  To the right of its last part only what is higher than the part
+    left out is dropped or was never made, which is above the ceiling.
 
     Args:
         chains: the convex chains of reversed edges of G_t.
         parts: the convex parts of D_b.
+        known: the envelope outside the gaps, with holes in them.
+        gaps: the x-ranges that matter; all of it, if left out.
         guess: for each chain the numbers of the parts with which it is likely to be lowest.
-        floor: what the envelope cannot come below, over the x-range of interest.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
 
     Cost: O(m n log n), the number of pairs that are swept being at most m n.
     """
-    boxes = [part.box for part in parts]
+    boxes = Boxes.of(parts)
     chain_boxes = [(c[0][0], c[-1][0], min(y for _, y in c)) for c in chains]
-    start: Break = (min(first for first, _, _ in chain_boxes) + boxes[0][0], 1)
-    end: Break = (max(last for _, last, _ in chain_boxes) + boxes[-1][1], 1)
 
     def sweep(i: int, numbers: Iterable[int]) -> Iterator[Envelope]:
-        for run in runs(numbers):
-            pieces = (
-                parts[j]
-                .turning(left=j == run[0], right=j == run[-1])
-                .swept(chains[i], i * len(parts) + j)
-                for j in run
-            )
-            yield reduce(lower_envelope_cm, pieces)
+        run, following = None, -1
+        for j in numbers:
+            source = i * len(parts) + j
+            if run is not None and j == following:
+                lower_envelope_cm(run, parts[j].swept(chains[i], source))
+            else:
+                if run is not None:
+                    yield run
+                run = parts[j].swept(chains[i], source, turns_left=True)
+            following = j + 1
+        if run is not None:
+            yield run
 
-    envelope = Envelope.hole(start, end)
+    def lowered(envelope: Envelope, batch: Iterable[int], guess: Guess | None = None) -> Envelope:
+        ceiling = Ceiling(envelope, gaps)
+        swept: list[Envelope] = []
+        for i in batch:
+            reached = ceiling.reached(chain_boxes[i], boxes)
+            swept += sweep(i, (j for j in reached if guess is None or j in guess[i]))
+        return lower_envelope_mm([*swept, envelope])
+
+    start: Break = (min(first for first, _, _ in chain_boxes) + boxes.lefts[0], 1)
+    end: Break = (max(last for _, last, _ in chain_boxes) + boxes.rights[-1], 1)
+    envelope = Envelope.hole(start, end) if known is None else known.padded(start, end)
     order = sorted(range(len(chains)), key=lambda i: chain_boxes[i][2])
+    done, size = 0, 1
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        guessed = (sweep(i, numbers) for i, numbers in enumerate(guess))
-        envelope = lower_envelope_mm([envelope, *chain.from_iterable(guessed)])
-    done, size = 0, 1 if guess is None else 4
+        envelope = lowered(envelope, order, guess)
+        size = 4
     while done < len(order):
-        ceiling = Ceiling(envelope, floor)
-        swept = (
-            sweep(i, ceiling.reached(chain_boxes[i], boxes)) for i in order[done : done + size]
-        )
-        envelope = lower_envelope_mm([envelope, *chain.from_iterable(swept)])
+        envelope = lowered(envelope, order[done : done + size])
         done, size = done + size, 4 * size
     return envelope
-
-
-def runs(numbers: Iterable[int]) -> list[list[int]]:
-    """Split ascending numbers into maximal runs of consecutive ones.
-
-    >>> runs([1, 2, 3, 5, 8, 9])
-    [[1, 2, 3], [5], [8, 9]]
-    """
-    found: list[list[int]] = []
-    for number in numbers:
-        if found and found[-1][-1] == number - 1:
-            found[-1].append(number)
-        else:
-            found.append([number])
-    return found
 
 
 def sweep_mm(
@@ -171,18 +170,24 @@ def inner_mm(
     """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
 
     Turned by half a turn, that is G_t along the bottom chain of the inverse of T's complement.
+    Where G touches D_b the boundary is D_b itself, so that only the gaps between are swept: the
+    faster way that the paper mentions after Corollary 5.8 (see `exactsweep.touched`).
 
-    Cost: O(t n log n) for t edges of T.
+    Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
+    overlaps a gap; all t of them at worst.
     """
+    parts = joined_parts(directrix)
+    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(gaps(trajectory, parts))]
+    if not open_spans:
+        return list(directrix)
     chains = convex_parts(inverse(generatrix_top))
     inside = inside_runs(trajectory)
-    # Most of D is touched by the part of G_t that draws the trajectory there.
-    guess: list[list[int]] = [[] for _ in chains]
-    parts = len(joined_parts(directrix))
+    # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
+    guess: list[set[int]] = [set() for _ in chains]
     for k, run in enumerate(inside):
-        for i in {source // parts for source in run.sources}:
-            guess[i].append(k)
+        for source in run.sources:
+            guess[source // len(parts)].add(k)
     floor = Envelope.of(inverse(complement(directrix)))
-    boundary = sweep_pairs(chains, inside, guess, floor)
+    boundary = sweep_pairs(chains, inside, pierced(floor, open_spans), open_spans, guess)
     boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))

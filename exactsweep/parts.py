@@ -31,12 +31,20 @@ class ConvexPart(NamedTuple):
     left: Break | None
     right: Break | None
 
-    def swept(self, chain: Sequence[Vertex], source: int) -> Envelope:
+    def swept(self, chain: Sequence[Vertex], source: int, *, turns_left: bool = False) -> Envelope:
         """The CC sweep of a convex chain of reversed edges along this part, as far as it matters.
+
+        Args:
+            chain: points from left to right.
+            source: the number of what is swept.
+            turns_left: whether G turns about the left end in any case.  Where the part is cut
+                there, the result then begins where its edge does: above the chain, as ever.
 
         Cost: O(m_i + n_t).
         """
         points, left, right = self
+        if turns_left:
+            left = None
         first, last = 0, len(chain) - 1
         if left is not None:
             edge = points[0], points[1]
@@ -52,13 +60,6 @@ class ConvexPart(NamedTuple):
         if right is not None:
             piece.breaks[-1] = right[0] + chain[last][0] * right[1], right[1]
         return piece
-
-    def turning(self, *, left: bool, right: bool) -> ConvexPart:
-        """The same part, G turning about the given ends in any case.
-
-        Where the part is cut there, it then ends where its edge does: above the chain, as ever.
-        """
-        return ConvexPart(self.points, None if left else self.left, None if right else self.right)
 
     @property
     def box(self) -> Box:

@@ -13,6 +13,9 @@ from exactsweep.chain import ChainError, Edge, Rational, Vertex
 Break = tuple[Rational, Rational]
 """x = n / d with d > 0; not reduced."""
 
+Span = tuple[Break, Break]
+"""An x-range between two breaks."""
+
 Line = tuple[Rational, Rational, Rational]
 """(dx, dy, c) with dx > 0: y = (dy * x + c) / dx."""
 

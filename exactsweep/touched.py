@@ -1,0 +1,86 @@
+"""What of D_b the generatrix touches, read off the trajectory: where the inner loop is D itself.
+
+An edge of the trajectory that comes from part i of G_t and part j of D_b, and is as steep as an
+edge of D_j, is drawn by a vertex of G sliding along that edge, or by an edge of G that lies on it;
+what slides over is touched.  Any other edge is drawn by an edge of G sliding over the vertex of
+D_j at which its slope has its place (Table 1: VE, EE, EV).
+
+The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
+T(u) <= D_b(x) - G_t(x - u), and is D_b(x) where that holds with equality, which is to say where G
+touches D.  So R has to be computed over the gaps between touched points only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import cast
+
+from exactsweep.chain import Edge
+from exactsweep.envelope import Envelope
+from exactsweep.parts import ConvexPart, flatter
+from exactsweep.piece import Break, Span, cross, precedes, value
+
+
+def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
+    """The x-ranges of D_b between points that G touches, left to right.
+
+    Args:
+        trajectory: T(G_t, D_b), `sources` as `trajectory_mm` numbers them.
+        parts: the convex parts of D_b.
+
+    Returns:
+        list of open x-ranges, none of them empty.
+
+    Cost: O(t log m + m) for t edges of T, and to sort what is touched of each edge of D_b.
+
+    >>> from exactsweep.mm import trajectory_mm
+    >>> from exactsweep.parts import joined_parts
+    >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
+    >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
+    >>> (left, right), = gaps(trajectory, joined_parts(notch))
+    >>> value(left), value(right)
+    (Fraction(5, 2), Fraction(7, 2))
+    """
+    touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
+    for k, piece in enumerate(trajectory.edges):
+        p, q = edge = cast(Edge, piece)
+        j = trajectory.sources[k] % len(parts)
+        points, spans = parts[j].points, touched[j]
+        v = flatter(points, edge)
+        if v == len(spans) or cross(points[v], points[v + 1], edge) != 0:
+            at = points[v][0], 1
+            spans[min(v, len(spans) - 1)].append((at, at))
+            continue
+        # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
+        (start, _), (end, _) = points[v], points[v + 1]
+        (n, d), g_right = trajectory.breaks[k], q[0] - end
+        (m, e), g_left = trajectory.breaks[k + 1], p[0] - start
+        spans[v].append(
+            (
+                (start, 1) if n <= (start + g_right) * d else (n - g_right * d, d),
+                (end, 1) if m >= (end + g_left) * e else (m - g_left * e, e),
+            )
+        )
+    found: list[Span] = []
+    reach: Break = (parts[0].points[0][0], 1)
+    for of_edge in (spans for of_part in touched for spans in of_part):
+        for left, right in sorted(of_edge, key=lambda span: value(span[0])):
+            if precedes(reach, left):
+                found.append((reach, left))
+            if precedes(reach, right):
+                reach = right
+    return found
+
+
+def pierced(chain: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """A chain with holes for its gaps, given from left to right.  Cost: O(n log n)."""
+    left_over = Envelope([chain.breaks[0]], [], [])
+    end = chain.breaks[-1]
+    for left, right in [*gaps, (end, end)]:
+        since = left_over.breaks[-1]
+        if precedes(since, left):
+            left_over.take(chain, chain.edge_after(since), chain.edge_before(left), left)
+        if precedes(left, right):
+            left_over.extend_hole(right)
+    left_over.forget_lines()
+    return left_over
