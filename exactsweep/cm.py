@@ -23,7 +23,7 @@ from exactsweep.chain import Edge, Rational, Vertex, convex_chain, convex_parts,
 from exactsweep.envelope import Envelope, lower_envelope_cm
 from exactsweep.number import sums
 from exactsweep.parts import ConvexPart, flatter, joined_parts
-from exactsweep.piece import Break, cross, point_on
+from exactsweep.piece import Break, cross, height, point_on
 
 
 def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
@@ -118,15 +118,19 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
-        j, right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
-        position = max(point_on(edges[k - 1], at), point_on(edges[k], at))
+        i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
+        j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
+        step = height(edges[k - 1], edges[k], at)
+        # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
+        plain = step == 0 and in_left and in_right
+        higher = edges[k] if step < 0 else edges[k - 1]
         inner += before[done : i + 1]
         first = len(inner)
         inner.append(point_on((before[i], before[i + 1]), left))
-        inner += _placed(top, at, position, left, right)
+        inner += _placed(top, at, higher, left, right, touching=not plain)
         inner.append(point_on((after[j], after[j + 1]), right))
-        joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
+        if not plain:
+            joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
         done = j + 1
     inner += parts[sources[-1]][done:]
     return corners(inner, joints)
@@ -139,41 +143,54 @@ def _contact(
     at: Break,
     *,
     rightmost: bool,
-) -> tuple[int, Break]:
+) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
 
     In order of slope, the edge follows all flatter edges of D_i and of reversed G_t: VE if D_i has
     an edge of its slope, EV if G_t has one, EE if both; an EE contact is a segment.
 
-    Returns (number of an edge of the part, x on it).  Cost: O(log m + log n).
+    Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
+    Cost: O(log m + log n).
     """
     k = flatter(part, edge)
     h = flatter(reversed_edges, edge)
     n, d = at
     travelled = n - edge[0][0] * d
     along: Rational
+    inside = False
     if k == len(part) - 1 or cross(part[k], part[k + 1], edge) > 0:
         along = 0
     elif h == len(reversed_edges) - 1 or cross(reversed_edges[h], reversed_edges[h + 1], edge) > 0:
         along = travelled
+        inside = 0 < along < (part[k + 1][0] - part[k][0]) * d
     elif rightmost:
         along = min(travelled, (part[k + 1][0] - part[k][0]) * d)
     else:
         along = max(0, travelled - (reversed_edges[h + 1][0] - reversed_edges[h][0]) * d)
-    return min(k, len(part) - 2), (part[k][0] * d + along, d)
+    return min(k, len(part) - 2), (part[k][0] * d + along, d), inside
 
 
 def _placed(
-    generatrix: Sequence[Vertex], at: Break, position: Vertex, left: Break, right: Break
+    generatrix: Sequence[Vertex],
+    at: Break,
+    edge: Edge,
+    left: Break,
+    right: Break,
+    *,
+    touching: bool,
 ) -> list[Vertex]:
-    """Vertices of G_t at a position on the trajectory, from left to right, between two breaks.
+    """Vertices of G_t between two breaks, left to right, when G is at a break on an edge of T.
 
-    All three breaks have one denominator.  Cost: O(log n + vertices returned).
+    With those that are at the breaks, if `touching`.  All three breaks have one denominator.
+    Cost: O(log n + vertices returned).
     """
     n, d = at
     count = len(generatrix)
-    first = bisect_left(range(count), left[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
-    last = bisect_right(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
+    before, after = (bisect_left, bisect_right) if touching else (bisect_right, bisect_left)
+    first = before(range(count), left[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
+    last = after(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
+    if first >= last:
+        return []
     placed = generatrix[count - last : count - first][::-1]
-    xs, ys = (sums(p, [vertex[k] for vertex in placed]) for k, p in enumerate(position))
+    xs, ys = (sums(p, [v[k] for v in placed]) for k, p in enumerate(point_on(edge, at)))
     return list(zip(xs, ys, strict=True))

@@ -72,10 +72,6 @@ class Envelope:
                     lines.append((dx, dy, py * dx - px * dy))
         return self._lines
 
-    def forget_lines(self) -> None:
-        """Say that the edges are about to change."""
-        self._lines = None
-
     @classmethod
     def hole(cls, start: Break, end: Break) -> Envelope:
         """An envelope of nothing over an x-range."""
@@ -83,32 +79,27 @@ class Envelope:
 
     def extend_hole(self, end: Break) -> None:
         """Append a hole up to a break."""
+        self.lines().append(None)
         self.edges.append(None)
         self.sources.append(-1)
         self.breaks.append(end)
 
-    def followed_by(self, other: Envelope) -> Envelope:
-        """This one and another one that begins where it ends, or right of that.  Cost: O(n)."""
-        both = Envelope(self.breaks[:], self.edges[:], self.sources[:])
+    def extend(self, other: Envelope) -> None:
+        """Append one that starts where this one ends, or right of that.  Cost: O(its size)."""
         if precedes(self.breaks[-1], other.breaks[0]):
-            both.extend_hole(other.breaks[0])
-        both.breaks += other.breaks[1:]
-        both.edges += other.edges
-        both.sources += other.sources
-        return both
+            self.extend_hole(other.breaks[0])
+        self.lines().extend(other.lines())
+        self.edges += other.edges
+        self.sources += other.sources
+        self.breaks += other.breaks[1:]
 
     def padded(self, start: Break, end: Break) -> Envelope:
         """The same over a wider x-range, with holes at the ends.  Cost: O(n)."""
-        left, right = precedes(start, self.breaks[0]), precedes(self.breaks[-1], end)
-        if not left and not right:
+        if not precedes(start, self.breaks[0]) and not precedes(self.breaks[-1], end):
             return self
         padded = Envelope([start], [], [])
-        if left:
-            padded.extend_hole(self.breaks[0])
-        padded.breaks += self.breaks[1:]
-        padded.edges += self.edges
-        padded.sources += self.sources
-        if right:
+        padded.extend(self)
+        if precedes(self.breaks[-1], end):
             padded.extend_hole(end)
         return padded
 
@@ -121,10 +112,7 @@ class Envelope:
         envelope = cls([(chain[0][0], 1)], [], [])
         for part in convex_parts(chain):
             # Points of its own, so that edges are `joined` inside the part alone.
-            piece = cls.of_own([(x, y) for x, y in part], source)
-            envelope.edges += piece.edges
-            envelope.sources += piece.sources
-            envelope.breaks += piece.breaks[1:]
+            envelope.extend(cls.of_own([(x, y) for x, y in part], source))
         return envelope
 
     @classmethod
@@ -167,12 +155,13 @@ class Envelope:
             if joined(before, after):
                 yield cast(Edge, before)[1]
                 continue
-            left, right = point_on(before, breaks[k]), point_on(after, breaks[k])
-            if left != right:
-                yield left
-                yield right
-            elif gap(line_of(before), line_of(after))[0] != 0:
-                yield left
+            n, d = breaks[k]
+            u, v = gap(line_of(before), line_of(after))
+            step = u * n + v * d != 0
+            if step or u != 0:
+                yield point_on(before, breaks[k])
+            if step:
+                yield point_on(after, breaks[k])
         yield point_on(edges[-1], breaks[-1])
 
     def take(self, chain: Envelope, first: int, last: int, end: Break) -> None:
@@ -183,13 +172,11 @@ class Envelope:
         if last == len(chain.edges) or not precedes(chain.breaks[last], end):
             last -= 1
         if last >= first:
+            self.lines().extend(chain.lines()[first : last + 1])
             self.edges += chain.edges[first : last + 1]
             self.sources += chain.sources[first : last + 1]
             self.breaks += chain.breaks[first + 1 : last + 1]
             self.breaks.append(end)
-            if self._lines is None:
-                self._lines = []
-            self._lines += chain.lines()[first : last + 1]
 
     def edge_before(self, at: Break, first: int = 0) -> int:
         """The number of the edge, from the first, that holds just left of a break.
@@ -245,7 +232,7 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
-    partial.forget_lines()
+    partial._lines = None
     breaks, edges, sources = partial.breaks, partial.edges, partial.sources
     start, end = piece.breaks[0], breaks[-1]
     if precedes(start, breaks[0]) or precedes(end, start):
@@ -326,7 +313,10 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     half = len(envelopes) // 2
     first, second = lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:])
     if not precedes(second.breaks[0], first.breaks[-1]):
-        return first.followed_by(second)
+        both = Envelope([first.breaks[0]], [], [])
+        both.extend(first)
+        both.extend(second)
+        return both
     start, end = min_break(first.breaks[0], second.breaks[0]), first.breaks[-1]
     if precedes(end, second.breaks[-1]):
         end = second.breaks[-1]

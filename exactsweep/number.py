@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from decimal import Decimal
 from fractions import Fraction
+from math import gcd
 from numbers import Rational, Real
 from typing import NamedTuple
 
@@ -121,6 +122,19 @@ def _reduced(numerator: int, denominator: int) -> Fraction:
     return fraction
 
 
+def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
+    """Divide by a positive number, quickly where both are ints.
+
+    Example:
+        >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
+        (Fraction(3, 2), Fraction(1, 6))
+    """
+    if type(value) is int and type(divisor) is int:
+        common = gcd(value, divisor)
+        return _reduced(value // common, divisor // common)
+    return Fraction(value, divisor)
+
+
 def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
@@ -129,8 +143,8 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
         [Fraction(3, 1), Fraction(1, 2)]
     """
     if divisor != 1:
-        return [Fraction(v, divisor) for v in values]
-    return [_reduced(v, 1) if type(v) is int else Fraction(v) for v in values]
+        return [quotient(v, divisor) for v in values]
+    return [_reduced(v, 1) if type(v) is int else v for v in values]  # type: ignore[misc]
 
 
 def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:

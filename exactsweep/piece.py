@@ -9,6 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.chain import ChainError, Edge, Rational, Vertex
+from exactsweep.number import quotient
 
 Break = tuple[Rational, Rational]
 """x = n / d with d > 0; not reduced."""
@@ -42,7 +43,7 @@ def point_on(edge: Piece, at: Break) -> Vertex:
         if n == q[0] * d:
             return q
     dx, dy, c = line_of(edge)
-    return Fraction(n, d), Fraction(dy * n + c * d, dx * d)
+    return quotient(n, d), quotient(dy * n + c * d, dx * d)
 
 
 def line_of(edge: Piece) -> Line:
@@ -99,7 +100,7 @@ def crossing(u: Rational, v: Rational) -> Break:
 
 def value(at: Break) -> Fraction:
     """The x of a break."""
-    return Fraction(at[0]) / at[1]
+    return quotient(*at)
 
 
 def precedes(first: Break, second: Break) -> bool:

@@ -82,5 +82,4 @@ def pierced(chain: Envelope, gaps: Iterable[Span]) -> Envelope:
             left_over.take(chain, chain.edge_after(since), chain.edge_before(left), left)
         if precedes(left, right):
             left_over.extend_hole(right)
-    left_over.forget_lines()
     return left_over
