@@ -3,8 +3,8 @@
 An edge of the trajectory is a piece of the segment of translations at which two features touch:
 EV (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
 edges): d - e.  Every pair whose segment shares a piece with the edge is a contact there, since all
-of the trajectory is free of overlap.  All pairs are found by looking up lines, O(m n) in all,
-without regard to how the trajectory was computed.
+of the trajectory is free of overlap.  All pairs that can touch without overlap (see `facing`) are
+found by looking up lines, without regard to how the trajectory was computed.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from typing import Literal, NamedTuple
 
 from exactsweep.chain import Edge, Rational, Vertex
 from exactsweep.direction import Vector
-from exactsweep.line import Segment, direction_of, offset, segment
+from exactsweep.facing import facing
+from exactsweep.line import Segment, direction_of, segment
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -56,37 +57,41 @@ def edge_contacts(
         For each edge of the trajectory the sorted contacts that last for a piece of positive
         length of it.  An EV or VE that is part of an EE contact is not listed beside it.
 
-    Cost: O(m n + t) dictionary look-ups for t edges.
+    Cost: O(t + (m + n) log(m + n)) for t edges, and a look-up for each pair that can touch without
+    overlap: O(m + n) pairs for convex polygons, O(m n) for any.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges_of(trajectory)):
         piece = segment(edge)
         lines[piece.direction, piece.offset].append((piece, k))
-    directions = {direction for direction, _ in lines}
     found: list[set[Contact]] = [set() for _ in trajectory]
 
-    def note(event: Event, i: int, j: int, edge: Edge, direction: Vector) -> None:
-        at = lines.get((direction, offset(direction, edge[0])))
-        if at:
-            touching = segment(edge, direction)
-            for piece, k in at:
-                if touching.shares_piece(piece):
-                    found[k].add(Contact(event, i, j))
+    def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
+        touching = segment((first, last))
+        for piece, k in lines.get((touching.direction, touching.offset), ()):
+            if touching.shares_piece(piece):
+                found[k].add(Contact(event, i, j))
 
-    g_edges = [(i, e, direction_of(e)) for i, e in enumerate(edges_of(generatrix))]
-    d_edges = [(j, d, direction_of(d)) for j, d in enumerate(edges_of(directrix))]
-    for i, (p, q), direction in g_edges:
-        if direction in directions:
-            for j, v in enumerate(directrix):
-                note("EV", i, j, (minus(v, p), minus(v, q)), direction)
-            for j, (r, s), other in d_edges:
-                if other == direction:
-                    # Both run with D and G on their left, so that facing edges run opposite ways.
-                    note("EE", i, j, (minus(r, p), minus(s, q)), direction)
-    for j, (r, s), direction in d_edges:
-        if direction in directions:
-            for i, w in enumerate(generatrix):
-                note("VE", i, j, (minus(r, w), minus(s, w)), direction)
+    directions = {direction for direction, _ in lines}
+    g_edges, d_edges = (
+        {k: edge for k, edge in enumerate(edges_of(loop)) if direction_of(edge) in directions}
+        for loop in (generatrix, directrix)
+    )
+    parallel: defaultdict[Vector, list[int]] = defaultdict(list)
+    for j, edge in d_edges.items():
+        parallel[direction_of(edge)].append(j)
+    for i, (p, q) in g_edges.items():
+        for j in parallel[direction_of((p, q))]:
+            r, s = d_edges[j]
+            # Both run with D and G on their left, so that facing edges run opposite ways.
+            if (p < q) != (r < s):
+                note("EE", i, j, minus(r, p), minus(s, q))
+    for i, j in facing(g_edges, directrix):
+        (p, q), v = g_edges[i], directrix[j]
+        note("EV", i, j, minus(v, p), minus(v, q))
+    for j, i in facing(d_edges, generatrix):
+        (r, s), w = d_edges[j], generatrix[i]
+        note("VE", i, j, minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, len(generatrix), len(directrix))) for c in found]
 
 

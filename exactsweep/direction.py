@@ -131,7 +131,7 @@ class Directions:
 
     def _last_up_to(self, direction: Vector) -> int:
         """Number of the last critical direction up to this one, round the turn: -1 before all."""
-        return bisect_right(self.critical, _angle_key(primitive(direction)), key=_angle_key) - 1
+        return bisect_right(self.critical, angle_key(primitive(direction)), key=angle_key) - 1
 
 
 def primitive(direction: LatticePoint) -> Vector:
@@ -185,7 +185,7 @@ def monotone_directions(polygon: Polygon) -> Directions:
         return (forward[k] != forward[k - 1]) + (forward[k] != forward[(k + 1) % n])
 
     normals = [primitive((-dy, dx)) for dx, dy in edges]
-    order = sorted(range(n), key=lambda k: _angle_key(normals[k]))
+    order = sorted(range(n), key=lambda k: angle_key(normals[k]))
     critical, at, after = [], [], []
     for u, group in groupby(order, key=normals.__getitem__):
         weak = changes
@@ -250,11 +250,11 @@ def _turn(u: Vector, v: Vector) -> int:
 
 
 # Both in the half plane of `primitive`, so that the sign of the cross product orders them.
-_angle_key = cmp_to_key(_turn)
+angle_key = cmp_to_key(_turn)
 
 
 def _by_angle(directions: Iterable[Vector]) -> list[Vector]:
-    return sorted(directions, key=_angle_key)
+    return sorted(directions, key=angle_key)
 
 
 def _simplest_between(u: Vector, v: Vector) -> Vector:

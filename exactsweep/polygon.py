@@ -193,15 +193,22 @@ class Polygon:
         return polygon
 
     def to_sympy(self) -> "sympy.Polygon":
-        """Return the polygon as a `sympy.geometry.Polygon`."""
+        """Return the polygon as a `sympy.geometry.Polygon`.
+
+        Raises PolygonError where sympy, which looks for collinear vertices in floating point, would
+        make another figure of it: the vertices are too close together.
+        """
         import sympy
 
-        return sympy.Polygon(
+        polygon = sympy.Polygon(
             *(
                 tuple(sympy.Rational(c.numerator, c.denominator) for c in vertex)
                 for vertex in self.vertices
             )
         )
+        if not isinstance(polygon, sympy.Polygon) or len(polygon.vertices) != len(self):
+            raise PolygonError("sympy takes vertices for collinear that are not")
+        return polygon
 
     @classmethod
     def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
@@ -239,6 +246,16 @@ class Polygon:
     def __str__(self) -> str:
         shown = [f"({', '.join(map(abridged, v))})" for v in self._head()]
         return " ".join(shown + self._more())
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.draw.notebook import polygon_svg
+
+        return polygon_svg(self)
+
+    def _repr_html_(self) -> str:
+        from exactsweep.draw.notebook import polygon_html
+
+        return polygon_html(self)
 
     def _head(self) -> tuple[Point, ...]:
         return self.vertices[:_SHOWN_VERTICES]

@@ -242,3 +242,9 @@ def test_import_leaves_the_heavy_libraries_alone() -> None:
     code = "import exactsweep, sys; print(sys.modules.keys() & {'sympy', 'numpy', 'gmpy2'})"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == "set()\n"
+
+
+def test_what_sympy_would_flatten_is_refused() -> None:
+    minute = Polygon([(0, 0), ("1e-8", 0), (0, "1e-8")])
+    with pytest.raises(PolygonError, match="sympy takes vertices for collinear"):
+        minute.to_sympy()
