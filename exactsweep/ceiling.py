@@ -21,6 +21,7 @@ Box = tuple[Rational, Rational, Rational]
 """Of a chain: least x, greatest x, least y."""
 
 STRIPS_PER_EDGE = 4
+STRIPS_PER_CHAIN = 8
 
 
 class Boxed(Protocol):
@@ -50,19 +51,22 @@ class Ceiling:
 
     Args:
         envelope: what is known of the envelope to be found.
+        chains: how many convex chains of G_t and D_b there are.  There
+            are no more strips than in proportion, so that a pair crosses O(1) of them on average
+            however large the envelope is.
         gaps: the x-ranges in which it may be lower than what is known, from left to right;
             everywhere, if left out.
 
     Cost: O(size of the envelope).
     """
 
-    def __init__(self, envelope: Envelope, gaps: Sequence[Span] | None = None) -> None:
+    def __init__(self, envelope: Envelope, chains: int, gaps: Sequence[Span] | None = None) -> None:
         self.start: Rational
         breaks, lines = envelope.breaks, envelope.lines()
         (start, start_d), (end, end_d) = breaks[0], breaks[-1]
         self.start = start // start_d
         width = end // end_d + 1 - self.start
-        count = min(STRIPS_PER_EDGE * len(lines), int(width))
+        count = min(STRIPS_PER_EDGE * len(lines), STRIPS_PER_CHAIN * chains, int(width))
         self.width = -(-width // count)
         # One strip more: the end of the x-range may lie on its border.
         tops: list[Rational | float] = [-inf] * (count + 1)

@@ -98,7 +98,7 @@ def sweep_pairs(
             yield run
 
     def lowered(envelope: Envelope, batch: Iterable[int], guess: Guess | None = None) -> Envelope:
-        ceiling = Ceiling(envelope, gaps)
+        ceiling = Ceiling(envelope, len(chains) + len(parts), gaps)
         swept: list[Envelope] = []
         for i in batch:
             reached = ceiling.reached(chain_boxes[i], boxes)
