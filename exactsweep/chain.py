@@ -72,8 +72,7 @@ def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
         chain: Points from left to right; x must not decrease.
 
     Returns:
-    -------
-    list of lists of points, each strictly convex and strictly increasing in x.
+        list of lists of points, each strictly convex and strictly increasing in x.
 
     Raises:
         ChainError: x decreases, or never increases.
@@ -183,8 +182,7 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
         loop: Vertices, counter-clockwise, not closed, starting anywhere.
 
     Returns:
-    -------
-    (bottom, left to right; top, right to left).
+        (bottom, left to right; top, right to left).
 
     Raises:
         ChainError: when the polygon is not monotone to the X axis.

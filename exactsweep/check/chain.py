@@ -95,8 +95,15 @@ def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[i
     pairs of one-sided limits. Those from inside one interval always count. Of the other two, one
     counts just right of x (`side` 1) and the other one just left of x (-1); side 0 leaves them out.
 
-    Arguments: first and second, the functions A and B; side, where to take x from.
-    Returns: iterator of pairs, numerator and positive denominator.
+    Args:
+        first: the function A.
+        second: the function B.
+        o: the point.
+        side: where to take x from.
+
+    Returns:
+        iterator of pairs, numerator and positive denominator.
+
     Cost: O(n + k) for n edges of B and k edges of A over the turned B; O(log) of the others.
     """
     ox, oy, ow = o

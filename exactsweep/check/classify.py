@@ -42,11 +42,19 @@ class Classification(NamedTuple):
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
     """Decide whether G + t, a translate of one simple polygon, meets another, D.
 
-    Arguments: directrix and generatrix, Polygons or vertices of m and n edges, monotone or not;
-    t, a pair of rationals.
-    Returns: Classification. OVERLAP: the interiors meet, and the witness is in both of them.
-    CONTACT: only the boundaries meet, and the witness is in both. FREE: no common point, None.
-    Raises: PolygonError, NumberError.
+    Args:
+        directrix: D, a Polygon or its vertices, m edges, monotone or not.
+        generatrix: G, likewise, n edges.
+        t: a pair of rationals.
+
+    Returns:
+        Classification. OVERLAP: the interiors meet, and the witness is in both of them. CONTACT:
+        only the boundaries meet, and the witness is in both. FREE: no common point, None.
+
+    Raises:
+        PolygonError: a polygon is not simple.
+        NumberError: a coordinate is not an exact number.
+
     Cost: O((m + n) log(m + n)) comparisons, and as many insertions into one list.
     Source: Definition 1.1.
 

@@ -27,9 +27,17 @@ def check_contacts(
 ) -> None:
     """Check that the listed contacts of each edge are those that draw it, and cover all of it.
 
-    Arguments: inverse, I(G); listed, for each edge of the trajectory its contacts. Of a contact EE
-    the contacts EV and VE that are part of it are not listed.
-    Raises: CertificateError.
+    Args:
+        trajectory: the loop.
+        directrix: D.
+        inverse: I(G).
+        listed: for each edge of the trajectory its contacts. Of a contact EE the contacts EV and
+            VE that are part of it are not listed.
+        frame: to name witnesses in the plane.
+
+    Raises:
+        CertificateError: they are not, or do not.
+
     Cost: O(mn) look-ups of lines, and O(c log k) for c contacts of k edges.
     """
     edges = [edge_extent(trajectory, k) for k in range(len(trajectory.lines))]

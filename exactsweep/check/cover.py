@@ -83,8 +83,17 @@ def check_drawings(
 ) -> None:
     """Check that the listed features of G, at their positions, draw each edge, all of it.
 
-    Arguments: name, of the list; loop, the inner or the outer one.
-    Raises: CertificateError.
+    Args:
+        name: of the list.
+        loop: the inner or the outer one.
+        trajectory: the loop.
+        generatrix: G.
+        listed: for each edge of the loop its drawings.
+        frame: to name witnesses in the plane.
+
+    Raises:
+        CertificateError: one does not, or they leave a part out.
+
     Cost: O(d log d) for d drawings of one edge, summed over the edges.
     """
     for k, drawings in enumerate(listed):

@@ -37,10 +37,17 @@ def reference_loops(
 ) -> ReferenceLoops:
     """Evaluate trajectory, inner loop and outer loop of the sweep (G, D) from the definition.
 
-    Arguments: generatrix and directrix, Polygons or vertices of m and n edges, both weakly
-    monotone to `direction`, a pair of rationals that are not both zero.
-    Returns: ReferenceLoops of tuples of Point, counter-clockwise, not closed, canonical.
-    Raises: ValueError if a polygon is not monotone to the direction or the direction is zero.
+    Args:
+        generatrix: G, a Polygon or its vertices, m edges.
+        directrix: D, likewise, n edges.
+        direction: a pair of rationals, not both zero, to which both are weakly monotone.
+
+    Returns:
+        ReferenceLoops of tuples of Point, counter-clockwise, not closed, canonical.
+
+    Raises:
+        ValueError: a polygon is not monotone to the direction, or the direction is zero.
+
     Cost: mn intervals of m + n candidates for a trajectory of k edges, then km of k + m.
     Source: Definitions 1.1 to 1.3.
 
@@ -71,9 +78,17 @@ def reference_exact_fits(
     cross-sections left and right of any x have a common interior point in each polygon, so the
     order cannot change there), and from below the set of heights is half-open, (T, limit].
 
-    Arguments: as for `reference_loops`.
-    Returns: tuple of pairs of Point, sorted: the end that hangs on the trajectory, the inner end.
-    Raises: ValueError as `reference_loops`.
+    Args:
+        generatrix: as for `reference_loops`.
+        directrix: likewise.
+        direction: likewise.
+
+    Returns:
+        tuple of pairs of Point, sorted: the end that hangs on the trajectory, the inner end.
+
+    Raises:
+        ValueError: as by `reference_loops`.
+
     Cost: mn abscissas of m + n + k steps each, k the edges of the trajectory.
     Source: Definition 1.1, which asks for contact and for disjoint interiors.
 

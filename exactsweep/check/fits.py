@@ -22,8 +22,14 @@ from exactsweep.polygon import Point
 def exact_fits(directrix: Loop, inverse: Loop, frame: Frame) -> list[tuple[Point, Point]]:
     """List the exact fits of the sweep (G, D), as translations.
 
-    Arguments: directrix and inverse, D and I(G), on the lattice.
-    Returns: sorted list of pairs of Point, the end that hangs on the trajectory first.
+    Args:
+        directrix: D, on the lattice.
+        inverse: I(G), likewise.
+        frame: to leave the lattice.
+
+    Returns:
+        sorted list of pairs of Point, the end that hangs on the trajectory first.
+
     Cost: O(mn) for pairs of jumps, O(m + n) for each place that is left.
     Source: as `exactsweep.check.reference_exact_fits`.
     """

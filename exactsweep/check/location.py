@@ -15,8 +15,14 @@ Coordinates = tuple[int | Fraction, int | Fraction]
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     """Locate a point: 1 in the open interior of a simple polygon, 0 on its boundary, -1 outside.
 
-    Arguments: point, a pair of rationals; polygon, a Polygon or its vertices, n edges.
-    Raises: NumberError, PolygonError.
+    Args:
+        point: a pair of rationals.
+        polygon: a Polygon or its vertices, n edges.
+
+    Raises:
+        PolygonError: the polygon is not simple.
+        NumberError: a coordinate is not an exact number.
+
     Cost: O(n) comparisons.
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -31,7 +37,10 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
 def locate(point: Coordinates, loop: Sequence[Coordinates]) -> int:
     """Locate a point like `point_in_polygon`, by the parity of the edges to the right of it.
 
-    Arguments: point, two exact numbers; loop, the vertices of a simple polygon, not closed.
+    Args:
+        point: two exact numbers.
+        loop: the vertices of a simple polygon, not closed.
+
     Cost: O(n) comparisons; multiplications only for edges across the height of the point.
     """
     x, y = point

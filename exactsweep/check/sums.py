@@ -38,11 +38,18 @@ def check_sum_within(
 ) -> None:
     """Check that A + B is in the region of a loop, by the lemma.
 
-    Arguments: first and second, A and B, the nodes of B on the lattice; outside, what to say where
-    (a) fails, with places for the numbers of both corners; inside, the same for (b) and the number
-    of the corner of the loop.
-    Raises: CertificateError; the witness is the sum of the corners, or a point of the loop inside
-    A + B, at or near the corner of the loop.
+    Args:
+        frame: to name witnesses in the plane.
+        loop: of the region.
+        first: A.
+        second: B, its nodes on the lattice.
+        outside: what to say where (a) fails, with places for the numbers of both corners.
+        inside: the same for (b) and the number of the corner of the loop.
+
+    Raises:
+        CertificateError: the witness is the sum of the corners, or a point of the loop inside
+            A + B, at or near the corner of the loop.
+
     Cost: `steps_within`.
     """
     for sign, chain, a, b in zip((1, -1), loop.halves, first.halves, second.halves, strict=True):

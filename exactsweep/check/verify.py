@@ -61,10 +61,15 @@ _MAX_STEPS = 10**8
 def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     """Decide whether a certificate proves its answer, from the definition alone.
 
-    Arguments: certificate, as `json.loads` gives it, from any source; max_steps, the most work to
-    take on, in steps of about a microsecond. A certificate that asks for more is not proved.
-    Returns: Verification. The reason is "proved", or says which loop, edge or list is wrong.
-    Raises: nothing, whatever the certificate.
+    Args:
+        certificate: as `json.loads` gives it, from any source.
+        max_steps: the most work to take on, in steps of about a microsecond. A certificate that
+            asks for more is not proved.
+
+    Returns:
+        Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
+        raised, whatever the certificate.
+
     Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
     the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
     those only that are over G), and c log k for c pairs of convex corners.
