@@ -18,7 +18,7 @@ from typing import Literal, NamedTuple
 from exactsweep.chain import Edge, Rational, Vertex
 from exactsweep.contact import edges_of, minus
 from exactsweep.direction import Vector
-from exactsweep.line import Segment, along, covered, direction_of, offset, segment
+from exactsweep.line import Segment, along, covered, offset, segment
 
 
 class Feature(NamedTuple):
@@ -47,9 +47,15 @@ class Tracer:
         self._positions = {vertex: k for k, vertex in enumerate(trajectory)}
         self._trajectory = trajectory
         self._generatrix = generatrix
-        self._g_edges: defaultdict[Vector, list[tuple[int, Edge]]] = defaultdict(list)
-        for i, edge in enumerate(edges_of(generatrix)):
-            self._g_edges[direction_of(edge)].append((i, edge))
+        self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
+        self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
+        self._g_corners: defaultdict[frozenset[Vector], list[Vertex]] = defaultdict(list)
+        segments = [segment(edge) for edge in edges_of(generatrix)]
+        for i, (edge, own) in enumerate(zip(edges_of(generatrix), segments, strict=True)):
+            self._g_edges[own.direction].append((i, edge, own))
+            self._g_lines[own.direction, own.offset].append(own)
+            corner = frozenset((segments[i - 1].direction, own.direction))
+            self._g_corners[corner].append(edge[0])
         paths: defaultdict[Vector, list[tuple[Segment, int]]] = defaultdict(list)
         for k, edge in enumerate(edges_of(trajectory)):
             piece = segment(edge)
@@ -94,8 +100,7 @@ class Tracer:
         """
         whole = segment(edge)
         u = whole.direction
-        for _, own_edge in self._g_edges.get(u, ()):
-            own = segment(own_edge, u)
+        for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
             for path, k in self._paths.get(u, ()):
                 if path.offset != whole.offset - own.offset:
@@ -109,20 +114,21 @@ class Tracer:
     def covering_position(self, chain: Sequence[Vertex]) -> Vertex | None:
         """A translation on the trajectory at which G's boundary covers a chain, if there is one.
 
-        Then each corner of the chain is a vertex of G.  Cost: O(n s) for s edges of the chain,
-        and O(t) to find a translation on the trajectory.
+        Then each corner of the chain is a vertex of G, between edges of the same directions.
+        Cost: O(s) for s edges of the chain and each such vertex, and O(t) to find a translation on
+        the trajectory.
         """
-        for w in self._generatrix:
+        wholes = [segment(edge) for edge in pairwise(chain)]
+        for w in self._g_corners.get(frozenset(whole.direction for whole in wholes[:2]), ()):
             t = minus(chain[1], w)
-            if all(self._covers(edge, t) for edge in pairwise(chain)) and self._passes(t):
+            if all(self._covers(whole, t) for whole in wholes) and self._passes(t):
                 return t
         return None
 
-    def _covers(self, edge: Edge, t: Vertex) -> bool:
-        whole = segment(edge)
-        own = [segment(e, whole.direction) for _, e in self._g_edges.get(whole.direction, ())]
-        pieces = [(piece.moved(t), 0) for piece in own]
-        return covered(whole, [p for p in pieces if p[0].offset == whole.offset]) is not None
+    def _covers(self, whole: Segment, t: Vertex) -> bool:
+        line = whole.direction, whole.offset - offset(whole.direction, t)
+        own = self._g_lines.get(line, ())
+        return covered(whole, [(piece.moved(t), 0) for piece in own]) is not None
 
     def _passes(self, t: Vertex) -> bool:
         return t in self._positions or any(
@@ -132,16 +138,13 @@ class Tracer:
         )
 
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
-        for i, own in self._g_edges.get(whole.direction, ()):
+        for i, ends, own in self._g_edges.get(whole.direction, ()):
             for p in edge:
-                for q in own:
+                for q in ends:
                     t = minus(p, q)
                     k = self._positions.get(t)
                     if k is not None:
-                        yield (
-                            segment(own, whole.direction).moved(t),
-                            Trace(Feature("vertex", k), Feature("edge", i)),
-                        )
+                        yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u = whole.direction
@@ -176,12 +179,11 @@ class Tracer:
 
     def _at_all(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u = whole.direction
-        for i, own in self._g_edges.get(u, ()):
-            piece = segment(own, u)
-            wanted = whole.offset - piece.offset
+        for i, _, own in self._g_edges.get(u, ()):
+            wanted = whole.offset - own.offset
             for k, t in enumerate(self._trajectory):
                 if offset(u, t) == wanted:
-                    yield piece.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
+                    yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:
