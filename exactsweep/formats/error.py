@@ -1,5 +1,32 @@
 """The refusal of a text or file."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class FormatError(ValueError):
     """Input that cannot be read or output that a format cannot hold; the message says where."""
+
+
+@contextmanager
+def needs(package: str, extra: str, what: str) -> Iterator[None]:
+    """Refuse, where the imports inside fail, with what is to be installed.
+
+    Args:
+        package: the library.
+        extra: the extra of exactsweep that has it.
+        what: what it is needed for.
+
+    Raises:
+        FormatError: the library is not there.
+
+    Example:
+        >>> with needs("dreams", "night", "sleep"):
+        ...     import dreams
+        Traceback (most recent call last):
+        exactsweep.formats.error.FormatError: sleep needs dreams: pip install 'exactsweep[night]'
+    """
+    try:
+        yield
+    except ImportError:
+        raise FormatError(f"{what} needs {package}: pip install 'exactsweep[{extra}]'") from None

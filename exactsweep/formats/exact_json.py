@@ -2,8 +2,10 @@
 
 import json
 from collections.abc import Callable
+from functools import partial
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.outline import Outline
 from exactsweep.number import NumberError, quoted, to_fraction
 from exactsweep.polygon import Point
 
@@ -72,6 +74,53 @@ def read_vertices(value: object, path: str) -> list[Point]:
     if not isinstance(value, list):
         raise FormatError(f"{path} is {described(value)}, not a list of vertices")
     return [_read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
+
+
+def read_exact(document: object) -> list[Outline]:
+    """Find the polygons of an exact JSON document.
+
+    Args:
+        document: a list of vertices, or an object with such a list as "vertices"; or an object
+            whose "polygons" is a list of these, "id" in an object being its name.
+
+    Returns:
+        list of Outline.
+
+    Raises:
+        FormatError: anything else; the message starts with the JSON path.  The vertices are looked
+            at by the Outlines.
+
+    Example:
+        >>> [outline.name for outline in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
+        ['a']
+    """
+    if not isinstance(document, dict) or "polygons" not in document:
+        return [_outline(document, "$")._replace(place="")]
+    polygons = document["polygons"]
+    if not isinstance(polygons, list):
+        raise FormatError(f"$.polygons is {described(polygons)}, not a list of polygons")
+    return [_outline(polygon, f"$.polygons[{k}]") for k, polygon in enumerate(polygons)]
+
+
+def _outline(value: object, path: str) -> Outline:
+    if not isinstance(value, dict):
+        return Outline(path, partial(read_vertices, value, path))
+    if "vertices" not in value:
+        raise FormatError(
+            f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
+            if path == "$"
+            else f'{path} has no "vertices"'
+        )
+    name = read_name(value.get("id"), f"{path}.id")
+    inner = f"{path}.vertices"
+    return Outline(path, partial(read_vertices, value["vertices"], inner), name)
+
+
+def read_name(value: object, path: str) -> str | None:
+    """Read an id, a string or a number; None if there is none."""
+    if value is None or isinstance(value, str):
+        return value
+    raise FormatError(f"{path} is {described(value)}, not a string or a number")
 
 
 def described(value: object) -> str:

@@ -1,11 +1,17 @@
 """Files and standard input, as text."""
 
+import re
 import sys
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 
 from exactsweep.formats.error import FormatError
 
 MAX_BYTES = 16 * 2**20
 """The most bytes that are read from one file."""
+
+# Possessive, so that blank lines and comments without end are gone through once.
+DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
+"""What a DXF text starts with."""
 
 
 def read_text(path: str) -> str:
@@ -18,7 +24,7 @@ def read_text(path: str) -> str:
         The text, without a byte order mark.
 
     Raises:
-        FormatError: not readable, more than MAX_BYTES, not UTF-8.
+        FormatError: not readable, more than MAX_BYTES, neither UTF-8 nor DXF.
     """
     try:
         data = _read_bytes(path)
@@ -26,9 +32,25 @@ def read_text(path: str) -> str:
         raise FormatError(error.strerror or str(error)) from None
     if len(data) > MAX_BYTES:
         raise FormatError(f"more than {MAX_BYTES} bytes")
+    if data.startswith(b"AutoCAD Binary DXF"):
+        raise FormatError("a binary DXF file; save it as ASCII DXF")
+    try:
+        return decode_text(data)
+    except FormatError:
+        # Older DXF is in the code page of its author; only names of layers depend on it.
+        latin = data.decode("latin-1")
+        if DXF_SIGN.match(latin):
+            return latin
+        raise
+
+
+def decode_text(data: bytes) -> str:
+    """Decode UTF-8, whether it has a byte order mark or not; raises FormatError."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
+        if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+            raise FormatError("UTF-16 text; save it as UTF-8") from None
         raise FormatError(f"not UTF-8 text: {error.reason} at byte {error.start}") from None
 
 

@@ -1,42 +1,81 @@
-"""GeoJSON (RFC 7946): a Polygon with one ring, alone or as the geometry of a Feature."""
+"""GeoJSON in (RFC 7946): Polygons with one ring, in all that holds them."""
 
-from collections.abc import Mapping
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import described, read_vertices
+from exactsweep.formats.exact_json import described, read_name, read_vertices
+from exactsweep.formats.outline import Outline
 from exactsweep.polygon import Point
 
+TYPES = {"Polygon", "MultiPolygon", "GeometryCollection", "Feature", "FeatureCollection"}
+"""The types that hold polygons."""
 
-def read_geojson(document: Mapping[str, object]) -> list[Point]:
-    """Read the outer ring of a GeoJSON polygon.
+_MAX_DEPTH = 100
+
+
+def read_geojson(document: Mapping[str, object]) -> Iterator[Outline]:
+    """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
 
-    Returns:
-        list of Point, the first one repeated at the end.
+    Yields:
+        Outline, for each Polygon, the name being the id of its Feature.  That of another geometry
+        refuses, and so does that of a Polygon with holes, more than two coordinates or a ring that
+        is not closed.
 
     Raises:
-        FormatError: another type, inner rings (holes), more than two coordinates, a ring that is
-            not closed; the message starts with the JSON path.
+        FormatError: an id that is no string and no number, a collection without its list, nested
+            too deeply; the message starts with the JSON path.
 
     Cost: linear.
 
     Example:
         >>> ring = [["0", "0"], ["1", "0"], ["0", "1"], ["0", "0"]]
-        >>> len(read_geojson({"type": "Polygon", "coordinates": [ring]}))
+        >>> (outline,) = read_geojson({"type": "Polygon", "coordinates": [ring]})
+        >>> len(outline.vertices())
         4
     """
-    path = "$"
-    geometry: object = document
-    if document["type"] == "Feature":
-        path, geometry = "$.geometry", document.get("geometry")
-    if not isinstance(geometry, dict):
-        raise FormatError(f"{path} is {described(geometry)}, not a Polygon")
-    if geometry.get("type") != "Polygon":
-        raise FormatError(f"{path}.type is {described(geometry.get('type'))}, not 'Polygon'")
-    path += ".coordinates"
-    rings = geometry.get("coordinates")
+    return _read(document, "$", None, 0)
+
+
+def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Outline]:
+    if not isinstance(value, dict):
+        yield Outline.refused(f"{path} is {described(value)}, not a Polygon", name)
+        return
+    kind = value.get("type")
+    if depth > _MAX_DEPTH:
+        raise FormatError("nested too deeply")
+    if kind == "Feature":
+        name = read_name(value.get("id"), f"{path}.id")
+        yield from _read(value.get("geometry"), f"{path}.geometry", name, depth + 1)
+    elif kind == "Polygon":
+        place = f"{path}.coordinates"
+        yield Outline(place, partial(read_rings, value.get("coordinates"), place), name)
+    elif kind == "MultiPolygon":
+        for k, rings in enumerate(_list(value, "coordinates", path)):
+            place = f"{path}.coordinates[{k}]"
+            yield Outline(place, partial(read_rings, rings, place), name)
+    elif kind in ("FeatureCollection", "GeometryCollection"):
+        member = "features" if kind == "FeatureCollection" else "geometries"
+        for k, part in enumerate(_list(value, member, path)):
+            yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1)
+    else:
+        yield Outline.refused(f"{path}.type is {described(kind)}, not 'Polygon'", name)
+
+
+def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
+    found = value.get(member)
+    if not isinstance(found, list):
+        raise FormatError(f"{path}.{member} is {described(found)}, not a list")
+    return found
+
+
+def read_rings(rings: object, path: str) -> list[Point]:
+    """Read the one ring of a Polygon; raises FormatError for anything else."""
     if not isinstance(rings, list):
         raise FormatError(f"{path} is {described(rings)}, not a list of rings")
     if not rings:

@@ -1,26 +1,33 @@
-"""Polygons from text, in whichever format the content shows."""
+"""Polygons from text and files, in whichever format the content shows."""
 
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from exactsweep.formats.decimals import read_tolerance
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import parse_json, read_vertices
-from exactsweep.formats.files import file_name, read_text
+from exactsweep.formats.exact_json import parse_json, read_exact
+from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
+from exactsweep.formats.outline import NamedPolygon, Outline, choose
 from exactsweep.formats.wkt import parse_wkt
-from exactsweep.polygon import Point, Polygon
+from exactsweep.polygon import Polygon
 
 
-def parse_polygon(text: str) -> Polygon:
-    """Read a polygon from JSON, GeoJSON or WKT.
+def parse_polygon(text: str, choice: str | None = None, tolerance: object = None) -> Polygon:
+    """Read a polygon from exact JSON, GeoJSON, WKT, SVG or DXF.
 
     Args:
-        text: a JSON list of pairs, or an object with such a list as "vertices"; a GeoJSON Polygon,
-            or a Feature of one; or a WKT POLYGON.  Numbers are decimals, exactly as they are
-            written; in JSON, strings such as "-7/2" are numbers, too.
+        text: as `parse_polygons` takes it.
+        choice: the name, the index or the layer of one polygon, tried in this order; not needed
+            where there is only one.
+        tolerance: as for `parse_polygons`.
 
     Returns:
         A Polygon.
 
     Raises:
-        FormatError: none of these; the message says where, by line and column or by JSON path.
+        FormatError: as by `parse_polygons`, or it is not clear which polygon is meant.
         PolygonError: not a simple polygon; the message names vertices by their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
@@ -30,15 +37,49 @@ def parse_polygon(text: str) -> Polygon:
         ...     "POLYGON ((0 0, 0.5 0, 0 1, 0 0))"
         ... )
         True
+        >>> text = '<svg><rect id="a" width="2" height="1"/><path d="M0 0h1v1z"/></svg>'
+        >>> print(parse_polygon(text, "a"), "and", parse_polygon(text, "1"))
+        (0, 0) (2, 0) (2, 1) (0, 1) and (0, 0) (1, 0) (1, 1)
     """
-    return Polygon(_vertices(text))
+    return choose(parse_outlines(text, tolerance), choice).polygon()
 
 
-def read_polygon(path: str) -> Polygon:
+def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
+    """Read all polygons of a text.
+
+    Args:
+        text: a JSON list of pairs, an object with such a list as "vertices", or an object with a
+            list of these as "polygons"; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; an SVG document;
+            an ASCII DXF file.  Numbers are decimals, exactly as they are written; in JSON, strings
+            such as "-7/2" are numbers, too.
+        tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
+            positive number as `to_fraction` reads it; None to refuse curves.
+
+    Returns:
+        list of NamedPolygon, in order.
+
+    Raises:
+        FormatError: none of these formats, or something in it that is no polygon; the message says
+            where, by line and column or by JSON path.
+        PolygonError: not a simple polygon; the message names vertices by their index.
+
+    Cost: linear in the length of the text, and that of `Polygon`.
+
+    Example:
+        >>> a, b = parse_polygons("POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((0 0, 2 0, 0 2, 0 0))")
+        >>> print(b.polygon)
+        (0, 0) (2, 0) (0, 2)
+    """
+    return [outline.named_polygon() for outline in parse_outlines(text, tolerance)]
+
+
+def read_polygon(path: str, tolerance: object = None) -> Polygon:
     """Read a polygon from a file, or from standard input.
 
     Args:
-        path: a path, or "-" for standard input.
+        path: a path, or "-" for standard input; after it, where the file holds several polygons,
+            "#" and the name, the index or the layer of one.
+        tolerance: as for `parse_polygons`.
 
     Returns:
         A Polygon, as `parse_polygon` does.
@@ -46,25 +87,83 @@ def read_polygon(path: str) -> Polygon:
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    try:
-        return parse_polygon(read_text(path))
-    except ValueError as error:
-        raise FormatError(f"{file_name(path)}: {error}") from None
+    file, choice = _split(path)
+    with _naming(file):
+        return parse_polygon(read_text(file), choice, tolerance)
 
 
-def _vertices(text: str) -> list[Point]:
+def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
+    """Read all polygons of a file, or of standard input.
+
+    Args:
+        path: as for `read_polygon`; with a choice, only the polygon that it names.
+        tolerance: as for `parse_polygons`.
+
+    Returns:
+        list of NamedPolygon, in order.
+
+    Raises:
+        FormatError: anything wrong with the file or in it; the message names the file.
+    """
+    outlines = read_outlines(path, tolerance)
+    with _naming(_split(path)[0]):
+        return [outline.named_polygon() for outline in outlines]
+
+
+def read_outlines(path: str, tolerance: object = None) -> Sequence[Outline]:
+    """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
+    file, choice = _split(path)
+    with _naming(file):
+        outlines = parse_outlines(read_text(file), tolerance)
+        return outlines if choice is None else [choose(outlines, choice)]
+
+
+def parse_outlines(text: str, tolerance: object = None) -> Sequence[Outline]:
+    """Find the polygons of a text as `parse_polygons` does, but read none of them yet."""
+    allowed = read_tolerance(tolerance)
     first = text.lstrip()[:1]
     if not first:
         raise FormatError("empty")
     if first.isalpha():
         return parse_wkt(text)
-    if first not in "[{":
-        raise FormatError(f"starts with {first!a}: neither JSON list, JSON object nor WKT")
-    document = parse_json(text)
-    if not isinstance(document, dict):
-        return read_vertices(document, "$")
-    if "vertices" in document:
-        return read_vertices(document["vertices"], "$.vertices")
-    if "type" in document:
-        return read_geojson(document)
-    raise FormatError('$ has neither "vertices" nor, as in GeoJSON, a "type"')
+    if first == "<":
+        from exactsweep.formats.svg import parse_svg
+
+        return parse_svg(text, allowed)
+    if first in "[{":
+        return find_outlines(parse_json(text))
+    if DXF_SIGN.match(text):
+        from exactsweep.formats.dxf import parse_dxf
+
+        return parse_dxf(text, allowed)
+    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, SVG nor DXF")
+
+
+def find_outlines(document: object) -> Sequence[Outline]:
+    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON."""
+    if isinstance(document, dict) and "type" in document and "vertices" not in document:
+        found = list(read_geojson(document))
+        return found if len(found) > 1 else [one._replace(place="") for one in found]
+    return read_exact(document)
+
+
+def _split(path: str) -> tuple[str, str | None]:
+    """Split a path from the choice after it; both may have the sign in their names."""
+    if os.path.lexists(path):
+        return path, None
+    places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]
+    if not places:
+        return path, None
+    # The file is the longest one that there is; if there is none, the message names the shortest.
+    there = (k for k in reversed(places) if path[:k] == "-" or os.path.lexists(path[:k]))
+    k = next(there, places[0])
+    return path[:k], path[k + 1 :]
+
+
+@contextmanager
+def _naming(file: str) -> Iterator[None]:
+    """Put the name of the file before the message of every refusal."""
+    try:
+        yield
+    except ValueError as error:
+        raise FormatError(f"{file_name(file)}: {error}") from None

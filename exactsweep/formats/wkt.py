@@ -1,22 +1,22 @@
-"""WKT (OGC 06-103r4, 7.2): POLYGON with one ring in, POLYGONs out."""
+"""WKT in (OGC 06-103r4, 7.2): POLYGONs and MULTIPOLYGONs, each polygon with one ring."""
 
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple, NoReturn
 
+from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.number import NumberError, format_fraction, quoted, to_fraction
-from exactsweep.polygon import Point, Polygon, abridged
-from exactsweep.sweep import Sweep
+from exactsweep.formats.outline import Outline
+from exactsweep.number import NumberError, quoted
+from exactsweep.polygon import Point
 
-# Possessive, so that a long number with a letter at its end is not tried again for each digit.
 _TOKEN = re.compile(
     r"(?P<mark>[(),])|(?:(?P<word>[A-Za-z]++)"
-    r"|(?P<number>[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+))(?![^\s(),])"
+    rf"|(?P<number>{DECIMAL}))(?![^\s(),])"
     r"|(?P<unknown>[^\s(),]++)"
 )
-_NUMBER = re.compile(r"(-?)\+?0*([0-9]*)(?:\.([0-9]*))?(.*)")
 
 
 class _Token(NamedTuple):
@@ -25,15 +25,15 @@ class _Token(NamedTuple):
     offset: int
 
 
-def parse_wkt(text: str) -> list[Point]:
-    """Read the outer ring of a WKT polygon.
+def parse_wkt(text: str) -> list[Outline]:
+    """Read the outer rings of WKT polygons.
 
     Args:
-        text: `POLYGON ((x y, ...))`, in upper or lower case; numbers as WKT has them: `-1.5e3`,
-            and `+1`, `.5`, `5.` and `007` as well.
+        text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
+            in upper or lower case; numbers as `read_decimal` reads them.
 
     Returns:
-        list of Point, the first one repeated at the end.
+        list of Outline, the first point of each one repeated at its end.
 
     Raises:
         FormatError: other geometries, inner rings (holes), Z or M coordinates, a ring that is not
@@ -42,28 +42,11 @@ def parse_wkt(text: str) -> list[Point]:
     Cost: linear in the length of the text.
 
     Example:
-        >>> len(parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))"))
-        4
+        >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
+        [4]
     """
-    return _Reader(text).polygon()
-
-
-def sweep_to_wkt(sweep: Sweep) -> str:
-    """Write the loops of a sweep as three lines of WKT: trajectory, inner loop, outer loop.
-
-    Args:
-        sweep: a Sweep.
-
-    Returns:
-        Three POLYGONs, a line each, in exact decimals.
-
-    Raises:
-        FormatError: a coordinate is not a finite decimal, such as 1/3, which WKT cannot hold.
-
-    Cost: linear in the length of the result, times the cost of a division of that length.
-    """
-    loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
-    return "".join(f"{_polygon(loop, name)}\n" for name, loop in loops.items())
+    found = list(_Reader(text).outlines())
+    return found if len(found) > 1 else [found[0]._replace(place="")]
 
 
 class _Reader:
@@ -73,17 +56,35 @@ class _Reader:
         self.text = text
         self.tokens = self._tokens()
         self.token = next(self.tokens)
+        self.line, self.line_start, self.counted = 1, 0, 0
 
-    def polygon(self) -> list[Point]:
-        if self.token.text.upper() != "POLYGON":
-            self._refuse(f"{self._shown()} is not POLYGON")
-        self._advance()
-        if self.token.text.upper() in ("Z", "M", "ZM"):
-            self._refuse("Z and M coordinates cannot be swept")
-        if self.token.text.upper() == "EMPTY":
-            self._refuse("the polygon is empty")
+    def outlines(self) -> Iterator[Outline]:
+        while True:
+            kind = self.token.text.upper()
+            if kind not in ("POLYGON", "MULTIPOLYGON"):
+                self._refuse(f"{self._shown()} is neither POLYGON nor MULTIPOLYGON")
+            self._advance()
+            if self.token.text.upper() in ("Z", "M", "ZM"):
+                self._refuse("Z and M coordinates cannot be swept")
+            if self.token.text.upper() == "EMPTY":
+                self._refuse("the polygon is empty")
+            if kind == "POLYGON":
+                yield self._polygon()
+            else:
+                self._expect("(")
+                yield self._polygon()
+                while self.token.text == ",":
+                    self._advance()
+                    yield self._polygon()
+                self._expect(")")
+            if self.token.kind == "end":
+                return
+            if self.token.kind != "word":
+                self._refuse(f"{self._shown()} after the end of the polygon")
+
+    def _polygon(self) -> Outline:
         self._expect("(")
-        start = self.token
+        place = self._place()
         self._expect("(")
         ring = [self._point()]
         while self.token.text == ",":
@@ -93,12 +94,11 @@ class _Reader:
         if self.token.text == ",":
             self._refuse("an inner ring: polygons with holes cannot be swept")
         self._expect(")")
-        if self.token.kind != "end":
-            self._refuse(f"{self._shown()} after the end of the polygon")
         if ring[0] != ring[-1]:
-            self.token = start
-            self._refuse("the ring is not closed: its last vertex must repeat the first")
-        return ring
+            raise FormatError(
+                f"{place}: the ring is not closed: its last vertex must repeat the first"
+            )
+        return Outline(place, partial(list, ring))
 
     def _point(self) -> Point:
         point = Point(self._number(), self._number())
@@ -110,7 +110,7 @@ class _Reader:
         if self.token.kind != "number":
             self._refuse(f"{self._shown()} instead of a number")
         try:
-            value = to_fraction(_standard(self.token.text))
+            value = read_decimal(self.token.text)
         except NumberError as error:
             self._refuse(str(error))
         self._advance()
@@ -132,43 +132,13 @@ class _Reader:
     def _shown(self) -> str:
         return "the end" if self.token.kind == "end" else quoted(self.token.text)
 
+    def _place(self) -> str:
+        # Only what is new is searched, as a text may hold very many polygons.
+        before, here = self.counted, self.token.offset
+        self.line += self.text.count("\n", before, here)
+        self.line_start = max(self.line_start, self.text.rfind("\n", before, here) + 1)
+        self.counted = here
+        return f"line {self.line}, column {here - self.line_start + 1}"
+
     def _refuse(self, reason: str) -> NoReturn:
-        before = self.text[: self.token.offset]
-        line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
-        raise FormatError(f"line {line}, column {column}: {reason}")
-
-
-def _standard(number: str) -> str:
-    """Bring a WKT number into the grammar of `to_fraction`.
-
-    >>> [_standard(number) for number in ("+1", "-.5", "5.", "007", "1e+2")]
-    ['1', '-0.5', '5', '7', '1e+2']
-    """
-    match = _NUMBER.fullmatch(number)
-    assert match is not None
-    sign, whole, decimals, exponent = match.groups()
-    return f"{sign}{whole or '0'}{'.' if decimals else ''}{decimals or ''}{exponent}"
-
-
-def _polygon(polygon: Polygon, name: str) -> str:
-    vertices = [
-        " ".join(_decimal(coordinate, f"{name}, vertex {k}") for coordinate in vertex)
-        for k, vertex in enumerate(polygon.vertices)
-    ]
-    return f"POLYGON (({', '.join([*vertices, vertices[0]])}))"
-
-
-def _decimal(value: Fraction, place: str) -> str:
-    """Write a number as a decimal, exactly."""
-    if value.denominator == 1:
-        return format_fraction(value)
-    # A divisor of any power of ten divides this one: no prime's exponent is above log2.
-    places = value.denominator.bit_length()
-    scaled = value * 10**places
-    if scaled.denominator != 1:
-        raise FormatError(
-            f"{place}: {abridged(value)} is not a finite decimal, which is all that WKT can hold"
-        )
-    digits = format_fraction(abs(scaled)).zfill(places + 1)
-    sign = "-" if value < 0 else ""
-    return f"{sign}{digits[:-places]}.{digits[-places:].rstrip('0')}"
+        raise FormatError(f"{self._place()}: {reason}")

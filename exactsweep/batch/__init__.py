@@ -1,0 +1,19 @@
+"""Batches: very many pairs, on all processors or a Dask cluster, resumed where they were left."""
+
+from exactsweep.batch.error import BatchError
+from exactsweep.batch.job import Job, all_pairs, pairs_of
+from exactsweep.batch.parts import Part, read_parts
+from exactsweep.batch.record import QUANTITIES
+from exactsweep.batch.run import Summary, run
+
+__all__ = [
+    "QUANTITIES",
+    "BatchError",
+    "Job",
+    "Part",
+    "Summary",
+    "all_pairs",
+    "pairs_of",
+    "read_parts",
+    "run",
+]

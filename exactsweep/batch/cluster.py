@@ -1,0 +1,86 @@
+"""Processes of a Dask cluster, of one machine or many."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import Future
+from contextlib import suppress
+from typing import Any
+
+from exactsweep.batch.error import BatchError
+from exactsweep.batch.work import Chunk, Work
+from exactsweep.formats.error import needs
+from exactsweep.number import quoted
+
+LOCAL = "local"
+"""Instead of an address: a cluster of this machine, for as long as the batch runs."""
+
+
+class Cluster:
+    """The workers of a Dask scheduler, each of which is sent the work once.
+
+    A worker that comes later, or in place of one that died, is sent it, too; Dask repeats what a
+    lost worker was at.
+
+    Args:
+        work: the batch.
+        address: of the scheduler, or LOCAL.
+        count: how many processes a LOCAL cluster has.
+
+    Raises:
+        BatchError: no scheduler answers there.
+    """
+
+    def __init__(self, work: Work, address: str, count: int) -> None:
+        dask = _dask()
+        self.lost: tuple[type[BaseException], ...] = (dask.KilledWorker,)
+        self.own = None
+        try:
+            if address == LOCAL:
+                self.own = dask.LocalCluster(
+                    n_workers=count, threads_per_worker=1, dashboard_address=None
+                )
+            self.client = dask.Client(self.own or address, timeout=5)
+        except (OSError, ValueError) as error:
+            reason = str(error).partition("\n")[0]
+            raise BatchError(f"no Dask scheduler at {quoted(address)}: {reason}") from None
+        self.count = max(1, sum(self.client.nthreads().values()))
+        self.name = f"exactsweep-{id(self):x}"
+        self.client.register_plugin(_holder(work, self.name))
+        self.pool = self.client.get_executor(pure=False)
+
+    def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
+        """Compute a chunk in some process."""
+        found: Future[Sequence[bytes]] = self.pool.submit(_compute, chunk, self.name)
+        return found
+
+    def close(self) -> None:
+        """Leave the cluster, and end it if it is our own."""
+        self.pool.shutdown(wait=False)
+        # If the scheduler is gone, there is nothing left to be tidied up.
+        with suppress(OSError):
+            if self.own is None and self.client.status == "running":
+                self.client.unregister_worker_plugin(self.name)
+        self.client.close()
+        if self.own is not None:
+            self.own.close()
+
+
+def _dask() -> Any:
+    with needs("distributed", "distributed", "a scheduler"):
+        import distributed
+    return distributed
+
+
+def _holder(held: Work, plugin_name: str) -> object:
+    # Of a local class, which is sent whole.
+    class Holder(_dask().WorkerPlugin):  # type: ignore[misc]
+        name = plugin_name
+        work = held
+
+    return Holder()
+
+
+def _compute(chunk: Chunk, name: str) -> Sequence[bytes]:
+    work: Work = _dask().get_worker().plugins[name].work
+    return work.lines(chunk)

@@ -1,0 +1,159 @@
+"""Which pairs a batch has, in order."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+from exactsweep import __version__
+from exactsweep.batch.error import BatchError
+from exactsweep.batch.parts import Part
+from exactsweep.batch.record import QUANTITIES, Quantities
+from exactsweep.batch.work import Chunk, Work
+from exactsweep.formats.files import MAX_BYTES, file_name
+from exactsweep.formats.outline import NamedPolygon
+from exactsweep.number import format_fraction, quoted
+
+CHUNK_PAIRS = 16
+_CHUNK_BYTES = 2**20
+
+
+class Job(NamedTuple):
+    """A batch.
+
+    Attributes:
+        work: what is to be computed.
+        total: how many pairs there are.
+        digest: what tells this batch from any other.
+        path: the file of pairs, or None for all pairs of parts.
+    """
+
+    work: Work
+    total: int
+    digest: str
+    path: str | None
+
+    def chunks(self, start: int) -> Iterator[Chunk]:
+        """Yield the pairs from one on, in order."""
+        if self.path is not None:
+            return _chunks_of_lines(self.path, start, self.total)
+        firsts = range(start, self.total, CHUNK_PAIRS)
+        return (Chunk(k, range(k, min(k + CHUNK_PAIRS, self.total))) for k in firsts)
+
+
+def all_pairs(
+    generatrices: Iterable[NamedPolygon | Part],
+    directrices: Iterable[NamedPolygon | Part],
+    what: str = "loops",
+) -> Job:
+    """Make a batch of all pairs of two part lists, the generatrix changing most slowly.
+
+    Args:
+        generatrices: NamedPolygons, as `read_polygons` returns them, or Parts.
+        directrices: likewise.
+        what: "trajectory", "loops" or "areas".
+
+    Returns:
+        A Job for `run`.
+
+    Raises:
+        BatchError: no such quantities.
+
+    Example:
+        >>> from exactsweep import Polygon
+        >>> square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
+        >>> all_pairs([square], [square, square]).total
+        2
+    """
+    work = Work(_known(what), _parts(generatrices), _parts(directrices))
+    total = len(work.generatrices) * len(work.directrices)
+    return Job(work, total, _digest(work, b"all pairs"), None)
+
+
+def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "loops") -> Job:
+    """Make a batch of the pairs in a file, a line of JSON each.
+
+    Args:
+        path: a file of objects with "generatrix" and "directrix": the name of a part, or a polygon
+            as exact JSON or GeoJSON; and perhaps "id", "direction" and "reference".  Empty lines
+            do not count.
+        parts: those that the lines may name.
+        what: "trajectory", "loops" or "areas".
+
+    Returns:
+        A Job for `run`.
+
+    Raises:
+        BatchError: the file cannot be read, two parts have one name, or no such quantities.
+
+    Cost: one pass over the file.
+    """
+    listed = _parts(parts)
+    for name, count in Counter(part.name for part in listed).items():
+        if count > 1:
+            raise BatchError(f"{count} parts have the name {quoted(name)}")
+    seen, total = sha256(), 0
+    for line in _lines(path):
+        seen.update(line)
+        total += 1
+    work = Work(_known(what), listed, listed)
+    return Job(work, total, _digest(work, seen.digest()), path)
+
+
+def _known(what: str) -> Quantities:
+    for known in QUANTITIES:
+        if what == known:
+            return known
+    raise BatchError(f"{quoted(what)} is none of {', '.join(QUANTITIES)}")
+
+
+def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
+    return tuple(
+        Part(str(k) if p.name is None else p.name, p.polygon) for k, p in enumerate(polygons)
+    )
+
+
+def _digest(work: Work, source: bytes) -> str:
+    digest = sha256(f"{__version__} {work.what} ".encode() + source)
+    for part in (*work.generatrices, None, *work.directrices):
+        digest.update(repr(part and part.name).encode())
+        if part is None or isinstance(part.polygon, str):
+            digest.update(repr(part and part.polygon).encode())
+        else:
+            for vertex in part.polygon.vertices:
+                digest.update(" ".join(map(format_fraction, vertex)).encode() + b",")
+    return digest.hexdigest()
+
+
+def _chunks_of_lines(path: str, start: int, total: int) -> Iterator[Chunk]:
+    pending: list[bytes] = []
+    size, first = 0, start
+    for k, line in islice(enumerate(_lines(path)), start, total):
+        pending.append(line)
+        size += len(line)
+        if len(pending) == CHUNK_PAIRS or size > _CHUNK_BYTES:
+            yield Chunk(first, pending)
+            first, pending, size = k + 1, [], 0
+    if pending:
+        yield Chunk(first, pending)
+
+
+def _lines(path: str) -> Iterator[bytes]:
+    """The lines of a file that are not empty, b"" for one that is too long."""
+    try:
+        file = Path(path)
+        if file.exists() and not file.is_file() and not file.is_dir():
+            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be read twice")
+        with open(path, "rb") as lines:
+            while line := lines.readline(MAX_BYTES + 1):
+                end = line
+                while len(line) > MAX_BYTES and end and not end.endswith(b"\n"):
+                    end = lines.readline(MAX_BYTES)
+                if line.strip():
+                    yield line if len(line) <= MAX_BYTES else b""
+    except OSError as error:
+        raise BatchError(f"{file_name(path)}: {error.strerror or error}") from None

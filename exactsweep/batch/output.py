@@ -1,0 +1,158 @@
+"""Records on their way to a file, so that a batch that ends anywhere can go on from there.
+
+Records go, in order, to FILE.part; only when the last one is there does it become FILE, in one
+step.  FILE.job says which batch the records belong to, and is locked while a batch runs.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Self
+
+from exactsweep.batch.error import BatchError
+from exactsweep.batch.job import Job
+from exactsweep.batch.record import is_error, is_record
+from exactsweep.formats.files import file_name
+
+PARQUET = ".parquet"
+"""What the name of a Parquet file ends with."""
+
+
+class Output:
+    """The records of a batch, those of an earlier run included.
+
+    Args:
+        path: the file of the results.
+        job: the batch.
+        restart: whether to throw away what an earlier run left.
+
+    Attributes:
+        done: how many records there are.
+        refused: how many of them say that a pair is refused.
+
+    Raises:
+        BatchError: another batch left records for the same file, or is running.
+    """
+
+    def __init__(self, path: str, job: Job, *, restart: bool = False) -> None:
+        self.path, self.job = Path(path), job
+        if self.path.is_dir():
+            raise BatchError(f"{file_name(path)}: Is a directory")
+        if self.path.exists() and not self.path.is_file():
+            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be resumed")
+        self.is_table = self.path.suffix.lower() == PARQUET
+        self.part = self.path.with_name(f"{self.path.name}.part")
+        self.note = self.path.with_name(f"{self.path.name}.job")
+        self.done = self.refused = 0
+        if self.is_table:
+            from exactsweep.batch.parquet import require_pyarrow
+
+            require_pyarrow()
+        with ExitStack() as opened:
+            try:
+                self.lock = opened.enter_context(open(self.note, "a+", encoding="utf-8"))
+                _lock(self.lock, file_name(path))
+                self._agree(restart)
+                self.file = opened.enter_context(open(self.part, "r+b"))
+                self._resume()
+            except OSError as error:
+                name = file_name(str(error.filename or path))
+                raise BatchError(f"{name}: {error.strerror or error}") from None
+            self.opened = opened.pop_all()
+
+    def _agree(self, restart: bool) -> None:
+        """Make sure that the records there, if any, are those of this batch."""
+        self.lock.seek(0)
+        noted = self.lock.read()
+        if self.part.exists() and self.part.stat().st_size and not restart:
+            try:
+                ours = json.loads(noted)["digest"] == self.job.digest
+            except (ValueError, TypeError, KeyError):
+                ours = False
+            if not ours:
+                raise BatchError(
+                    f"{file_name(str(self.part))} has records of another batch, or of other input; "
+                    "--restart throws them away"
+                )
+        else:
+            self.part.write_bytes(b"")
+            self.lock.truncate(0)
+            self.lock.write(json.dumps({"digest": self.job.digest, "pairs": self.job.total}))
+            self.lock.flush()
+
+    def _resume(self) -> None:
+        """Count the records that are whole, and cut off what is not."""
+        end = 0
+        for line in self.file:
+            if not is_record(line, self.done) or self.done == self.job.total:
+                break
+            self._count(line)
+            end += len(line)
+        self.file.seek(end)
+        self.file.truncate()
+
+    def _count(self, line: bytes) -> None:
+        self.done += 1
+        self.refused += is_error(line)
+
+    def write(self, lines: Iterable[bytes]) -> None:
+        """Append records; they are there when this returns, whatever happens to the process."""
+        try:
+            for line in lines:
+                self.file.write(line)
+                self._count(line)
+            self.file.flush()
+        except OSError as error:
+            raise BatchError(f"{file_name(str(self.part))}: {error.strerror or error}") from None
+
+    def finish(self) -> None:
+        """Make the records the result."""
+        assert self.done == self.job.total
+        try:
+            os.fsync(self.file.fileno())
+            self.file.close()
+            if self.is_table:
+                from exactsweep.batch.parquet import write_parquet
+
+                table = self.path.with_name(f"{self.path.name}.tmp")
+                write_parquet(self.part, table, self.job.work.what)
+                table.replace(self.path)
+                self.part.unlink()
+            else:
+                self.part.replace(self.path)
+            self.note.unlink()
+        except OSError as error:
+            raise BatchError(f"{file_name(str(self.path))}: {error.strerror or error}") from None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        # What could not be written would fail again.
+        with suppress(OSError):
+            if error is not None and not self.done:
+                self.part.unlink()
+                self.note.unlink()
+            self.opened.close()
+
+
+def _lock(file: IO[str], name: str) -> None:
+    """Keep a second run away; the system unlocks when the process ends, however it ends."""
+    try:
+        import fcntl
+    except ImportError:  # not Unix
+        return
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise BatchError(f"{name}: a batch is writing it already") from None

@@ -1,0 +1,43 @@
+"""Parts: polygons that many pairs share, each one read and validated once."""
+
+from typing import NamedTuple
+
+from exactsweep.formats.outline import Outline
+from exactsweep.formats.polygons import read_outlines
+from exactsweep.polygon import Polygon
+
+
+class Part(NamedTuple):
+    """A polygon of a part list, or the reason why it is none.
+
+    Attributes:
+        name: its id, or else its index in the list.
+        polygon: a Polygon, or the message of its refusal.
+    """
+
+    name: str
+    polygon: Polygon | str
+
+
+def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
+    """Read a part list, each polygon once.
+
+    Args:
+        path: a file of polygons, or "-" for standard input.
+        tolerance: as for `exactsweep.formats.parse_polygons`.
+
+    Returns:
+        tuple of Part; one that is no simple polygon is among them and concerns only its own pairs.
+
+    Raises:
+        FormatError: anything wrong with the file as a whole; the message names it.
+    """
+    return tuple(_read(outline, str(k)) for k, outline in enumerate(read_outlines(path, tolerance)))
+
+
+def _read(outline: Outline, index: str) -> Part:
+    name = index if outline.name is None else outline.name
+    try:
+        return Part(name, outline.polygon())
+    except ValueError as error:
+        return Part(name, str(error))

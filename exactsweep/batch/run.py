@@ -1,0 +1,148 @@
+"""Running a batch: chunks go out to processes, records come back in order."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError, Future
+from typing import NamedTuple, Protocol
+
+from exactsweep.batch.error import BatchError
+from exactsweep.batch.job import Job
+from exactsweep.batch.output import Output
+from exactsweep.batch.work import Chunk, Work
+
+# Chunks under way at a time, for each process: enough to keep all busy while one is slow.
+_CHUNKS_AHEAD = 8
+# How often a pair may be computed alone before it is blamed for the end of its process.
+_TRIES = 3
+
+
+class Summary(NamedTuple):
+    """How a batch ended.
+
+    Attributes:
+        pairs: how many pairs there are.
+        refused: how many of the records say that the pair is refused.
+        resumed: how many records an earlier run had left.
+    """
+
+    pairs: int
+    refused: int
+    resumed: int
+
+
+class Processes(Protocol):
+    """Whatever computes chunks."""
+
+    count: int
+    lost: tuple[type[BaseException], ...]
+
+    def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
+        """Compute a chunk in some process."""
+
+    def close(self) -> None:
+        """End all processes."""
+
+
+def run(
+    job: Job,
+    output: str,
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    restart: bool = False,
+    progress: Callable[[int], None] | None = None,
+) -> Summary:
+    """Compute a batch, or go on with one that was interrupted.
+
+    Args:
+        job: of `all_pairs` or `pairs_of`.
+        output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
+            ".parquet", for a table of them.  Until the last record is there, they are in
+            `output` + ".part".
+        workers: how many processes compute; as many as there are processors if left out.
+        scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for
+            a Dask cluster of its own.
+        restart: whether to throw away what an earlier run left, instead of going on.
+        progress: is called with the number of records there are, each time that it grows.
+
+    Returns:
+        A Summary.
+
+    Raises:
+        BatchError: the file cannot be written, has records of another batch, or is being written;
+            no scheduler answers.
+
+    Cost: that of the sweeps; memory for a few hundred pairs, and for the parts in each process.
+    """
+    with Output(output, job, restart=restart) as records:
+        resumed = records.done
+        if progress is not None:
+            progress(resumed)
+        if resumed < job.total:
+            processes = _processes(job.work, workers, scheduler)
+            try:
+                for lines in _in_order(job.chunks(resumed), processes, job.work):
+                    records.write(lines)
+                    if progress is not None:
+                        progress(records.done)
+            except CancelledError:
+                raise BatchError(
+                    f"the scheduler is gone, after {records.done} of {job.total} pairs; "
+                    "the same batch goes on from there"
+                ) from None
+            except ImportError as error:
+                raise BatchError(f"a worker has another installation: {error}") from None
+            finally:
+                processes.close()
+        if records.done < job.total:
+            raise BatchError(f"{job.path} has become shorter since the batch began")
+        records.finish()
+        return Summary(job.total, records.refused, resumed)
+
+
+def _processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:
+    if scheduler is None:
+        from exactsweep.batch.local import LocalProcesses
+
+        return LocalProcesses(work, workers)
+    from exactsweep.batch.cluster import Cluster
+    from exactsweep.batch.local import cores
+
+    return Cluster(work, scheduler, workers or cores())
+
+
+_Pending = tuple[Chunk, Future[Sequence[bytes]]]
+
+
+def _in_order(
+    chunks: Iterator[Chunk], processes: Processes, work: Work
+) -> Iterator[Sequence[bytes]]:
+    pending: deque[_Pending] = deque()
+    for chunk in chunks:
+        pending.append((chunk, processes.submit(chunk)))
+        if len(pending) >= _CHUNKS_AHEAD * processes.count:
+            yield _result(*pending.popleft(), processes, work)
+    while pending:
+        yield _result(*pending.popleft(), processes, work)
+
+
+def _result(
+    chunk: Chunk, future: Future[Sequence[bytes]], processes: Processes, work: Work
+) -> Sequence[bytes]:
+    try:
+        return future.result()
+    except processes.lost:
+        # One of its pairs, or of another chunk, is too much for a process: one at a time, then.
+        return [_alone(single, processes, work) for single in chunk.singles()]
+
+
+def _alone(chunk: Chunk, processes: Processes, work: Work) -> bytes:
+    for _ in range(_TRIES):
+        try:
+            (line,) = processes.submit(chunk).result()
+        except processes.lost:
+            continue
+        return line
+    return work.lost_line(chunk)

@@ -1,0 +1,155 @@
+"""What a process needs to know of a batch, and how it computes a pair."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from exactsweep.batch.parts import Part
+from exactsweep.batch.record import Quantities, error_line, result_line
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import described, parse_certificate, parse_json
+from exactsweep.formats.files import MAX_BYTES, decode_text
+from exactsweep.formats.outline import choose, suggestion
+from exactsweep.formats.polygons import find_outlines
+from exactsweep.number import quoted
+from exactsweep.polygon import Polygon
+from exactsweep.sweep import Sweep, sweep
+
+Names = dict[str, object]
+_OPTIONS = ("direction", "reference")
+_MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
+
+
+class Chunk(NamedTuple):
+    """Consecutive pairs.
+
+    Attributes:
+        first: the index of the first one.
+        pairs: the numbers of pairs of parts, or lines of a file of pairs.
+    """
+
+    first: int
+    pairs: Sequence[int | bytes]
+
+    def singles(self) -> list[Chunk]:
+        """Return the pairs as chunks of one."""
+        return [Chunk(self.first + k, self.pairs[k : k + 1]) for k in range(len(self.pairs))]
+
+
+class Work:
+    """A batch as it is sent to every process once.
+
+    Attributes:
+        what: the quantities to be computed.
+        generatrices: the parts that are swept, all round each of the directrices; or those to
+            which lines of a file refer by name.
+        directrices: the parts that they are swept around, or the same again.
+    """
+
+    def __init__(
+        self, what: Quantities, generatrices: Sequence[Part], directrices: Sequence[Part]
+    ) -> None:
+        self.what = what
+        self.generatrices = generatrices
+        self.directrices = directrices
+
+    def lines(self, chunk: Chunk) -> list[bytes]:
+        """Compute the records of a chunk."""
+        return [self.line(chunk.first + k, pair) for k, pair in enumerate(chunk.pairs)]
+
+    def line(self, index: int, pair: int | bytes) -> bytes:
+        """Compute the record of a pair, whatever happens."""
+        names: Names = {}
+        try:
+            if isinstance(pair, int):
+                generatrix, directrix = self._parts(pair)
+                names |= {"generatrix": generatrix.name, "directrix": directrix.name}
+                result = sweep(_polygon(generatrix, "generatrix"), _polygon(directrix, "directrix"))
+            else:
+                result = self._read(pair, names)
+            return result_line(index, names, result, self.what)
+        except ValueError as error:
+            reason = str(error)
+        except RecursionError:
+            reason = "nested too deeply"
+        except MemoryError:
+            reason = "out of memory"
+        except Exception as error:  # a fault of this program ends no batch either
+            reason = f"internal error: {type(error).__name__}: {error}"
+        return error_line(index, names, reason)
+
+    def lost_line(self, chunk: Chunk) -> bytes:
+        """Write the record of a chunk of one pair that no process survives."""
+        (pair,) = chunk.pairs
+        names: Names = {}
+        if isinstance(pair, int):
+            generatrix, directrix = self._parts(pair)
+            names = {"generatrix": generatrix.name, "directrix": directrix.name}
+        return error_line(chunk.first, names, "the process that computed it was killed each time")
+
+    def _parts(self, pair: int) -> tuple[Part, Part]:
+        i, k = divmod(pair, len(self.directrices))
+        return self.generatrices[i], self.directrices[k]
+
+    def _read(self, line: bytes, names: Names) -> Sweep:
+        if not line:
+            raise FormatError(f"the line has more than {MAX_BYTES} bytes")
+        text = decode_text(line)
+        document = parse_json(text)
+        if not isinstance(document, dict):
+            raise FormatError(f"$ is {described(document)}, not an object")
+        if document.get("id") is not None:
+            names |= _identity(text)
+        for member in ("generatrix", "directrix"):
+            if isinstance(document.get(member), str):
+                names[member] = document[member]
+        for member in document:
+            if member not in _MEMBERS:
+                raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+        options: dict[str, Any] = {
+            name: _pair(document[name], name) for name in _OPTIONS if document.get(name) is not None
+        }
+        polygons = [self._member(document, name) for name in ("generatrix", "directrix")]
+        return sweep(*polygons, **options)
+
+    def _member(self, document: Mapping[str, object], name: str) -> Polygon:
+        if name not in document:
+            raise FormatError(f"$ has no {name}")
+        value = document[name]
+        if isinstance(value, str):
+            if value not in self._by_name:
+                near = suggestion(value, self._by_name)
+                raise FormatError(f"$.{name}: there is no part {quoted(value)}{near}")
+            return _polygon(self._by_name[value], name)
+        try:
+            return choose(find_outlines(value), None).polygon()
+        except ValueError as error:
+            raise FormatError(f"{name}: {error}") from None
+
+    @cached_property
+    def _by_name(self) -> dict[str, Part]:
+        return {part.name: part for part in self.generatrices}
+
+
+def _polygon(part: Part, member: str) -> Polygon:
+    if isinstance(part.polygon, str):
+        raise FormatError(f"{member}: {part.polygon}")
+    return part.polygon
+
+
+def _identity(text: str) -> Names:
+    """Read the id again, for in the document numbers are strings."""
+    document = parse_certificate(text)
+    assert isinstance(document, dict)
+    identity = document["id"]
+    if not isinstance(identity, (str, int)) or isinstance(identity, bool):
+        raise FormatError(f"$.id is {described(identity)}, not a string or an integer")
+    return {"id": identity}
+
+
+def _pair(value: object, name: str) -> list[object]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise FormatError(f"$.{name} is {described(value)}, not a pair of numbers")
+    return value

@@ -1,0 +1,103 @@
+"""Decimal numbers as files hold them, read and written exactly."""
+
+import re
+from fractions import Fraction
+
+from exactsweep.formats.error import FormatError
+from exactsweep.number import NumberError, format_fraction, quoted, to_fraction
+from exactsweep.polygon import abridged
+
+# Possessive, so that a long number with a letter at its end is not tried again for each digit.
+DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
+"""A pattern of the numbers that `read_decimal` reads."""
+
+_PARTS = re.compile(r"(-?)\+?0*([0-9]*)(?:\.([0-9]*))?(.*)")
+
+
+def read_decimal(text: str) -> Fraction:
+    """Read a decimal as WKT, SVG and DXF have them.
+
+    Args:
+        text: `-1.5e3`, and `+1`, `.5`, `5.` and `007` as well.
+
+    Returns:
+        The number, exactly.
+
+    Raises:
+        FormatError: anything else.
+        NumberError: beyond `limits`.
+
+    Example:
+        >>> read_decimal("+.5"), read_decimal("007.e-2")
+        (Fraction(1, 2), Fraction(7, 100))
+    """
+    if len(text) < 16 and text.isascii() and text.isdigit():
+        return Fraction(int(text))
+    if not re.fullmatch(DECIMAL, text):
+        raise FormatError(f"{quoted(text)} is not a decimal number")
+    match = _PARTS.fullmatch(text)
+    assert match is not None
+    sign, whole, decimals, exponent = match.groups()
+    return to_fraction(f"{sign}{whole or '0'}{'.' if decimals else ''}{decimals or ''}{exponent}")
+
+
+def read_decimals(text: str) -> list[Fraction]:
+    """Read decimals between blanks and commas, which may be missing before a sign or a point.
+
+    >>> read_decimals("1,2-3 .5.25")
+    [Fraction(1, 1), Fraction(2, 1), Fraction(-3, 1), Fraction(1, 2), Fraction(1, 4)]
+    """
+    found = re.findall(DECIMAL, text)
+    if re.sub(r"[\s,]+", "", text) != "".join(found):
+        raise FormatError(f"{quoted(text)} is not a list of decimal numbers")
+    return [read_decimal(number) for number in found]
+
+
+def format_decimal(value: Fraction) -> str:
+    """Write a number as a decimal, exactly.
+
+    Args:
+        value: a finite decimal, of any number of digits.
+
+    Returns:
+        Digits, with a point and decimals where there are any.
+
+    Raises:
+        FormatError: not a finite decimal, such as 1/3.
+
+    Cost: that of a division of its length.
+
+    Example:
+        >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
+        ('-3.5', '0.0009765625')
+    """
+    if value.denominator == 1:
+        return format_fraction(value)
+    # A divisor of any power of ten divides this one: no prime's exponent is above log2.
+    places = value.denominator.bit_length()
+    scaled = value * 10**places
+    if scaled.denominator != 1:
+        raise FormatError(f"{abridged(value)} is not a finite decimal")
+    digits = format_fraction(abs(scaled)).zfill(places + 1)
+    sign = "-" if value < 0 else ""
+    return f"{sign}{digits[:-places]}.{digits[-places:].rstrip('0')}"
+
+
+def read_tolerance(value: object) -> Fraction | None:
+    """Read the tolerance of a caller: None, or a positive number as `to_fraction` reads it."""
+    if value is None:
+        return None
+    try:
+        tolerance = to_fraction(value)
+    except NumberError as error:
+        raise FormatError(f"the tolerance: {error}") from None
+    if tolerance <= 0:
+        raise FormatError(f"the tolerance, {abridged(tolerance)}, is not positive")
+    return tolerance
+
+
+def required_tolerance(tolerance: Fraction | None) -> Fraction:
+    """Return the tolerance, or refuse a curve where there is none."""
+    if tolerance is None:
+        raise FormatError("a curve, which is read only with a tolerance for its lines (--flatten)")
+    return tolerance

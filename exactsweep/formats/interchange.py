@@ -1,0 +1,145 @@
+"""Polygons as objects of other libraries: shapely and numpy; sympy is in `Polygon` itself."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from exactsweep.formats.error import FormatError, needs
+from exactsweep.polygon import Polygon, abridged
+
+if TYPE_CHECKING:
+    import numpy
+    import shapely
+
+
+def from_shapely(geometry: shapely.Polygon) -> Polygon:
+    """Read a polygon of shapely; its floats are taken as the binary values that they are.
+
+    Args:
+        geometry: a shapely Polygon or LinearRing, in the plane and without holes.
+
+    Returns:
+        A Polygon.
+
+    Raises:
+        FormatError: another geometry, holes, a third coordinate.
+        PolygonError: not simple.
+        NumberError: nan or an infinity.
+
+    Example:
+        >>> import shapely
+        >>> print(from_shapely(shapely.box(0, 0, 1.5, 1)))
+        (0, 0) (3/2, 0) (3/2, 1) (0, 1)
+    """
+    kind = getattr(geometry, "geom_type", type(geometry).__name__)
+    if kind not in ("Polygon", "LinearRing"):
+        raise FormatError(f"{kind} is not a polygon of shapely")
+    if geometry.is_empty:
+        raise FormatError("the polygon is empty")
+    if geometry.has_z:
+        raise FormatError("Z coordinates cannot be swept")
+    if kind == "Polygon" and len(geometry.interiors):
+        raise FormatError("polygons with holes cannot be swept")
+    return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
+
+
+def to_shapely(polygon: Polygon, *, nearest: bool = False) -> shapely.Polygon:
+    """Make a polygon of shapely, whose coordinates are floats.
+
+    Args:
+        polygon: a Polygon.
+        nearest: whether a coordinate that no float can hold becomes the nearest float, which may
+            make another polygon of it, and even one that crosses itself.
+
+    Returns:
+        A shapely Polygon.
+
+    Raises:
+        FormatError: a coordinate that no float can hold, unless `nearest`, or one beyond all
+            floats.
+
+    Example:
+        >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
+        POLYGON ((0 0, 0.5 0, 0 1, 0 0))
+    """
+    rows = _floats(polygon, nearest)
+    with needs("shapely", "arrays", "a polygon of shapely"):
+        import shapely
+
+    return shapely.Polygon(rows)
+
+
+def from_numpy(array: numpy.ndarray) -> Polygon:
+    """Read a polygon from an array with a row for each vertex.
+
+    Args:
+        array: of shape (n, 2): ints, floats, taken as the binary values that they are, or objects
+            that `to_fraction` reads.
+
+    Returns:
+        A Polygon.
+
+    Raises:
+        FormatError: another shape.
+        PolygonError, NumberError: as by `Polygon`.
+
+    Example:
+        >>> import numpy
+        >>> print(from_numpy(numpy.array([[0, 0], [1, 0], [0, 0.5]])))
+        (0, 0) (1, 0) (0, 1/2)
+    """
+    if len(array.shape) != 2 or array.shape[1] != 2:
+        raise FormatError(f"an array of shape {array.shape}, not (n, 2)")
+    return Polygon(array)
+
+
+def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) -> numpy.ndarray:
+    """Make an array with a row for each vertex.
+
+    Args:
+        polygon: a Polygon.
+        dtype: "object" for Fractions, "int64" or "float64".
+        nearest: as for `to_shapely`; for "float64" only.
+
+    Returns:
+        An array of shape (n, 2).
+
+    Raises:
+        FormatError: another dtype; a coordinate that the dtype cannot hold.
+
+    Example:
+        >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()
+        [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5]]
+    """
+    with needs("numpy", "arrays", "an array"):
+        import numpy
+
+    if dtype == "object":
+        return numpy.array([list(vertex) for vertex in polygon.vertices], dtype=object)
+    if dtype == "float64":
+        return numpy.array(_floats(polygon, nearest))
+    if dtype != "int64":
+        raise FormatError(f"dtype {dtype!r}: not 'object', 'int64' or 'float64'")
+    for i, vertex in enumerate(polygon.vertices):
+        for value in vertex:
+            if value.denominator != 1 or not -(2**63) <= value < 2**63:
+                raise FormatError(f"vertex {i}: {abridged(value)} is not an int64")
+    return numpy.array([[int(x), int(y)] for x, y in polygon.vertices], dtype=numpy.int64)
+
+
+def _floats(polygon: Polygon, nearest: bool) -> list[tuple[float, float]]:
+    rows = []
+    for i, (x, y) in enumerate(polygon.vertices):
+        rows.append((_float(x, i, nearest), _float(y, i, nearest)))
+    return rows
+
+
+def _float(value: Fraction, vertex: int, nearest: bool) -> float:
+    try:
+        found = value.numerator / value.denominator
+    except OverflowError:
+        raise FormatError(f"vertex {vertex}: {abridged(value)} is beyond all floats") from None
+    if found != value and not nearest:
+        raise FormatError(f"vertex {vertex}: {abridged(value)} is not a float; nearest=True rounds")
+    return found

@@ -1,0 +1,126 @@
+"""The polygons of a file before they are read: which there are, and which one is meant."""
+
+from collections.abc import Callable, Iterable, Sequence
+from difflib import get_close_matches
+from typing import NamedTuple, NoReturn, Self
+
+from exactsweep.formats.error import FormatError
+from exactsweep.number import NumberError, quoted
+from exactsweep.polygon import Point, Polygon, PolygonError
+
+_SHOWN = 4
+
+
+class NamedPolygon(NamedTuple):
+    """A polygon of a file that holds several.
+
+    Attributes:
+        polygon: the Polygon.
+        name: its id, or None.
+        layer: the layer of a DXF file that it is on, else None.
+    """
+
+    polygon: Polygon
+    name: str | None = None
+    layer: str | None = None
+
+
+class Outline(NamedTuple):
+    """A polygon of a file, to be read when it is wanted, so that its faults concern no other.
+
+    Attributes:
+        place: where it is in the file, for messages; "" if the refusals of `vertices` say so.
+        vertices: reads them, or raises FormatError.
+        name: its id, or None.
+        layer: its layer, or None.
+    """
+
+    place: str
+    vertices: Callable[[], Sequence[Point]]
+    name: str | None = None
+    layer: str | None = None
+
+    @classmethod
+    def refused(cls, reason: str, name: str | None = None, layer: str | None = None) -> Self:
+        """Make an outline that raises FormatError, for what is drawn but is no polygon."""
+
+        def vertices() -> NoReturn:
+            raise FormatError(reason)
+
+        return cls("", vertices, name, layer)
+
+    def polygon(self) -> Polygon:
+        """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
+        try:
+            return Polygon(self.vertices())
+        except PolygonError as error:
+            raise PolygonError(f"{self.place}: {error}" if self.place else str(error)) from None
+        except NumberError as error:
+            raise FormatError(f"{self.place}: {error}" if self.place else str(error)) from None
+
+    def named_polygon(self) -> NamedPolygon:
+        """Read the polygon, as `polygon` does, with its name and layer."""
+        return NamedPolygon(self.polygon(), self.name, self.layer)
+
+
+def choose(outlines: Sequence[Outline], choice: str | None) -> Outline:
+    """Find the outline that is meant.
+
+    Args:
+        outlines: those of a file, in order.
+        choice: a name, an index from 0 or a layer, tried in this order; None for the only one.
+
+    Returns:
+        The outline.
+
+    Raises:
+        FormatError: none, or several that could be meant.
+    """
+    if choice is None:
+        if not outlines:
+            raise FormatError("holds no polygon")
+        if len(outlines) > 1:
+            raise FormatError(
+                f"holds {len(outlines)} polygons; choose one by name, index or layer, as in "
+                f"FILE#0: {_listed(outlines, range(len(outlines)))}"
+            )
+        return outlines[0]
+    named = [i for i, outline in enumerate(outlines) if outline.name == choice]
+    # A name may look like an index, and so may a layer: DXF's first one is "0".
+    index = int(choice) if choice.isascii() and choice.isdigit() and len(choice) < 10 else -1
+    if len(named) != 1 and 0 <= index < len(outlines):
+        return outlines[index]
+    layered = [i for i, outline in enumerate(outlines) if outline.layer == choice]
+    for kind, found in (("name", named), ("layer", layered)):
+        if len(found) > 1:
+            raise FormatError(
+                f"{len(found)} polygons have the {kind} {quoted(choice)}; choose one by index: "
+                f"{', '.join(f'#{i}' for i in found[:_SHOWN])}{' ...' * (len(found) > _SHOWN)}"
+            )
+        if found:
+            return outlines[found[0]]
+    near = suggestion(choice, [n for o in outlines for n in (o.name, o.layer) if n])
+    raise FormatError(
+        f"no polygon has the name, index or layer {quoted(choice)}"
+        f"{near or f'; there are {len(outlines)}'}"
+    )
+
+
+def suggestion(word: str, words: Iterable[str]) -> str:
+    """Ask whether a similar word is meant, if there is one.
+
+    >>> suggestion("brakcet", ["plate", "bracket"])
+    "; did you mean 'bracket'?"
+    """
+    near = get_close_matches(word, words, 1)
+    return f"; did you mean {quoted(near[0])}?" if near else ""
+
+
+def _listed(outlines: Sequence[Outline], indices: Sequence[int]) -> str:
+    shown = [f"#{i}" + _called(outlines[i]) for i in indices[:_SHOWN]]
+    return ", ".join(shown) + " ..." * (len(indices) > _SHOWN)
+
+
+def _called(outline: Outline) -> str:
+    name = outline.name or outline.layer
+    return f" {quoted(name)}" if name else ""

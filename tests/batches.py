@@ -1,0 +1,50 @@
+"""How the tests run a batch as a process, watch it, and find its workers."""
+
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from command import EXACTSWEEP
+
+from exactsweep.formats import NamedPolygon, format_polygons
+
+
+def all_of(parts: Sequence[NamedPolygon], folder: Path) -> list[str]:
+    """The command that sweeps all pairs of a part list, with its files in a folder."""
+    listed = folder / "parts.json"
+    listed.write_text(format_polygons(parts, "json"))
+    output = folder / "out.jsonl"
+    return [EXACTSWEEP, "batch", "--all", str(listed), str(listed), "-o", str(output)]
+
+
+def start(command: list[str]) -> subprocess.Popen[str]:
+    # In a group of its own, so that it can be killed with its workers.
+    return subprocess.Popen(
+        command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def size(path: Path) -> int:
+    return path.stat().st_size if path.exists() else 0
+
+
+def wait_for(condition: Callable[[], object], process: subprocess.Popen[str]) -> None:
+    """Wait until something is so, or the process has ended."""
+    end = time.monotonic() + 120
+    while not condition() and process.poll() is None:
+        assert time.monotonic() < end
+        time.sleep(0.005)
+
+
+def children(pid: int) -> list[int]:
+    """The processes that a process started, by /proc; the helper of multiprocessing left out."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            fields = path.read_text().rpartition(")")[2].split()
+            line = path.with_name("cmdline").read_bytes()
+            if int(fields[1]) == pid and b"resource_tracker" not in line and fields[0] != "Z":
+                found.append(int(path.parent.name))
+    return found

@@ -1,0 +1,19 @@
+"""Whether time grows in proportion to the input, however fast or busy the machine is."""
+
+import time
+from collections.abc import Callable
+
+
+def require_linear(action: Callable[[int], object]) -> None:
+    """Eight times the size may take some eight times as long; squared, it would be 64."""
+    assert _seconds(action, 80_000) < 30 * max(0.001, _seconds(action, 10_000))
+
+
+def _seconds(action: Callable[[int], object], size: int) -> float:
+    """The least processor time of three tries, for what else runs must not count."""
+    times = []
+    for _ in range(3):
+        start = time.process_time()
+        action(size)
+        times.append(time.process_time() - start)
+    return min(times)

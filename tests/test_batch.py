@@ -1,0 +1,274 @@
+import json
+import os
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+import strategies
+from command import refusal, run
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from partlist import part_list
+
+from exactsweep import Polygon, sweep
+from exactsweep.batch import BatchError, Part, all_pairs, pairs_of, read_parts, work
+from exactsweep.batch import run as run_batch
+from exactsweep.batch.job import CHUNK_PAIRS
+from exactsweep.batch.work import Chunk, Work
+from exactsweep.formats import MAX_BYTES, NamedPolygon, format_polygons
+
+SQUARE = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
+NOTCH = NamedPolygon(Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]), "notch")
+PARTS = (Part("square", SQUARE.polygon), Part("notch", NOTCH.polygon), Part("bad", "no polygon"))
+
+
+def records(path: Path) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def line_record(line: str | bytes, what: str = "loops") -> dict[str, Any]:
+    """The record of one line of a file of pairs."""
+    data = line.encode() if isinstance(line, str) else line
+    found: dict[str, Any] = json.loads(pairs_of_work(what).line(0, data))
+    return found
+
+
+def pairs_of_work(what: str) -> Work:
+    return all_pairs(PARTS, PARTS, what).work
+
+
+def test_all_pairs_are_swept_in_order(tmp_path: Path) -> None:
+    path = tmp_path / "out.jsonl"
+    seen: list[int] = []
+    parts = part_list(8)
+    summary = run_batch(all_pairs(parts, parts[:3]), str(path), workers=1, progress=seen.append)
+    assert (summary.pairs, summary.resumed) == (24, 0)
+    assert seen == [0, CHUNK_PAIRS, 24]
+    assert list(tmp_path.iterdir()) == [path]
+    found = records(path)
+    assert [record["index"] for record in found] == list(range(24))
+    for record, (g, d) in zip(found, [(g, d) for g in parts for d in parts[:3]], strict=True):
+        assert (record["generatrix"], record["directrix"]) == (g.name, d.name)
+        if "error" in record:
+            with pytest.raises(ValueError, match=f"^{re.escape(str(record['error']))}$"):
+                sweep(g.polygon, d.polygon)
+            continue
+        expected = sweep(g.polygon, d.polygon)
+        assert record["kind"] == expected.kind
+        for name in ("trajectory", "inner", "outer"):
+            assert Polygon(record[name]).vertices == getattr(expected, name).vertices
+        assert Fraction(record["area"]) == expected.area
+    assert summary.refused == sum("error" in record for record in found)
+
+
+@pytest.mark.parametrize(
+    ("what", "members"),
+    [
+        ("trajectory", ["kind", "direction", "trajectory"]),
+        ("loops", ["kind", "direction", "trajectory", "inner", "outer", "area"]),
+        ("areas", ["kind", "trajectory_area", "inner_area", "outer_area", "area"]),
+    ],
+)
+def test_what_is_computed_is_chosen(what: str, members: list[str]) -> None:
+    record = line_record('{"generatrix": "square", "directrix": "notch"}', what)
+    assert list(record) == ["index", "generatrix", "directrix", *members]
+
+
+def test_areas_are_those_of_the_loops() -> None:
+    areas = line_record('{"generatrix": "square", "directrix": "notch"}', "areas")
+    expected = sweep(SQUARE.polygon, NOTCH.polygon)
+    for name in ("trajectory", "inner", "outer"):
+        assert Fraction(str(areas[f"{name}_area"])) == getattr(expected, name).area
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        '{"generatrix": "square", "directrix": [[0,0],[3,0],[0,3]]}',
+        '{"generatrix": {"vertices": [[0,0],[1,0],["2/2",1],[0,1e0]]}, "directrix": '
+        '{"type": "Polygon", "coordinates": [[[0,0],[3,0],[0,3],[0,0]]]}}',
+        '{"generatrix": "square", "directrix": [[0,0],[3,0],[0,3]], "direction": ["1/2", 0]}\r\n',
+    ],
+)
+def test_pairs_are_read_in_any_form(line: str) -> None:
+    expected = sweep(SQUARE.polygon, [(0, 0), (3, 0), (0, 3)])
+    assert Polygon(line_record(line)["outer"]) == expected.outer
+
+
+def test_options_and_ids_belong_to_a_pair() -> None:
+    line = '{"id": %s, "generatrix": "square", "directrix": "notch", "reference": [1, "1/3"]}'
+    record = line_record(line % '"a"')
+    assert record["id"] == "a"
+    assert line_record(line % "7")["id"] == 7
+    expected = sweep(SQUARE.polygon, NOTCH.polygon, reference=(1, "1/3"))
+    assert Polygon(record["trajectory"]) == expected.trajectory
+
+
+PAIR = '{"generatrix": "square", "directrix": "notch"'
+REFUSED = {
+    "[]": "$ is a list, not an object",
+    "{": "line 1, column 2: not JSON: Expecting property name",
+    "{}": "$ has no generatrix",
+    '{"generatrix": "square"}': "$ has no directrix",
+    '{"generatrix": "sqaure", "directrix": "notch"}': (
+        "$.generatrix: there is no part 'sqaure'; did you mean 'square'?"
+    ),
+    '{"generatrix": "bad", "directrix": "notch"}': "generatrix: no polygon",
+    '{"generatrix": "square", "directrix": [[0,0],[1,1],[2,2]]}': "directrix: zero area",
+    '{"generatrix": 7, "directrix": "notch"}': "$.generatrix: there is no part '7'",
+    '{"generatrix": null, "directrix": "notch"}': "generatrix: $ is null, not a list of vertices",
+    '{"generatrix": {"polygons": []}, "directrix": "notch"}': "generatrix: holds no polygon",
+    PAIR + ', "dierction": [1, 0]}': "$ has 'dierction'; did you mean 'direction'?",
+    PAIR + ', "direction": [0, 1]}': "the directrix is not monotone to (0, 1)",
+    PAIR + ', "direction": [0, 0]}': "(0, 0) is not a direction",
+    PAIR + ', "direction": 1}': "$.direction is '1', not a pair of numbers",
+    PAIR + ', "reference": [1, "x"]}': "reference: 'x' is not a number",
+    PAIR + ', "id": 1.5}': "$.id is 1.5, not a string or an integer",
+    "\ufeff" + PAIR + ', "id": null, "direction": [0, 1]}': "the directrix is not monotone",
+    PAIR + ', "id": true}': "$.id is true, not a string or an integer",
+    PAIR + ', "generatrix": "notch"}': "the name 'generatrix' is twice in one object",
+    '{"generatrix":' + "[" * 100_000: "nested too deeply",
+}
+
+
+@pytest.mark.parametrize(("line", "message"), REFUSED.items(), ids=range(len(REFUSED)))
+def test_a_bad_pair_is_an_error_record(line: str, message: str) -> None:
+    record = line_record(line)
+    assert str(record["error"]).startswith(message)
+    assert str(record["error"]).isprintable()
+
+
+def test_bytes_that_are_no_text_are_an_error_record() -> None:
+    assert str(line_record(b"\xff")["error"]).startswith("not UTF-8 text: invalid start byte at")
+
+
+def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
+    good = PAIR + "}\n"
+    long = "[" + " " * MAX_BYTES + "]\n"
+    (tmp_path / "pairs.jsonl").write_text(f"\n{good}x\n \n{long}{good}{good[:-1]}")
+    job = pairs_of(str(tmp_path / "pairs.jsonl"), PARTS)
+    path = tmp_path / "out.jsonl"
+    assert run_batch(job, str(path), workers=1) == (5, 2, 0)
+    found = records(path)
+    assert [record["index"] for record in found] == [0, 1, 2, 3, 4]
+    assert found[1]["error"] == "line 1, column 1: not JSON: Expecting value"
+    assert found[2]["error"] == f"the line has more than {MAX_BYTES} bytes"
+    assert found[0] == found[3] | {"index": 0} == found[4] | {"index": 0}
+
+
+@given(st.lists(strategies.monotone_polygons(), min_size=1, max_size=3), st.integers(1, 9))
+@settings(max_examples=12, deadline=None)
+def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int) -> None:
+    named = [NamedPolygon(p) for p in polygons]
+    job = all_pairs(named, named)
+    pairs = range(job.total)
+    whole = job.work.lines(Chunk(0, pairs))
+    parts = [Chunk(k, pairs[k : k + size]) for k in range(0, job.total, size)]
+    assert [line for chunk in parts for line in job.work.lines(chunk)] == whole
+    for single, line in zip(Chunk(0, pairs).singles(), whole, strict=True):
+        assert job.work.lines(single) == [line]
+
+
+def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
+    path = tmp_path / "parts.json"
+    path.write_text(
+        '{"polygons": [{"id": "a", "vertices": [[0,0],[1,0],[0,1]]}, [[0,0]], [[0,1,2]]]}'
+    )
+    a, one, two = read_parts(str(path))
+    assert a == Part("a", Polygon([(0, 0), (1, 0), (0, 1)]))
+    reason = "$.polygons[1]: fewer than three distinct vertices: 1 among the 1 given"
+    assert one == Part("1", reason)
+    assert two == Part("2", "$.polygons[2][0] has 3 coordinates, not 2")
+    record = json.loads(all_pairs([a, one], [two]).work.line(1, 1))
+    assert record["error"] == f"generatrix: {reason}"
+
+
+def test_no_pairs_are_a_batch_too(tmp_path: Path) -> None:
+    path = tmp_path / "out.jsonl"
+    assert run_batch(all_pairs([], PARTS), str(path)) == (0, 0, 0)
+    assert path.read_bytes() == b""
+
+
+def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas$"):
+        all_pairs([], [], "all")
+    (tmp_path / "pairs").write_text("")
+    with pytest.raises(BatchError, match=r"^2 parts have the name 'square'$"):
+        pairs_of(str(tmp_path / "pairs"), [SQUARE, SQUARE])
+    with pytest.raises(BatchError, match=r"none: No such file or directory$"):
+        pairs_of(str(tmp_path / "none"))
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(BatchError, match=r"pipe: a pipe or a device, which cannot be read twice$"):
+        pairs_of(str(tmp_path / "pipe"))
+    for output, message in {
+        str(tmp_path): "Is a directory",
+        "": "'': Is a directory",
+        f"{tmp_path}/none/out.jsonl": "No such file or directory",
+        f"{tmp_path}/pipe": "a pipe or a device, which cannot be resumed",
+    }.items():
+        with pytest.raises(BatchError, match=f"{message}$"):
+            run_batch(all_pairs(PARTS, PARTS), output)
+
+
+def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
+    pairs, path = tmp_path / "pairs.jsonl", tmp_path / "out.jsonl"
+    pairs.write_text(f"{PAIR}}}\n" * 2)
+    job = pairs_of(str(pairs), PARTS)
+    pairs.write_text(f"{PAIR}}}\n" * 40)
+    assert run_batch(job, str(path), workers=1) == (2, 0, 0)
+    pairs.write_text(f"{PAIR}}}\n")
+    with pytest.raises(BatchError, match=r"has become shorter since the batch began$"):
+        run_batch(job, str(path), workers=1)
+
+
+def test_a_fault_of_the_program_is_an_error_record(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise AssertionError("no")
+
+    monkeypatch.setattr(work, "sweep", fail)
+    assert line_record(f"{PAIR}}}") == {
+        "index": 0,
+        "error": "internal error: AssertionError: no",
+        "generatrix": "square",
+        "directrix": "notch",
+    }
+
+
+def test_the_command_reads_files(tmp_path: Path) -> None:
+    parts, pairs, output = (str(tmp_path / name) for name in ("parts.json", "pairs", "out"))
+    Path(parts).write_text(format_polygons([SQUARE, NOTCH], "json"))
+    Path(pairs).write_text(f"{PAIR}}}\nx\n")
+    done = run("batch", pairs, "--parts", parts, "-o", output, "--workers", "1")
+    assert (done.exit_code, done.output) == (0, "2 pairs, 1 refused\n")
+    assert "outer" in records(Path(output))[0]
+    done = run("batch", "--all", parts, parts, "-o", output, "--compute", "areas", "--workers", "1")
+    assert (done.exit_code, done.output) == (0, "4 pairs, 0 refused\n")
+    assert len(records(Path(output))) == 4
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["batch", "-o", "x"], "Give either PAIRS or --all."),
+        (["batch", "p", "--all", "a", "b", "-o", "x"], "Give either PAIRS or --all."),
+        (["batch", "--all", "a", "b", "--parts", "p", "-o", "x"], "--parts goes with PAIRS."),
+        (["batch", "-", "-o", "x"], "PAIRS and the output are files"),
+        (["batch", "p", "-o", "-"], "PAIRS and the output are files"),
+        (["batch", "p"], "Missing option '-o'"),
+        (["batch", "p", "-o", "x", "--workers", "0"], "0 is not in the range"),
+        (["batch", "p", "-o", "x", "--compute", "all"], "'all' is not one of"),
+        (["batch", "p", "-o", "x", "--flatten", "0"], "the tolerance, 0, is not positive"),
+    ],
+)
+def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
+    result = run(*arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert message in result.stderr
+
+
+def test_refusals_are_one_line(tmp_path: Path) -> None:
+    output = str(tmp_path / "out")
+    assert refusal(run("batch", "none", "-o", output)) == "none: No such file or directory"
+    assert re.match("none: ", refusal(run("batch", "--all", "none", "none", "-o", output)))

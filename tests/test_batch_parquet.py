@@ -1,0 +1,59 @@
+import json
+from pathlib import Path
+
+import pyarrow.parquet
+import pytest
+from partlist import part_list
+
+from exactsweep.batch import all_pairs, parquet, run
+from exactsweep.batch.output import Output
+
+PARTS = part_list(8)
+
+
+@pytest.mark.parametrize("what", ["trajectory", "loops", "areas"])
+@pytest.mark.parametrize("rows", [1, 5, 1000])
+def test_a_table_has_the_same_records(
+    tmp_path: Path, what: str, rows: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parquet, "_ROWS", rows)
+    job = all_pairs(PARTS, PARTS[:3], what)
+    lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
+    path, part = tmp_path / "out.parquet", tmp_path / "out.parquet.part"
+    with Output(str(path), job):
+        part.write_bytes(lines)
+    assert run(job, str(path)).resumed == 24
+    assert list(tmp_path.iterdir()) == [path]
+    table = pyarrow.parquet.read_table(path).to_pylist()
+    for line, row in zip(lines.splitlines(), table, strict=True):
+        record = json.loads(line)
+        given = {name: value for name, value in row.items() if value is not None}
+        for name in ("direction", "trajectory", "inner", "outer"):
+            if name in given:
+                given[name] = json.loads(given[name])
+        assert given == record
+
+
+def test_a_table_interrupted_while_it_is_written_is_written_again(tmp_path: Path) -> None:
+    job = all_pairs(PARTS, PARTS[:3], "areas")
+    lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
+    path = tmp_path / "out.parquet"
+    with Output(str(path), job):
+        (tmp_path / "out.parquet.part").write_bytes(lines)
+    (tmp_path / "out.parquet.tmp").write_bytes(b"half")
+    path.write_bytes(b"half")
+    run(job, str(path))
+    assert pyarrow.parquet.read_table(path).num_rows == 24
+
+
+def test_directions_of_any_length_and_ids_are_text(tmp_path: Path) -> None:
+    records = tmp_path / "records"
+    digits = "9" * 5000
+    records.write_text(
+        f'{{"index": 0, "id": 7, "kind": "CC", "direction": [{digits}, -1]}}\n'
+        '{"index": 1, "error": "no", "id": "a"}\n'
+    )
+    parquet.write_parquet(records, tmp_path / "table", "loops")
+    first, second = pyarrow.parquet.read_table(tmp_path / "table").to_pylist()
+    assert first["direction"] == f"[{digits}, -1]"
+    assert (first["id"], second["id"], second["error"]) == ("7", "a", "no")

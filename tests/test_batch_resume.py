@@ -1,0 +1,205 @@
+"""Batches that are killed: whatever happens, the records come out as in one run through."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from random import Random
+
+import pytest
+from batches import all_of, children, size, start, wait_for
+from partlist import part_list
+
+from exactsweep.batch import BatchError, all_pairs, run
+from exactsweep.batch.output import Output
+
+PARTS = part_list(24)
+JOB = all_pairs(PARTS, PARTS)
+
+
+@pytest.fixture
+def command(tmp_path: Path) -> list[str]:
+    return all_of(PARTS, tmp_path)
+
+
+@pytest.fixture(scope="module")
+def whole() -> list[bytes]:
+    """The records of the batch, computed in this process."""
+    return [line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk)]
+
+
+def longer(path: Path, length: int) -> Callable[[], bool]:
+    return lambda: size(path) > length
+
+
+def test_killed_at_random_and_resumed(
+    tmp_path: Path, command: list[str], whole: list[bytes]
+) -> None:
+    random = Random(5)
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+    kills = 0
+    while True:
+        process = start([*command, "--workers", "2"])
+        if kills < 2:
+            wait_for(longer(part, size(part) + random.randrange(1, 150_000)), process)
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+        out, err = process.communicate(timeout=60)
+        if process.returncode == 0:
+            break
+        assert (process.returncode, out, err) == (-signal.SIGKILL, "", "")
+        assert not output.exists()
+        kills += 1
+    assert kills > 0
+    assert output.read_bytes() == b"".join(whole)
+    assert "of the records were there already" in out
+    assert {path.name for path in tmp_path.iterdir()} == {"out.jsonl", "parts.json"}
+
+
+def test_cut_anywhere_it_goes_on(tmp_path: Path, whole: list[bytes]) -> None:
+    everything = b"".join(whole)
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+    random = Random(3)
+    for place in [0, 1, len(whole[0]) - 1, len(whole[0]), len(everything) - 1] + [
+        random.randrange(len(everything)) for _ in range(20)
+    ]:
+        with Output(str(output), JOB):
+            part.write_bytes(everything[:place])
+        with Output(str(output), JOB) as records:
+            assert part.read_bytes() == b"".join(whole[: records.done])
+            assert records.done == everything[:place].count(b"\n")
+            assert records.refused == sum(b'"error"' in line for line in whole[: records.done])
+
+
+@pytest.mark.parametrize(
+    "garbage", [b"\0" * 5000, b"x\n", b'{"index": 7, "kind": "CC"}\n', b"\n\n"]
+)
+def test_what_is_no_record_is_cut_off(tmp_path: Path, garbage: bytes, whole: list[bytes]) -> None:
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+    with Output(str(output), JOB):
+        part.write_bytes(whole[0] + garbage + whole[1])
+    with Output(str(output), JOB) as records:
+        assert records.done == 1
+        assert part.read_bytes() == whole[0]
+
+
+def test_a_finished_part_file_only_needs_its_name(tmp_path: Path, whole: list[bytes]) -> None:
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+    with Output(str(output), JOB):
+        part.write_bytes(b"".join(whole))
+    assert run(JOB, str(output)).resumed == len(whole)
+    assert output.read_bytes() == b"".join(whole)
+
+
+def test_records_of_another_batch_are_not_mixed_in(tmp_path: Path, whole: list[bytes]) -> None:
+    output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
+    others = [all_pairs(PARTS, PARTS[:9]), all_pairs(PARTS, PARTS, "areas"),
+              all_pairs([p._replace(name="x") for p in PARTS], PARTS)]  # fmt: skip
+    with Output(str(output), JOB):
+        part.write_bytes(whole[0])
+    for other in others:
+        with pytest.raises(BatchError, match="has records of another batch, or of other input; "):
+            Output(str(output), other)
+    assert part.read_bytes() == whole[0]
+    with Output(str(output), others[0], restart=True) as records:
+        assert records.done == 0
+    note = tmp_path / "out.jsonl.job"
+    for text in ("", "[]", "{}", "x"):
+        note.write_text(text)
+        part.write_bytes(whole[0])
+        with pytest.raises(BatchError, match="has records of another batch"):
+            Output(str(output), JOB)
+
+
+def test_two_runs_at_once_are_refused(tmp_path: Path) -> None:
+    output = str(tmp_path / "out.jsonl")
+    message = r"out.jsonl: a batch is writing it already$"
+    with Output(output, JOB), pytest.raises(BatchError, match=message):
+        Output(output, JOB)
+    with Output(output, JOB) as records:
+        assert records.done == 0
+
+
+def test_control_c_ends_in_one_line_and_no_process_stays(
+    tmp_path: Path, command: list[str], whole: list[bytes]
+) -> None:
+    process = start([*command, "--workers", "2"])
+    wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
+    workers = children(process.pid)
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, out) == (1, "")
+    assert err.startswith("Error: interrupted after ")
+    assert err.endswith(" of 576 pairs; the same command goes on from there\n")
+    assert len(workers) == 2
+    wait_until_gone(workers)
+
+
+def wait_until_gone(pids: list[int]) -> None:
+    end = time.monotonic() + 30
+    while any(Path(f"/proc/{pid}").exists() for pid in pids):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command: list[str]) -> None:
+    process = start([*command, "--workers", "2"])
+    wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
+    workers = children(process.pid)
+    process.kill()
+    process.communicate(timeout=60)
+    assert len(workers) == 2
+    wait_until_gone(workers)
+
+
+def test_a_killed_worker_costs_no_record(
+    tmp_path: Path, command: list[str], whole: list[bytes]
+) -> None:
+    process = start([*command, "--workers", "2"])
+    part = tmp_path / "out.jsonl.part"
+    wait_for(lambda: size(part), process)
+    os.kill(children(process.pid)[0], signal.SIGKILL)
+    _, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, "")
+    assert (tmp_path / "out.jsonl").read_bytes() == b"".join(whole)
+
+
+DEADLY = """
+import os, sys
+from exactsweep.batch import local, run, all_pairs
+from exactsweep.batch.work import Work
+from exactsweep.formats import NamedPolygon
+from exactsweep import Polygon
+
+class Deadly(Work):
+    def line(self, index, pair):
+        return os._exit(9) if index == 21 else super().line(index, pair)
+
+if __name__ == "__main__":
+    square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "s")
+    job = all_pairs([square] * 8, [square] * 5)
+    work = Deadly(job.work.what, job.work.generatrices, job.work.directrices)
+    print(*run(job._replace(work=work), sys.argv[1], workers=2))
+"""
+
+
+def test_a_pair_that_kills_its_process_is_an_error_record(tmp_path: Path) -> None:
+    script, output = tmp_path / "deadly.py", tmp_path / "out.jsonl"
+    script.write_text(DEADLY)
+    command = [sys.executable, str(script), str(output)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (done.stdout, done.stderr) == ("40 1 0\n", "")
+    records = [json.loads(line) for line in output.read_text().splitlines()]
+    assert [record["index"] for record in records] == list(range(40))
+    (bad,) = [record for record in records if "error" in record]
+    assert bad == {
+        "index": 21,
+        "error": "the process that computed it was killed each time",
+        "generatrix": "s",
+        "directrix": "s",
+    }

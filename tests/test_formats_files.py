@@ -1,0 +1,266 @@
+"""Several polygons in a file, round trips, and conversion."""
+
+import math
+import re
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+
+import numpy
+import pytest
+import shapely
+import strategies
+from command import refusal, run
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import NumberError, Polygon, PolygonError
+from exactsweep.formats import (
+    FORMATS,
+    FormatError,
+    NamedPolygon,
+    format_polygons,
+    from_numpy,
+    from_shapely,
+    parse_polygon,
+    parse_polygons,
+    read_polygon,
+    read_polygons,
+    rounded_polygons,
+    to_numpy,
+    to_shapely,
+)
+
+TRIANGLE = Polygon([(0, 0), (1, 0), (0, 1)])
+DECIMALS = [form for form in FORMATS if form != "json"]
+names = st.text("abc<>&'\" é#7", min_size=1, max_size=5).filter(lambda name: name == name.strip())
+parts = st.builds(NamedPolygon, strategies.simple_polygons(), names, st.none())
+several = st.lists(parts, min_size=1, max_size=4)
+
+
+@given(several)
+@settings(deadline=None, max_examples=40)
+def test_exact_json_comes_back_whole(polygons: list[NamedPolygon]) -> None:
+    assert parse_polygons(format_polygons(polygons, "json")) == polygons
+
+
+@pytest.mark.parametrize("form", DECIMALS)
+@given(polygons=several, exponent=st.integers(-40, 40))
+@settings(deadline=None, max_examples=30)
+def test_decimals_come_back_whole(
+    form: str, polygons: Sequence[NamedPolygon], exponent: int
+) -> None:
+    factor = Fraction(10) ** exponent
+    scaled = [
+        NamedPolygon(
+            Polygon([(x * factor, y * factor) for x, y in polygon.lattice()[1]]),
+            None if form == "wkt" else name,
+            name if form == "dxf" else None,
+        )
+        for polygon, name, _ in polygons
+    ]
+    if form == "dxf":
+        scaled = [part._replace(name=None) for part in scaled]
+    text = format_polygons(scaled, form)
+    assert parse_polygons(text) == scaled
+    assert [part.polygon.vertices for part in parse_polygons(text)] == [
+        part.polygon.vertices for part in scaled
+    ]
+
+
+@pytest.mark.parametrize("form", DECIMALS)
+def test_what_is_no_decimal_is_never_rounded_silently(form: str) -> None:
+    third = NamedPolygon(Polygon([(0, 0), ("1/3", 0), (0, 1)]), "third")
+    with pytest.raises(FormatError, match=r"^third, vertex 1: 1/3 is not a finite decimal, which"):
+        format_polygons([NamedPolygon(TRIANGLE), third], form)
+    with pytest.raises(FormatError, match=r"^polygon 0, vertex 1: 1/3 is not a finite decimal"):
+        format_polygons([third.polygon], form)
+
+
+def test_nothing_and_no_format_are_refused() -> None:
+    with pytest.raises(FormatError, match=r"^no polygon to be written$"):
+        format_polygons([], "json")
+    with pytest.raises(FormatError, match=r"^'png' is none of the formats json, wkt, geojson, svg"):
+        format_polygons([TRIANGLE], "png")
+    for form in ("svg", "dxf"):
+        with pytest.raises(FormatError, match=r"^the name 'a\\nb' cannot be written in"):
+            format_polygons([NamedPolygon(TRIANGLE, "a\nb")], form)
+
+
+@given(strategies.simple_polygons(), st.integers(0, 6))
+@settings(max_examples=50)
+def test_rounding_says_what_it_changed(polygon: Polygon, places: int) -> None:
+    try:
+        (part,), changed, largest = rounded_polygons([NamedPolygon(polygon)], places)
+    except PolygonError:
+        return
+    assert largest <= Fraction(1, 2 * 10**places)
+    assert (changed == 0) == (largest == 0) == (part.polygon == polygon)
+    for form in FORMATS:
+        assert parse_polygon(format_polygons([part], form)) == part.polygon
+
+
+SEVERAL = {
+    "json": '{"polygons": [{"id": "a", "vertices": [[0,0],[1,0],[0,1]]}, [[0,0],[2,0],[0,2]]]}',
+    "wkt": "POLYGON ((0 0, 1 0, 0 1, 0 0))\nMULTIPOLYGON (((0 0, 2 0, 0 2, 0 0)))\n",
+    "multi": "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((0 0, 2 0, 0 2, 0 0)))",
+    "geojson": '{"type": "FeatureCollection", "features": [{"type": "Feature", "id": 7, "geometry":'
+    '{"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]}},'
+    '{"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": ['
+    '{"type": "MultiPolygon", "coordinates": [[[[0,0],[2,0],[0,2],[0,0]]]]}]}}]}',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SEVERAL.values(), ids=SEVERAL)
+def test_files_may_hold_several_polygons(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "several"
+    path.write_text(text)
+    areas = [part.polygon.area for part in read_polygons(str(path))]
+    assert areas == [Fraction(1, 2), 2]
+    assert read_polygon(f"{path}#1").area == 2
+    with pytest.raises(FormatError, match=r"several: holds 2 polygons; choose one by name, index"):
+        read_polygon(str(path))
+    with pytest.raises(FormatError, match=r"several: no polygon has the name, index or layer '2'"):
+        read_polygon(f"{path}#2")
+
+
+def test_names_come_before_indices(tmp_path: Path) -> None:
+    polygons = [NamedPolygon(TRIANGLE, "1"), NamedPolygon(TRIANGLE.translated((5, 0)), "x")]
+    path = tmp_path / "parts.json"
+    path.write_text(format_polygons(polygons, "json"))
+    assert read_polygon(f"{path}#1") == TRIANGLE
+    assert read_polygon(f"{path}#x") == polygons[1].polygon
+
+
+def test_a_file_with_the_sign_in_its_name_is_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "a#0"
+    path.write_text(format_polygons([TRIANGLE], "wkt"))
+    assert read_polygon(str(path)) == read_polygon(f"{path}#0") == TRIANGLE
+    with pytest.raises(FormatError, match=r"/b: No such file or directory$"):
+        read_polygon(str(tmp_path / "b#0"))
+
+
+def test_names_may_have_the_sign(tmp_path: Path) -> None:
+    path = tmp_path / "a#b.json"
+    moved = TRIANGLE.translated((5, 0))
+    path.write_text(
+        format_polygons([NamedPolygon(TRIANGLE, "x#y"), NamedPolygon(moved, "#")], "json")
+    )
+    assert read_polygon(f"{path}#x#y") == TRIANGLE
+    assert read_polygon(f"{path}##") == moved
+    with pytest.raises(FormatError, match=r"/none: No such file or directory$"):
+        read_polygon(str(tmp_path / "none#x#y"))
+
+
+def test_another_geometry_concerns_no_other() -> None:
+    ring = '{"type": "Polygon", "coordinates": [[[0,0],[1,0],[0,1],[0,0]]]}'
+    features = (
+        '{"type": "Feature", "id": "hole", "geometry": {"type": "Point", "coordinates": [0, 0]}},'
+        '{"type": "Feature", "id": "none", "geometry": null},'
+        f'{{"type": "Feature", "id": "part", "geometry": {ring}}}'
+    )
+    text = f'{{"type": "FeatureCollection", "features": [{features}]}}'
+    assert parse_polygon(text, "part") == TRIANGLE
+    with pytest.raises(FormatError, match=r"^\$\.features\[0\]\.geometry\.type is 'Point', not"):
+        parse_polygon(text, "hole")
+    with pytest.raises(FormatError, match=r"^\$\.features\[1\]\.geometry is null, not a Polygon$"):
+        parse_polygon(text, "none")
+    with pytest.raises(FormatError, match=r"geometry\.type is 'Point'"):
+        parse_polygons(text)
+
+
+def test_a_bad_polygon_among_several_is_named() -> None:
+    with pytest.raises(PolygonError, match=r"^line 2, column 10: zero area"):
+        parse_polygons("POLYGON ((0 0, 1 0, 0 1, 0 0))\nPOLYGON ((0 0, 1 1, 2 2, 0 0))")
+    with pytest.raises(PolygonError, match=r"^\$\.polygons\[1\]: zero area"):
+        parse_polygons('{"polygons": [[[0,0],[1,0],[0,1]], [[0,0],[1,1],[2,2]]]}')
+
+
+@given(strategies.simple_polygons())
+def test_arrays_of_fractions_come_back_whole(polygon: Polygon) -> None:
+    assert from_numpy(to_numpy(polygon)) == polygon
+
+
+@given(strategies.simple_polygons())
+@settings(max_examples=50)
+def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
+    exact = all(Fraction(float(c)) == c for vertex in polygon.vertices for c in vertex)
+    if exact:
+        assert from_shapely(to_shapely(polygon)) == polygon
+        assert from_numpy(to_numpy(polygon, "float64")) == polygon
+        return
+    message = r"^vertex \d+: .* is not a float; nearest=True rounds$"
+    with pytest.raises(FormatError, match=message):
+        to_shapely(polygon)
+    with pytest.raises(FormatError, match=message):
+        to_numpy(polygon, "float64")
+    rows = to_numpy(polygon, "float64", nearest=True).tolist()
+    assert rows == [[float(x), float(y)] for x, y in polygon.vertices]
+
+
+@given(strategies.simple_polygons())
+@settings(max_examples=50)
+def test_int64_comes_back_whole_or_is_refused(polygon: Polygon) -> None:
+    if all(c.denominator == 1 and abs(c) < 2**63 for v in polygon.vertices for c in v):
+        assert from_numpy(to_numpy(polygon, "int64")) == polygon
+    else:
+        with pytest.raises(FormatError, match=r"^vertex \d+: .* is not an int64$"):
+            to_numpy(polygon, "int64")
+
+
+def test_floats_of_shapely_are_binary() -> None:
+    polygon = from_shapely(shapely.Polygon([(0, 0), (0.1, 0), (0, 1)]))
+    assert polygon.vertices[2 - 1].x == Fraction(0.1) != Fraction("0.1")
+    assert from_shapely(shapely.LinearRing([(0, 0), (1, 0), (0, 1)])) == TRIANGLE
+
+
+@pytest.mark.parametrize(
+    ("geometry", "message"),
+    [
+        (shapely.Point(0, 0), "Point is not a polygon of shapely"),
+        ("POLYGON", "str is not a polygon of shapely"),
+        (shapely.Polygon(), "the polygon is empty"),
+        (shapely.Polygon([(0, 0, 1), (1, 0, 1), (0, 1, 1)]), "Z coordinates cannot be swept"),
+        (shapely.box(0, 0, 9, 9) - shapely.box(1, 1, 2, 2), "polygons with holes cannot be swept"),
+    ],
+)
+def test_other_geometries_are_refused(geometry: object, message: str) -> None:
+    with pytest.raises(FormatError, match=f"^{message}$"):
+        from_shapely(geometry)
+
+
+def test_arrays_that_are_no_polygons_are_refused() -> None:
+    with pytest.raises(FormatError, match=re.escape("an array of shape (2, 3), not (n, 2)")):
+        from_numpy(numpy.zeros((2, 3)))
+    with pytest.raises(NumberError, match=r"^vertex 0: .*nan.* is not a finite number$"):
+        from_numpy(numpy.full((3, 2), math.nan))
+    with pytest.raises(FormatError, match="dtype 'int8': not 'object', 'int64' or 'float64'"):
+        to_numpy(TRIANGLE, "int8")
+    with pytest.raises(FormatError, match="is beyond all floats"):
+        to_shapely(Polygon([(0, 0), ("1e999", 0), (0, 1)]), nearest=True)
+
+
+def test_files_are_converted(tmp_path: Path) -> None:
+    source = tmp_path / "parts.json"
+    polygons = [NamedPolygon(TRIANGLE, "a"), NamedPolygon(TRIANGLE.translated(("1/3", 0)), "b")]
+    source.write_text(format_polygons(polygons, "json"))
+    assert run("convert", str(source), "--to", "json").stdout == source.read_text()
+    output = tmp_path / "parts.svg"
+    message = refusal(run("convert", str(source), "-o", str(output)))
+    assert message == (
+        f"{source}: b, vertex 0: 1/3 is not a finite decimal, which is all that SVG can hold; "
+        "use --to json, or --round"
+    )
+    done = run("convert", str(source), "--round", "3", "-o", str(output))
+    assert (done.exit_code, done.stdout) == (0, "")
+    assert done.stderr == "rounded: 3 coordinates, the largest change about 0.000333333\n"
+    assert [part.name for part in read_polygons(str(output))] == ["a", "b"]
+    done = run("convert", f"{source}#a", "--to", "wkt")
+    assert done.output == "POLYGON ((0 0, 1 0, 0 1, 0 0))\n"
+    circle = tmp_path / "circle.svg"
+    circle.write_text("<svg><circle id='c' r='1'/></svg>")
+    assert "--flatten" in refusal(run("convert", str(circle), "--to", "dxf"))
+    done = run("convert", str(circle), "--to", "dxf", "--flatten", "1/100")
+    assert parse_polygon(done.stdout, "c").area > 3
+    assert run("convert", str(circle)).exit_code == 2
+    assert run("sweep", str(circle), f"{source}#a", "--flatten", "0.1").exit_code == 0

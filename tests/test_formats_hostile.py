@@ -1,0 +1,70 @@
+"""Texts that were made to keep a reader busy: all of them are refused, in linear time."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from linear import require_linear
+
+from exactsweep.formats import FormatError, parse_polygon, read_polygon
+
+TEXTS: dict[str, Callable[[int], str]] = {
+    "wkt word": lambda n: "P" * n,
+    "wkt integer": lambda n: f"POLYGON (({'1' * n}x 0))",
+    "wkt decimal": lambda n: f"POLYGON ((1.{'1' * n}x 0))",
+    "wkt digits": lambda n: f"POLYGON (({'1' * n} 0))",
+    "wkt brackets": lambda n: f"POLYGON (({'(' * n}",
+    "json digits": lambda n: f"[[{'1' * n}, 0]]",
+    "json string": lambda n: f'[["1{"1" * n}x", 0]]',
+    "json brackets": lambda n: "[" * n,
+    "dxf blank lines": lambda n: "0" + "\n" * n,
+    "dxf blank comment": lambda n: "999" + "\n" * n,
+    "dxf comments": lambda n: "999\n\n" * n,
+    "xml literal": lambda n: f'<!DOCTYPE svg SYSTEM "{"<!--&" * n}"><svg/>',
+    "xml comments": lambda n: f"<svg>{'<!-- & -->' * n}</svg>",
+}
+SHAPES: dict[str, Callable[[int], str]] = {
+    "path edges": lambda n: f'<path d="M0 0{"L1 1" * (n // 20)}"/>',
+    "path digits": lambda n: f'<path d="M{"1" * n}x"/>',
+    "path gaps": lambda n: f'<path d="{" ," * n}x"/>',
+    "points": lambda n: f'<polygon points="{"1" * n}x"/>',
+    "functions": lambda n: f'<path transform="{"scale(1e4000)" * n}"/>',
+    "open functions": lambda n: f'<path transform="{"scale(" * n}"/>',
+    "letters": lambda n: f'<path transform="{"a" * n}"/>',
+    "blanks": lambda n: f'<path transform="{" " * n}x"/>',
+    "elements": lambda n: "<path>" * n,
+}
+
+
+def refuse(text: str) -> None:
+    with pytest.raises(ValueError, match=r"\w") as caught:
+        parse_polygon(text)
+    assert len(str(caught.value)) < 200
+
+
+@pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
+def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> None:
+    require_linear(lambda n: refuse(text(n)))
+
+
+@pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
+    require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
+
+
+def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+
+    def read(n: int) -> None:
+        path.write_bytes(b"\n" * n + b"\xff")
+        with pytest.raises(FormatError, match="not UTF-8 text: "):
+            read_polygon(str(path))
+
+    require_linear(read)
+
+
+def test_nested_transformations_do_not_grow_without_end() -> None:
+    group = f'<g transform="scale({"7" * 4000})">'
+    text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"
+    with pytest.raises(FormatError, match=r"^line 1: g: the numbers of the product of transform"):
+        parse_polygon(text)
