@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactsweep.chain import Vertex, inverse, split
 from exactsweep.contact import Boundary, Contact, contacts_at, edge_contacts
@@ -21,6 +21,9 @@ from exactsweep.lower import Kind, LowerSweep
 from exactsweep.polygon import ORIGIN, Point, Polygon, abridged, read_point
 from exactsweep.tracing import Tracer
 from exactsweep.undercut import Undercut, closing_positions, pockets
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -215,6 +218,24 @@ class Sweep:
         from exactsweep.certificate import certificate
 
         return certificate(self)
+
+    def plot(
+        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    ) -> Axes:
+        """Draw the sweep with matplotlib, the `plot` extra: see `exactsweep.draw.plot_sweep`."""
+        from exactsweep.draw import plot_sweep
+
+        return plot_sweep(self, axes, positions=positions)
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.draw.notebook import sweep_svg
+
+        return sweep_svg(self)
+
+    def _repr_html_(self) -> str:
+        from exactsweep.draw.notebook import sweep_html
+
+        return sweep_html(self)
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"

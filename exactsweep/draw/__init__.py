@@ -1,0 +1,59 @@
+"""Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
+
+`plot_sweep` draws all of a sweep.  For other pictures make a `Picture` on an Axes, with the
+`Scale` of what it is to hold, and draw on it:
+
+    figure = new_figure()
+    picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
+    picture.area(d.vertices, style.DIRECTRIX, "directrix D")
+    draw_sub_trajectories(picture, chains, envelope)
+    picture.legend()
+    save(figure, "out.svg")
+
+`Picture` takes points with int or Fraction coordinates; `draw_...` draw the parts of a sweep, and
+`style` says how each looks.  Nothing here needs matplotlib before it draws.
+"""
+
+from exactsweep.draw import style
+from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
+from exactsweep.draw.error import DrawError
+from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save
+from exactsweep.draw.picture import Picture
+from exactsweep.draw.scale import AxisScale, Scale
+from exactsweep.draw.stretches import Stretch, stretches
+from exactsweep.draw.sweeps import (
+    draw_contacts,
+    draw_exact_fits,
+    draw_generatrix,
+    draw_loops,
+    draw_trajectory,
+    draw_undercuts,
+    placed_generatrix,
+    plot_sweep,
+    telling_positions,
+)
+
+__all__ = [
+    "SUFFIXES",
+    "AxisScale",
+    "DrawError",
+    "Picture",
+    "Scale",
+    "Stretch",
+    "draw_chains",
+    "draw_contacts",
+    "draw_exact_fits",
+    "draw_generatrix",
+    "draw_loops",
+    "draw_sub_trajectories",
+    "draw_trajectory",
+    "draw_undercuts",
+    "new_figure",
+    "picture_suffix",
+    "placed_generatrix",
+    "plot_sweep",
+    "save",
+    "stretches",
+    "style",
+    "telling_positions",
+]

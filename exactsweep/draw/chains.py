@@ -1,0 +1,35 @@
+"""Pictures of chains, of sub-trajectories and of their envelopes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from exactsweep.draw import style
+from exactsweep.draw.picture import Picture, Points
+
+
+def draw_chains(picture: Picture, chains: Mapping[str, Points]) -> None:
+    """Draw chains by name, each in a colour and with a marker of its own.
+
+    Args:
+        picture: a Picture.
+        chains: the points of each chain by the name that it has in the legend.
+    """
+    for k, (name, chain) in enumerate(chains.items()):
+        picture.line(chain, style.chain_look(k), name)
+
+
+def draw_sub_trajectories(
+    picture: Picture, chains: Iterable[Points], envelope: Points | None = None
+) -> None:
+    """Draw sub-trajectories as thin dashed lines, and their lower envelope in bold over them.
+
+    Args:
+        picture: a Picture.
+        chains: the points of each sub-trajectory.
+        envelope: the points of the envelope; none is drawn if left out.
+    """
+    for chain in chains:
+        picture.line(chain, style.SUB_TRAJECTORY, "sub-trajectory")
+    if envelope is not None:
+        picture.line(envelope, style.ENVELOPE, "lower envelope")

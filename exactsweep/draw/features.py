@@ -1,0 +1,99 @@
+"""Vertices and edges of G and D by the numbers that contacts have, and where they touch."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from exactsweep.contact import Contact
+from exactsweep.polygon import Point, Polygon
+
+if TYPE_CHECKING:
+    from exactsweep.sweep import Sweep
+
+Span = tuple[Point, Point]
+
+
+class Features:
+    """The features of the polygons of a sweep, numbered as its contacts are.
+
+    Args:
+        s: a Sweep.
+    """
+
+    def __init__(self, s: Sweep) -> None:
+        self._reference = s.reference
+        self.g_vertices, self._g_ends = _numbered(s.generatrix)
+        self.d_vertices, self._d_ends = _numbered(s.directrix)
+
+    def span(self, contact: Contact) -> Span:
+        """Return the ends of the positions, all on one line, at which two features touch."""
+        first, second = self._meetings(contact)
+        return self._position(first), self._position(second)
+
+    def meetings(self, contact: Contact, position: Point) -> list[Contact]:
+        """Return the vertices of two features in contact that meet at a position.
+
+        Example:
+            >>> from exactsweep import sweep
+            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
+            >>> Features(s).meetings(Contact("EE", 2, 0), s.trajectory.vertices[0])
+            [Contact(event='VV', generatrix=2, directrix=0)]
+        """
+        return [met for met in self._meetings(contact) if self._position(met) == position]
+
+    def _meetings(self, contact: Contact) -> tuple[Contact, Contact]:
+        """The vertices that meet at the ends of a contact."""
+        event, i, j = contact
+        (a, b), (c, d) = (
+            ends[k] if letter == "E" else (k, k)
+            for ends, k, letter in ((self._g_ends, i, event[0]), (self._d_ends, j, event[1]))
+        )
+        return Contact("VV", a, c), Contact("VV", b, d)
+
+    def _position(self, meeting: Contact) -> Point:
+        """The position of the reference point at which two vertices meet."""
+        (x, y), g, d = self._reference, self.g_vertices[meeting[1]], self.d_vertices[meeting[2]]
+        return Point(d.x - g.x + x, d.y - g.y + y)
+
+    def parts(self, contact: Contact) -> set[Contact]:
+        """Return the EV and VE contacts that are part of an EE contact."""
+        _, i, j = contact
+        return {Contact("EV", i, k) for k in self._d_ends[j]} | {
+            Contact("VE", k, j) for k in self._g_ends[i]
+        }
+
+    def spot(self, contact: Contact, position: Point) -> Span:
+        """Return where two features touch at a position: the ends of a segment, or a point twice.
+
+        Example:
+            >>> from exactsweep import sweep
+            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
+            >>> Features(s).spot(Contact("EE", 2, 0), Point(2, -1)) == ((2, 0), (3, 0))
+            True
+        """
+        event, i, j = contact
+        if event[1] == "V":
+            return self.d_vertices[j], self.d_vertices[j]
+        if event[0] == "V":
+            touching = self._moved(self.g_vertices[i], position)
+            return touching, touching
+        ends = [self.d_vertices[k] for k in self._d_ends[j]]
+        ends += [self._moved(self.g_vertices[k], position) for k in self._g_ends[i]]
+        _, low, high, _ = sorted(ends)
+        return low, high
+
+    def _moved(self, point: Point, position: Point) -> Point:
+        """Where a point of G is when the reference point is at a position."""
+        return Point(
+            point.x + position.x - self._reference.x, point.y + position.y - self._reference.y
+        )
+
+
+def _numbered(polygon: Polygon) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+    """The vertices, and the numbers of the ends of the edges."""
+    size = len(polygon)
+    numbers = [polygon.vertex_index(k) for k in range(size)]
+    return (
+        dict(zip(numbers, polygon.vertices, strict=True)),
+        {polygon.edge_index(k): (numbers[k], numbers[(k + 1) % size]) for k in range(size)},
+    )

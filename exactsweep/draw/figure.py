@@ -1,0 +1,82 @@
+"""Figures of matplotlib in the style, and files of them that are the same byte by byte."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from exactsweep.draw.error import DrawError
+from exactsweep.draw.style import in_style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SUFFIXES = (".svg", ".pdf", ".png")
+
+# What each format would otherwise say about the time and the program of its making.
+_METADATA: dict[str, dict[str, Any]] = {
+    ".svg": {"Date": None, "Creator": "exactsweep"},
+    ".pdf": {"CreationDate": None, "Creator": "exactsweep", "Producer": None},
+    ".png": {"Software": None},
+}
+
+
+def require_matplotlib() -> None:
+    """Raise DrawError, which says how to get it, where matplotlib is not installed."""
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
+
+
+def new_figure(rows: int = 1, columns: int = 1) -> Figure:
+    """Make a Figure in the style, with empty Axes; it is for a file and belongs to no window.
+
+    Args:
+        rows: number of rows of Axes.
+        columns: number of Axes in a row.
+
+    Returns:
+        A Figure; its `axes` are a list of Axes, row by row.
+
+    Raises:
+        DrawError: matplotlib is not installed.
+    """
+    require_matplotlib()
+    from matplotlib.figure import Figure
+
+    with in_style():
+        figure = Figure(layout="compressed")
+        figure.subplots(rows, columns)
+        return figure
+
+
+def picture_suffix(path: str) -> str:
+    """Return the suffix of a picture file, in lower case.
+
+    Raises:
+        DrawError: it is not that of a format that can be written.
+
+    Example:
+        >>> picture_suffix("fig/block.SVG")
+        '.svg'
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix not in SUFFIXES:
+        named = f"the suffix {suffix!a}" if suffix else "no suffix"
+        raise DrawError(f"{named}, but a picture is one of {', '.join(SUFFIXES)}")
+    return suffix
+
+
+def save(figure: Figure, path: str) -> None:
+    """Write a figure to a file, in the format of its suffix: .svg, .pdf or .png.
+
+    The same figure gives the same bytes with one release of matplotlib.
+
+    Raises:
+        DrawError: another suffix.
+        OSError: the file cannot be written.
+    """
+    suffix = picture_suffix(path)
+    with in_style():
+        figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")

@@ -1,0 +1,72 @@
+"""The trajectory by contact: along which stretch of it which features touch."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from exactsweep.contact import Contact
+from exactsweep.draw.features import Features
+from exactsweep.polygon import Point
+from exactsweep.sweep import Sweep
+
+
+class Stretch(NamedTuple):
+    """A piece of an edge of the trajectory along which the same contacts last.
+
+    Attributes:
+        edge: number of the edge, from that vertex of the trajectory to the next.
+        start, end: Point, in the order of travel.
+        contacts: tuple of Contact, all that last from start to end.
+    """
+
+    edge: int
+    start: Point
+    end: Point
+    contacts: tuple[Contact, ...]
+
+    @property
+    def event(self) -> str:
+        """The event, "EV", "VE" or "EE", or "several" if contacts differ in it."""
+        events = {contact.event for contact in self.contacts}
+        return events.pop() if len(events) == 1 else "several"
+
+
+def stretches(s: Sweep) -> list[Stretch]:
+    """Cut the trajectory where a contact begins or ends.
+
+    Returns:
+        list of Stretch, once round from the first vertex of the trajectory.
+
+    Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
+        >>> [stretch.event for stretch in stretches(s)]
+        ['EE', 'EV', 'VE', 'EV', 'EE']
+    """
+    features = Features(s)
+    corners = s.trajectory.vertices
+    found: list[Stretch] = []
+    for k, contacts in enumerate(s.contacts):
+        start, end = corners[k], corners[(k + 1) % len(corners)]
+        axis = 0 if start.x != end.x else 1
+        sign = 1 if start[axis] < end[axis] else -1
+        cuts: dict[Fraction, Point] = {}
+        begin: defaultdict[Fraction, set[int]] = defaultdict(set)
+        end_at: defaultdict[Fraction, set[int]] = defaultdict(set)
+        for i, contact in enumerate(contacts):
+            ends = sorted(features.span(contact), key=lambda p: sign * p[axis])
+            low = max(ends[0], start, key=lambda p: sign * p[axis])
+            high = min(ends[1], end, key=lambda p: sign * p[axis])
+            for p, changing in (low, begin), (high, end_at):
+                cuts[sign * p[axis]] = p
+                changing[sign * p[axis]].add(i)
+        lasting: set[int] = set()
+        for a, b in pairwise(sorted(cuts)):
+            lasting = (lasting | begin[a]) - end_at[a]
+            found.append(Stretch(k, cuts[a], cuts[b], tuple(contacts[i] for i in sorted(lasting))))
+    return found

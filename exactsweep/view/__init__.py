@@ -1,0 +1,5 @@
+"""An interactive page of a sweep, as one HTML file."""
+
+from exactsweep.view.page import page
+
+__all__ = ["page"]

@@ -1,0 +1,170 @@
+"""What the page is given: places as floats, scaled exactly, and the exact coordinates as text.
+
+A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
+two vertices meet or where an undercut is closed; from each stop to the next the same features
+touch.  In large sweeps, what touches for an instant only is not looked for.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+from exactsweep.contact import Contact
+from exactsweep.draw import Scale, Stretch, stretches
+from exactsweep.draw.features import Features
+from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
+from exactsweep.number import format_fraction
+from exactsweep.polygon import Point, Polygon
+from exactsweep.sweep import Sweep
+from exactsweep.view.touches import brief_contacts, can_be_found, meetings_on_edges
+from exactsweep.words import CLASSES
+
+
+class Stop(NamedTuple):
+    """A position of the reference point, and the stretch of the trajectory that begins there."""
+
+    position: Point
+    vertex: int | None
+    brief: tuple[Contact, ...]
+    contacts: tuple[Contact, ...]
+
+
+def stops(s: Sweep) -> list[Stop]:
+    """Find all stops, once round from the first vertex of the trajectory.
+
+    Returns:
+        list of Stop: its `vertex` is its number in the trajectory, None inside an edge; its
+        `contacts` last from there to the next stop; its `brief` ones are those there that last
+        neither up to it nor from it: all of them if `can_be_found`, else those of two vertices
+        that meet there as ends of features in contact before or after.
+
+    Cost: that of `Sweep.contacts`, `undercuts` and `exact_fits`, and O(u t) if u of their
+    positions are inside one of t stretches; that of `meetings_on_edges` and
+    `Sweep.vertex_contacts` if `can_be_found`.
+    """
+    features = Features(s)
+    all_brief = can_be_found(s)
+    met_on_edges = meetings_on_edges(s) if all_brief else {}
+    pieces = _cut(stretches(s), _landmarks(s).union(met_on_edges))
+    corners = s.trajectory.vertices
+    found = []
+    for k, (edge, start, _, contacts) in enumerate(pieces):
+        around = {*contacts, *pieces[k - 1].contacts}
+        vertex = edge if start == corners[edge] else None
+        if not all_brief:
+            brief = {m for c in around for m in features.meetings(c, start)}
+        elif vertex is None:
+            brief = set(met_on_edges.get(start, ()))
+        else:
+            brief = brief_contacts(features, s.vertex_contacts[vertex], around)
+        found.append(Stop(start, vertex, tuple(sorted(brief)), contacts))
+    return found
+
+
+def page_data(s: Sweep) -> dict[str, Any]:
+    """Gather what the page shows, as plain JSON data.
+
+    Returns:
+        Places are flat lists x, y, x, y, ... of floats, those of G relative to the point whose
+        path is drawn; "exact" are the coordinates in the same order as strings.
+
+    Cost: that of `stops` and of the loops.
+    """
+    dx, dy = shift(s)
+    outer, moved = s.outer.vertices, path(s).vertices
+    scale = Scale.of(outer, moved)
+    found = stops(s)
+    number = {stop.position: k for k, stop in enumerate(found)}
+
+    def shown(points: Iterable[Point]) -> dict[str, Any]:
+        points = list(points)
+        return {
+            "places": [c for point in points for c in scale.place(point)],
+            "exact": [format_fraction(c) for point in points for c in point],
+        }
+
+    def positions(points: Iterable[Point]) -> dict[str, Any]:
+        """Positions of the reference point, placed where the anchor is then."""
+        points = list(points)
+        placed = shown(Point(p.x + dx, p.y + dy) for p in points)["places"]
+        return {"places": placed, "exact": [format_fraction(c) for p in points for c in p]}
+
+    return {
+        "title": f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices",
+        "class": CLASSES[s.kind],
+        "area": format_fraction(s.area),
+        "stretched": not scale.is_true,
+        "allBrief": can_be_found(s),
+        "path": "" if anchor(s) == s.reference else anchor_name(s),
+        "reference": [format_fraction(c) for c in s.reference],
+        "generatrix": {**_around_anchor(s, scale), **_numbers(s.generatrix)},
+        "directrix": {**shown(s.directrix.vertices), **_numbers(s.directrix)},
+        "inner": shown(s.inner.vertices),
+        "outer": shown(outer),
+        "stops": {
+            **positions(stop.position for stop in found),
+            "vertex": [stop.vertex for stop in found],
+            "brief": [stop.brief for stop in found],
+            "contacts": [stop.contacts for stop in found],
+        },
+        "undercuts": [
+            {
+                **shown(undercut.polygon.vertices),
+                "area": format_fraction(undercut.polygon.area),
+                "slides": undercut.intersection == "segment",
+                "extremes": [format_fraction(c) for p in undercut.extremes for c in p],
+                "stops": [number[position] for position in undercut.positions],
+            }
+            for undercut in s.undercuts
+        ],
+        "fits": [{**positions(fit), "stop": number[fit[0]]} for fit in s.exact_fits],
+    }
+
+
+def _landmarks(s: Sweep) -> set[Point]:
+    hanging = {fit[0] for fit in s.exact_fits}
+    return hanging.union(*(undercut.positions for undercut in s.undercuts))
+
+
+def _cut(pieces: list[Stretch], landmarks: set[Point]) -> list[Stretch]:
+    """Cut stretches at those positions that are inside one."""
+    inside = sorted(landmarks - {piece.start for piece in pieces})
+    found = []
+    for piece in pieces:
+        low, high = sorted((piece.start, piece.end))
+        near = inside[bisect_right(inside, low) : bisect_left(inside, high)]
+        cuts = [p for p in near if _on_line(p, low, high)]
+        if low != piece.start:
+            cuts.reverse()
+        for end in [*cuts, piece.end]:
+            found.append(piece._replace(end=end))
+            piece = piece._replace(start=end)
+    return found
+
+
+def _on_line(p: Point, a: Point, b: Point) -> bool:
+    return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x)
+
+
+def _around_anchor(s: Sweep, scale: Scale) -> dict[str, Any]:
+    x, y = anchor(s)
+    corners = s.generatrix.vertices
+    return {
+        "places": [
+            float(part)
+            for v in corners
+            for part in ((v.x - x) / scale.x.unit, (v.y - y) / scale.y.unit)
+        ],
+        "exact": [format_fraction(c) for v in corners for c in v],
+    }
+
+
+def _numbers(polygon: Polygon) -> dict[str, list[int]]:
+    """The numbers that the caller gave the vertices and edges."""
+    size = range(len(polygon))
+    return {
+        "vertices": [polygon.vertex_index(k) for k in size],
+        "edges": [polygon.edge_index(k) for k in size],
+    }

@@ -1,0 +1,81 @@
+"""The page: one HTML file with its style, its scripts and the data of one sweep."""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from hashlib import sha256
+from html import escape
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from exactsweep.sweep import Sweep
+
+# d3-zoom and what it needs, each before those that need it; vendor/README.md says more.
+_LIBRARIES = (
+    "d3-color",
+    "d3-dispatch",
+    "d3-ease",
+    "d3-timer",
+    "d3-selection",
+    "d3-interpolate",
+    "d3-drag",
+    "d3-transition",
+    "d3-zoom",
+)
+_SCRIPTS = ("rational.js", "shapes.js", "scene.js", "page.js", "pointing.js", "controls.js")
+_FIELD = re.compile(r"\{\{(\w+)\}\}")
+
+
+def page(s: Sweep) -> str:
+    """Make a page on which G can be moved around D.
+
+    Args:
+        s: a Sweep.
+
+    Returns:
+        An HTML document that needs nothing else: no network, no other file.  A policy in it lets
+        a browser run its own scripts only and load nothing.
+
+    Cost: that of the loops, contacts and undercuts, and linear in the length of the result.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> page(sweep(square, square)).startswith("<!doctype html>")
+        True
+    """
+    from exactsweep.view.data import page_data
+
+    data = page_data(s)
+    library = "\n".join(_text(f"vendor/{name}.min.js") for name in _LIBRARIES)
+    notice = _text("vendor/LICENSE").strip()
+    script = "\n".join(map(_text, _SCRIPTS))
+    scripts = [f"/*\n{notice}\n*/\n{library}", f'"use strict";\n(() => {{\n{script}}})();\n']
+    hashes = " ".join(f"'sha256-{_digest(text)}'" for text in scripts)
+    fields = {
+        "policy": f"default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; "
+        "img-src data:",
+        "title": escape(data["title"]),
+        "style": _text("page.css"),
+        "data": embedded_json(data),
+        "library": scripts[0],
+        "script": scripts[1],
+    }
+    return _FIELD.sub(lambda field: fields[field[1]], _text("page.html"))
+
+
+def _text(name: str) -> str:
+    return files("exactsweep.view").joinpath(name).read_text(encoding="utf-8")
+
+
+def embedded_json(data: object) -> str:
+    """JSON that cannot end the script element in which it stands."""
+    text = json.dumps(data, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _digest(text: str) -> str:
+    return b64encode(sha256(text.encode()).digest()).decode()

@@ -1,0 +1,119 @@
+// What the pointer or a key points at, and its description.
+
+// In pixels.
+const REACH = 9;
+const MOST_NAMED = 8;
+
+function point(x, y) {
+  pointer = [x, y];
+  pointed = vertexAt(x, y) || fitAt(x, y) || undercutAt(x, y) || {};
+  const tip = element("tip");
+  tip.hidden = !pointed.lines;
+  top.classList.toggle("on-generatrix", isOnGeneratrix(x, y));
+  if (!pointed.lines) return;
+  for (const node of [tip, element("pointed")]) setLines(node, pointed.lines);
+  tip.style.left = `${x < view.width / 2 ? x + 14 : Math.max(0, x - 14 - tip.offsetWidth)}px`;
+  tip.style.top = `${Math.max(0, Math.min(y + 12, view.height - tip.offsetHeight))}px`;
+}
+
+function vertexAt(x, y) {
+  const [dx, dy] = place();
+  const groups = [
+    [data.generatrix.places, dx, dy, (k) => `vertex ${data.generatrix.vertices[k]} of G`, exactCorner],
+    [data.directrix.places, 0, 0, (k) => `vertex ${data.directrix.vertices[k]} of D`, listed(data.directrix)],
+    [stops.places, 0, 0, nameOfStop, listed(stops)],
+    [data.inner.places, 0, 0, (k) => `vertex ${k} of the inner loop`, listed(data.inner)],
+    [data.outer.places, 0, 0, (k) => `vertex ${k} of the outer loop`, listed(data.outer)],
+  ];
+  let best = REACH;
+  const near = [];
+  for (const [places, mx, my, name, exact] of groups) {
+    for (let i = 0; i < places.length; i += 2) {
+      const spot = [places[i] + mx, places[i + 1] + my];
+      const off = Math.hypot(view.x(spot[0]) - x, view.y(spot[1]) - y);
+      if (off <= best + 0.5) near.push({ off, spot, k: i / 2, name, exact });
+      best = Math.min(best, off);
+    }
+  }
+  const nearby = near.filter(({ off }) => off <= best + 0.5);
+  if (!nearby.length) return null;
+  const found = new Map();
+  for (const { k, name, exact } of nearby.slice(0, MOST_NAMED)) {
+    const text = exact(k);
+    found.set(text, [...(found.get(text) || []), name(k)]);
+  }
+  const lines = [...found].flatMap(([text, names]) => [...names, text]);
+  if (nearby.length > MOST_NAMED) lines.push(`and ${nearby.length - MOST_NAMED} more: zoom in`);
+  return { lines, place: nearby[0].spot };
+}
+
+const listed = ({ exact }) => (k) => `(${exact[2 * k]}, ${exact[2 * k + 1]})`;
+
+function nameOfStop(k) {
+  const number = stops.vertex[k];
+  return number === null ? `stop ${k}, on an edge of the trajectory` : `vertex ${number} of the trajectory`;
+}
+
+// A vertex of G where it is now: its own coordinates and the way that G has gone.
+function exactCorner(k) {
+  const position = exactPosition();
+  return pair([0, 1].map((axis) => {
+    const own = rational.parse(data.generatrix.exact[2 * k + axis]);
+    const reference = rational.parse(data.reference[axis]);
+    return rational.plus(own, rational.minus(position[axis], reference));
+  }));
+}
+
+function fitAt(x, y) {
+  for (const [k, fit] of data.fits.entries()) {
+    if (nearest(x, y, ...view.pixels(fit.places))[1] < REACH) return describeFit(k);
+  }
+  return null;
+}
+
+function describeFit(k) {
+  const fit = data.fits[k];
+  const [hanging, inside] = [0, 1].map(listed(fit));
+  return {
+    fit,
+    lines: [`exact fit ${k}: G could slide from ${hanging} to ${inside}, touching D on both sides`],
+  };
+}
+
+function undercutAt(x, y) {
+  const [px, py] = view.place(x, y);
+  const k = data.undercuts.findIndex(({ places }) => contains(places, px, py));
+  return k < 0 ? null : describeUndercut(k);
+}
+
+function describeUndercut(k) {
+  const undercut = data.undercuts[k];
+  const [a, b] = [0, 1].map(listed({ exact: undercut.extremes }));
+  const positions = [...new Set(undercut.stops)].map(listed(stops));
+  const shown = positions.slice(0, 4).join(undercut.slides ? " to " : ", ");
+  return {
+    undercut,
+    lines: [
+      `undercut ${k}, area ${undercut.area}`,
+      `extreme contact points ${a} and ${b}`,
+      `closed by G ${undercut.slides ? "from" : "at"} ${shown}${positions.length > 4 ? ", ..." : ""}`,
+    ],
+  };
+}
+
+// To the next undercut or exact fit on the way; several at one stop are visited in turn.
+function visit(targets, describe, name) {
+  const shown = pointed.describe === describe ? pointed.number : -1;
+  const ahead = targets.map((stop, k) => (stop * PARTS - at + SPAN) % SPAN || (k > shown ? 0 : SPAN));
+  const k = ahead.indexOf(Math.min(...ahead));
+  pointer = null;
+  element("tip").hidden = true;
+  if (k < 0) {
+    pointed = {};
+    setLines(element("pointed"), [`There is no ${name}.`]);
+    return;
+  }
+  moveToStop(targets[k]);
+  pointed = { ...describe(k), describe, number: k };
+  setLines(element("pointed"), pointed.lines);
+}

@@ -1,0 +1,196 @@
+// What is drawn: all that stands still on one canvas, G and its contacts on another above it.
+
+// How the trajectory looks by event, so that it is told without colours, too.
+const DASHES = { EV: [], VE: [6, 4], EE: [2, 2.5], several: [8, 2, 2, 2] };
+// A line of so many pixels is dense: a zigzag of thousands of edges.
+const DENSE = 20_000;
+// So many exact fits are drawn as thin lines without marks.
+const MANY = 60;
+
+class Scene {
+  constructor(data, view, ground, top) {
+    Object.assign(this, { data, view });
+    this.layers = [ground, top].map((canvas) => ({ canvas, context: canvas.getContext("2d") }));
+    this.runs = runs(data.stops);
+    this.readColors();
+  }
+
+  readColors() {
+    const style = getComputedStyle(document.documentElement);
+    this.color = (name) => style.getPropertyValue(`--${name}`).trim();
+  }
+
+  resize(width, height) {
+    this.ratio = window.devicePixelRatio || 1;
+    for (const { canvas } of this.layers) {
+      canvas.width = Math.round(width * this.ratio);
+      canvas.height = Math.round(height * this.ratio);
+    }
+    this.view.resize(width, height);
+  }
+
+  cleared(k) {
+    const { canvas, context } = this.layers[k];
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.lineJoin = "round";
+    return context;
+  }
+
+  area(context, shapes, fill) {
+    context.beginPath();
+    for (const pixels of shapes) traceArea(context, pixels, this.view.window);
+    context.fillStyle = fill;
+    context.fill("evenodd");
+  }
+
+  line(context, pixels, name, width, options = {}) {
+    this.lines(context, [pixels], name, width, options);
+  }
+
+  lines(context, chains, name, width, { isClosed = false, dash = [] }) {
+    context.beginPath();
+    let length = 0;
+    for (const pixels of chains) length += traceLine(context, pixels, this.view.window, isClosed);
+    context.strokeStyle = this.color(name);
+    // Nobody sees width and dashes of a dense line, but they take fifty times as long to draw.
+    const isDense = length > DENSE;
+    this.isDense ||= isDense;
+    context.lineWidth = isDense ? 1 : width;
+    context.setLineDash(isDense ? [] : dash);
+    context.stroke();
+  }
+
+  dot(context, x, y, name, radius) {
+    this.dots(context, [[x, y]], name, radius);
+  }
+
+  dots(context, spots, name, radius = 4) {
+    const [left, low, right, high] = this.view.window;
+    context.beginPath();
+    for (const [x, y] of spots) {
+      if (x < left || x > right || y < low || y > high) continue;
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    context.fillStyle = this.color(name);
+    context.strokeStyle = this.color("page");
+    context.lineWidth = 1.5;
+    context.setLineDash([]);
+    context.fill();
+    context.stroke();
+  }
+
+  hatching(context) {
+    const tile = document.createElement("canvas");
+    const size = (tile.width = tile.height = Math.round(7 * this.ratio));
+    const brush = tile.getContext("2d");
+    brush.strokeStyle = this.color("undercut");
+    brush.lineWidth = this.ratio;
+    for (const shift of [-size, 0, size]) {
+      brush.moveTo(shift - 1, size + 1);
+      brush.lineTo(shift + size + 1, -1);
+    }
+    brush.stroke();
+    const pattern = context.createPattern(tile, "repeat");
+    pattern.setTransform(new DOMMatrix([1 / this.ratio, 0, 0, 1 / this.ratio, 0, 0]));
+    return pattern;
+  }
+
+  drawGround() {
+    const { data, view } = this;
+    const context = this.cleared(0);
+    this.isDense = false;
+    this.drawn = view.zoom;
+    this.layers[0].canvas.style.transform = "";
+    const [inner, outer, directrix] = ["inner", "outer", "directrix"].map((name) =>
+      view.pixels(data[name].places),
+    );
+    this.area(context, [outer, inner], this.color("swept"));
+    this.area(context, [directrix], this.color("directrix-fill"));
+    this.line(context, directrix, "directrix", 1, { isClosed: true });
+    const undercuts = data.undercuts.map(({ places }) => view.pixels(places));
+    this.area(context, undercuts, this.hatching(context));
+    this.lines(context, undercuts, "undercut", 0.7, { isClosed: true });
+    this.line(context, inner, "inner", 3, { isClosed: true });
+    this.line(context, outer, "outer", 1.8, { isClosed: true, dash: [16, 4] });
+    for (const [event, chains] of this.runs) {
+      const pixels = chains.map((places) => view.pixels(places));
+      this.lines(context, pixels, event, 2, { dash: DASHES[event] });
+    }
+    // Many are thin, so that they do not hide each other.
+    const isThin = data.fits.length > MANY;
+    const fits = data.fits.map(({ places }) => view.pixels(places));
+    this.lines(context, fits, "fit", isThin ? 1.5 : 4, {});
+    if (isThin) return;
+    const hanging = fits.map(([x, y]) => [x, y]);
+    this.dots(context, hanging, "page");
+    this.lines(context, hanging.map(([x, y]) => circle(x, y)), "fit", 2, { isClosed: true });
+    this.dots(context, fits.map(([, , x, y]) => [x, y]), "fit", 5);
+  }
+
+  // Show the ground as it was last drawn, moved to where it is now.
+  moveGround() {
+    const { k, x, y } = this.view.zoom;
+    const ratio = k / this.drawn.k;
+    const shift = [x - ratio * this.drawn.x, y - ratio * this.drawn.y];
+    this.layers[0].canvas.style.transform = `matrix(${ratio}, 0, 0, ${ratio}, ${shift})`;
+  }
+
+  // G with the anchor at a place; what touches; the undercut or fit and the vertex pointed at.
+  drawTop([px, py], contacts, pointed) {
+    const { data, view } = this;
+    const context = this.cleared(1);
+    if (pointed.undercut) {
+      this.area(context, [view.pixels(pointed.undercut.places)], this.color("pointed"));
+    }
+    if (pointed.fit) this.line(context, view.pixels(pointed.fit.places), "fit", 7);
+    const g = view.pixels(data.generatrix.places, px, py);
+    const d = view.pixels(data.directrix.places);
+    this.area(context, [g], this.color("generatrix-fill"));
+    this.line(context, g, "generatrix", 2, { isClosed: true });
+    for (const [event, i, j] of [...contacts].reverse()) {
+      const spots = [
+        [g, data.generatrix, i, event[0]],
+        [d, data.directrix, j, event[1]],
+      ];
+      for (const [pixels, polygon, number, kind] of spots) {
+        const k = 2 * polygon[kind === "E" ? "edgeOf" : "vertexOf"].get(number);
+        const n = (k + 2) % pixels.length;
+        if (kind === "E") {
+          const edge = [pixels[k], pixels[k + 1], pixels[n], pixels[n + 1]];
+          this.line(context, edge, event, 3.5);
+        } else this.dot(context, pixels[k], pixels[k + 1], event, 5);
+      }
+    }
+    this.dot(context, view.x(px), view.y(py), "anchor", 4.5);
+    if (pointed.place) {
+      const ring = circle(view.x(pointed.place[0]), view.y(pointed.place[1]), 8);
+      this.line(context, ring, "anchor", 1.5, { isClosed: true });
+    }
+  }
+}
+
+// The chains of the trajectory by event, cut where it changes.
+function runs({ places, contacts }) {
+  const found = new Map();
+  let last = null;
+  for (let k = 0; k < contacts.length; k++) {
+    const events = new Set(contacts[k].map(([event]) => event));
+    const event = events.size === 1 ? contacts[k][0][0] : "several";
+    if (event !== last) {
+      if (!found.has(event)) found.set(event, []);
+      found.get(event).push(places.slice(2 * k, 2 * k + 2));
+    }
+    const next = (2 * k + 2) % places.length;
+    found.get(event).at(-1).push(places[next], places[next + 1]);
+    last = event;
+  }
+  return found;
+}
+
+function circle(x, y, radius = 5) {
+  const turns = Array.from({ length: 24 }, (_, k) => (k * Math.PI) / 12);
+  return turns.flatMap((turn) => [x + radius * Math.cos(turn), y + radius * Math.sin(turn)]);
+}

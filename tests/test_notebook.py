@@ -1,0 +1,142 @@
+"""What notebooks show, and a notebook that is run."""
+
+import ast
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+from command import EXAMPLE
+from hypothesis import given, settings
+from strategies import pairs, simple_polygons
+
+from exactsweep import Polygon, sweep
+
+NOTEBOOK = Path(__file__).parent / "tour.ipynb"
+SVG = "{http://www.w3.org/2000/svg}"
+VOID = {"meta", "link", "input"}
+
+
+class Balanced(HTMLParser):
+    """Refuses tags that do not match; gathers the text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.texts: list[str] = []
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: Any) -> None:
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+
+def inside(picture: ElementTree.Element) -> bool:
+    """Whether all that is drawn is inside the picture."""
+    width, height = (float(picture.attrib[name]) for name in ("width", "height"))
+    data = "".join(path.attrib["d"] for path in picture.iterfind(f"{SVG}path"))
+    for letter in "MLZ":
+        data = data.replace(letter, " ")
+    numbers = list(map(float, data.split()))
+    return all(0 <= x <= width for x in numbers[::2]) and all(
+        0 <= y <= height for y in numbers[1::2]
+    )
+
+
+@settings(max_examples=50, deadline=None)
+@given(simple_polygons())
+def test_every_polygon_has_a_picture(polygon: Polygon) -> None:
+    assert inside(ElementTree.fromstring(polygon._repr_svg_()))
+    Balanced(polygon._repr_html_())
+
+
+@settings(max_examples=40, deadline=None)
+@given(pairs("CC") | pairs("CM") | pairs("MM"))
+def test_every_sweep_has_a_picture(pair: tuple[Polygon, Polygon]) -> None:
+    s = sweep(*pair)
+    assert inside(ElementTree.fromstring(s._repr_svg_()))
+    Balanced(s._repr_html_())
+
+
+def test_a_polygon_is_drawn_upright() -> None:
+    (path,) = ElementTree.fromstring(
+        Polygon([(0, 0), (2, 0), (2, 1), (0, "1/2")])._repr_svg_()
+    ).iterfind(f"{SVG}path")
+    assert path.attrib["d"] == "M12.00 222.00L432.00 222.00L432.00 12.00L12.00 117.00Z"
+
+
+def test_the_summary_tells_the_sizes() -> None:
+    texts = Balanced(EXAMPLE._repr_html_()).texts
+    for text in (
+        "CM, convex generatrix and monotone directrix",
+        "9 vertices, area 327/5",
+        "72",
+        "CM sweep of 5 around 7 vertices",
+    ):
+        assert text in texts
+    assert "(8,5)" in Balanced(EXAMPLE.directrix._repr_html_()).texts
+
+
+def test_long_numbers_are_cut_short() -> None:
+    polygon = Polygon([(0, 0), (10**500, 0), (0, f"1/{7**500}")])
+    assert len(polygon._repr_html_()) < 1500
+
+
+def test_matplotlib_is_not_needed() -> None:
+    program = (
+        "import sys; sys.modules['matplotlib'] = None\n"
+        "from exactsweep import sweep\n"
+        "s = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])\n"
+        "print(s._repr_svg_()[:4], s.directrix._repr_html_()[:4])\n"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert run.stdout == "<svg <div\n"
+
+
+@pytest.fixture
+def without_windows() -> Iterator[None]:
+    from matplotlib import pyplot
+
+    pyplot.switch_backend("Agg")
+    yield
+    pyplot.close("all")
+
+
+@pytest.mark.usefixtures("without_windows")
+def test_the_notebook_runs() -> None:
+    notebook = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
+    names: dict[str, Any] = {"__name__": "notebook"}
+    shown = []
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            assert not cell["outputs"]
+            tree = ast.parse("".join(cell["source"]))
+            last = tree.body[-1]
+            if isinstance(last, ast.Expr):
+                tree.body.pop()
+            exec(compile(tree, str(NOTEBOOK), "exec"), names)
+            if isinstance(last, ast.Expr):
+                shown.append(eval(compile(ast.Expression(last.value), "cell", "eval"), names))
+    block, s, figure, view = shown
+    assert s.area == 72
+    assert inside(ElementTree.fromstring(block._repr_svg_()))
+    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()][:2] == [
+        "$D_1$",
+        "$D_2$",
+    ]
+    assert view._repr_html_().startswith("<iframe srcdoc=")

@@ -1,0 +1,333 @@
+"""The interactive page in a real browser: Debian's Chromium, if there is one."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from math import ulp
+from pathlib import Path
+from typing import Any
+
+import pytest
+from command import EXAMPLE
+from shown import FLAGS, HEIGHT, PATIENCE, Shown
+
+from exactsweep import Point, Sweep, sweep
+from exactsweep.draw import Scale
+from exactsweep.draw.sweeps import path
+from exactsweep.view import page
+from exactsweep.view.data import stops
+
+playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+
+SLOT = sweep(
+    [(0, 0), (1, 0), (1, 1), (0, 1)],
+    [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)],
+)
+PARTS = 1_000_000
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with playwright.sync_playwright() as driver:
+        chromium = driver.chromium.launch(executable_path=CHROMIUM, args=FLAGS, timeout=PATIENCE)
+        yield chromium
+        chromium.close()
+
+
+Open = Callable[..., Shown]
+
+
+@pytest.fixture
+def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
+    opened: list[Shown] = []
+
+    def open_page(s: Sweep, **options: Any) -> Shown:
+        file = tmp_path / "sweep.html"
+        file.write_text(page(s), encoding="utf-8")
+        opened.append(Shown(browser, file, **options))
+        return opened[-1]
+
+    yield open_page
+    for shown in opened:
+        shown.tab.close()
+        assert shown.complaints == []
+        assert len(shown.requests) == 1
+
+
+def scaled(factor: Fraction) -> Sweep:
+    g, d = EXAMPLE.generatrix, EXAMPLE.directrix
+    return sweep(*([(x * factor, y * factor) for x, y in p.vertices] for p in (g, d)))
+
+
+def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
+    """G is drawn where it is, each coordinate rounded as floats are."""
+    scale = Scale.of(s.outer.vertices, path(s).vertices)
+    assert shown.position == position
+    exact = [
+        scale.place(Point(x + position.x - s.reference.x, y + position.y - s.reference.y))
+        for x, y in s.generatrix.vertices
+    ]
+    wanted = [c for place in exact for c in place]
+    for a, b in zip(shown.corners, wanted, strict=True):
+        assert abs(Fraction(a) - Fraction(b)) <= 2 * Fraction(ulp(max(map(abs, wanted))))
+
+
+@pytest.mark.parametrize("factor", [Fraction(1), Fraction(10**30), Fraction(1, 7 * 10**30)])
+def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fraction) -> None:
+    s = scaled(factor)
+    shown = show(s)
+    found = stops(s)
+    for k, stop in enumerate(found):
+        shown.slide(k * PARTS)
+        assert_in_place(shown, s, stop.position)
+        after = found[(k + 1) % len(found)].position
+        shown.slide(k * PARTS + PARTS // 4)
+        quarter = ((3 * a + b) / 4 for a, b in zip(stop.position, after, strict=True))
+        assert_in_place(shown, s, Point(*quarter))
+    shown.slide(len(found) * PARTS)
+    assert_in_place(shown, s, found[0].position)
+
+
+def test_g_is_painted_where_it_is(show: Open) -> None:
+    shown = show(EXAMPLE)
+    away = shown.colors()
+    # Below D; the corners on the right are far from all that is painted for the contact.
+    shown.slide(PARTS + PARTS // 2)
+    here = shown.colors()
+    corners = shown.pixels
+    cx, cy = (sum(values) / len(corners) for values in zip(*corners, strict=True))
+    for x, y in corners[1:3]:
+        step = 8 / ((cx - x) ** 2 + (cy - y) ** 2) ** 0.5
+        within = x + step * (cx - x), y + step * (cy - y)
+        beyond = x - step * (cx - x), y - step * (cy - y)
+        assert here.getpixel(within) != away.getpixel(within)
+        assert here.getpixel(beyond) == away.getpixel(beyond)
+
+
+def test_the_contact_is_named(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.slide(9 * PARTS + PARTS // 2)
+    assert shown.text("contacts") == "VE vertex 1 of G on edge 3 of D"
+    assert shown.text("where") == "between stops 9 and 10 of 16"
+    shown.slide(10 * PARTS)
+    assert shown.text("position") == "(13/5, 13/5)"
+    assert shown.text("where") == "vertex 6 of the trajectory, stop 10 of 16"
+    assert shown.text("contacts").splitlines() == [
+        "VE vertex 1 of G on edge 3 of D, until here",
+        "VE vertex 0 of G on edge 4 of D, from here on",
+    ]
+    shown.slide(0)
+    assert "VV vertex 2 of G on vertex 0 of D" in shown.text("contacts").splitlines()
+    assert not shown.tab.is_visible("#incomplete")
+    wedge = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
+    s = sweep([(0, 0), (3, 0), (3, 1), (0, 1)], wedge)
+    box = show(s)
+    floor = Point(Fraction(0), Fraction(0))
+    box.slide([stop.position for stop in stops(s)].index(floor) * PARTS)
+    assert "EE edge 0 of G on edge 0 of D, here only" in box.text("contacts").splitlines()
+
+
+def test_the_keyboard_does_all(show: Open) -> None:
+    shown = show(EXAMPLE)
+    at = [stop.position for stop in stops(EXAMPLE)]
+    shown.press("PageDown", "PageDown")
+    assert shown.position == at[2]
+    shown.press("PageUp")
+    assert shown.position == at[1]
+    shown.press("ArrowRight")
+    assert shown.position == Point(at[1].x + (at[2].x - at[1].x) / 50, at[1].y)
+    shown.press("Shift+ArrowLeft", "PageUp")
+    assert shown.position == at[1]
+    shown.press("u")
+    assert shown.position == EXAMPLE.undercuts[0].positions[0]
+    assert "undercut 0, area 8/5" in shown.text("pointed")
+    shown.press("Home")
+    assert shown.position == at[0]
+    shown.press("End", "PageUp")
+    assert shown.position == at[-1]
+    before = shown.pixels
+    shown.press("+")
+    assert shown.pixels != before
+    shown.press("-", "0")
+    assert shown.pixels == before
+    shown.tab.focus("#top")
+    shown.press("ArrowRight")
+    assert [x - y for (x, _), (y, _) in zip(before, shown.pixels, strict=True)] == [60] * 5
+    shown.tab.focus("#slider")
+    shown.press("Home", "PageDown")
+    assert shown.position == at[1]
+
+
+def test_playing_moves_g_until_paused(show: Open) -> None:
+    shown = show(EXAMPLE)
+    start = shown.position
+    shown.press(" ")
+    shown.tab.wait_for_function(f"exactsweep.position()[0] !== '{start.x}'")
+    shown.tab.click("[data-do=play]")
+    shown.settle()
+    paused = shown.position
+    shown.settle()
+    assert shown.position == paused
+    assert any(contact in shown.text("contacts") for contact in ("EV", "VE", "EE"))
+
+
+def test_dragging_slides_g_along_the_trajectory(show: Open) -> None:
+    shown = show(EXAMPLE)
+    (x, y) = (sum(values) / 5 for values in zip(*shown.pixels, strict=True))
+    unit = shown.pixels[1][0] - shown.pixels[0][0]
+    mouse = shown.tab.mouse
+    mouse.move(x, y)
+    mouse.down()
+    on_path = []
+    for k in range(1, 13):
+        # Straight to the right, as if D were not in the way: G goes along below it.
+        mouse.move(x + k * unit / 3, y + unit)
+        shown.settle()
+        on_path.append(shown.position)
+    mouse.up()
+    corners = EXAMPLE.trajectory.vertices
+    for p in on_path:
+        assert any(
+            (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and min(a, b) <= p <= max(a, b)
+            for a, b in zip(corners, corners[1:] + corners[:1], strict=True)
+        )
+    assert [p.x for p in on_path] == sorted(p.x for p in on_path)
+    assert on_path[-1].y == -2
+    assert 4 < on_path[-1].x < 7
+
+
+def test_vertices_undercuts_and_fits_tell_of_themselves(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.slide(10 * PARTS)
+    tip = shown.hover(*shown.pixels[0]).splitlines()
+    assert tip[0] == "vertex 0 of G"
+    assert {"vertex 6 of the trajectory", "(13/5, 13/5)"} <= set(tip)
+    (ax, ay), (bx, _) = shown.pixels[:2]
+    unit = (bx - ax) / 2
+    below = shown.hover(ax + 0.8 * unit, ay + 0.5 * unit)
+    assert below.splitlines() == [
+        "undercut 0, area 8/5",
+        "extreme contact points (23/5, 13/5) and (13/5, 13/5)",
+        "closed by G at (13/5, 13/5)",
+    ]
+    slot = show(SLOT)
+    slot.press("f")
+    assert slot.position == SLOT.exact_fits[0][0]
+    (x, y), (right, _) = slot.pixels[:2]
+    fit = slot.hover(x, y + right - x)
+    assert fit == "exact fit 0: G could slide from (1, 3) to (1, 1), touching D on both sides"
+
+
+def test_a_finger_is_told_what_it_taps(show: Open) -> None:
+    shown = show(SLOT, has_touch=True)
+    (x, y), (right, _) = shown.pixels[:2]
+    # From (-1, -1), where G is, to (1, 2).
+    shown.tab.touchscreen.tap(x + 2 * (right - x), y - 3 * (right - x))
+    shown.settle()
+    assert shown.text("tip") == shown.text("pointed")
+    assert shown.text("pointed").startswith("exact fit 0: ")
+
+
+def test_vertices_of_g_tell_their_exact_place_between_stops(show: Open) -> None:
+    shown = show(scaled(Fraction(10**30)))
+    shown.slide(PARTS + PARTS // 4)
+    tip = shown.hover(*shown.pixels[3])
+    assert tip.splitlines() == ["vertex 3 of G", f"({2 * 10**30}, 0)"]
+
+
+def test_zooming_in_keeps_what_is_under_the_pointer(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.slide(6 * PARTS)
+    (x, y), (x1, _) = before = shown.pixels[:2]
+    px, py = round(x), round(y)
+    shown.tab.mouse.move(px, py)
+    for _ in range(24):
+        shown.tab.mouse.wheel(0, -400)
+    shown.settle()
+    (left, top), (right, _) = shown.pixels[:2]
+    ratio = (right - left) / (x1 - x)
+    assert ratio > 10**5
+    assert abs(left - px - ratio * (x - px)) < 1
+    assert abs(top - py - ratio * (y - py)) < 1
+    shown.tab.click("[data-do=whole]")
+    shown.settle()
+    assert shown.pixels[:2] == before
+
+
+@pytest.mark.parametrize("s", [EXAMPLE, SLOT], ids=["undercut", "fit"])
+def test_light_and_dark_differ_and_follow_the_system(show: Open, s: Sweep) -> None:
+    light, dark = (show(s, color_scheme=scheme) for scheme in ("light", "dark"))
+    corner = (20, HEIGHT // 2)
+    assert sum(light.colors().getpixel(corner)) > 600
+    assert sum(dark.colors().getpixel(corner)) < 200
+    dark.tab.emulate_media(color_scheme="light")
+    assert dark.colors().tobytes() == light.colors().tobytes()
+
+
+def test_a_loop_of_10000_vertices_works(show: Open) -> None:
+    teeth = [(x, -(x % 2) * 3) for x in range(5001)]
+    s = sweep([(0, 0), ("1/4", 0), ("1/8", "1/4")], [*teeth, (5000, 9), (0, 9)])
+    assert min(len(s.trajectory), len(s.inner), len(s.outer)) > 10_000
+    shown = show(s)
+    assert shown.position == s.trajectory.vertices[0]
+    shown.slide(5000 * PARTS)
+    assert shown.position in s.trajectory.vertices
+    assert_in_place(shown, s, shown.position)
+    assert shown.tab.is_visible("#incomplete")
+    assert re.fullmatch(r"and \d+ more: zoom in", shown.hover(*shown.pixels[0]).splitlines()[-1])
+    before = shown.position
+    shown.press("+", "+", "PageDown")
+    assert_in_place(shown, s, shown.position)
+    assert shown.position != before
+
+
+def test_several_undercuts_closed_at_one_stop_are_visited_in_turn(show: Open) -> None:
+    # A peak in the notch of the example, as high as G comes down.
+    notch, peak = Point(Fraction(3), Fraction(1)), (Fraction(18, 5), Fraction(13, 5))
+    block = EXAMPLE.directrix.vertices
+    k = block.index(notch)
+    s = sweep(EXAMPLE.generatrix, [*block[:k], (4, 2), peak, *block[k:]])
+    first, second = s.undercuts
+    assert first.positions == second.positions == EXAMPLE.undercuts[0].positions
+    shown = show(s)
+    told = []
+    for _ in range(3):
+        shown.press("u")
+        told.append(shown.text("pointed").splitlines()[0])
+    assert told[0] == told[2] != told[1]
+    shown.press("f")
+    assert shown.text("pointed") == "There is no exact fit."
+
+
+def test_long_numbers_are_told_in_short_too(show: Open) -> None:
+    shown = show(scaled(Fraction(10**30)))
+    assert shown.text("area") == f"{72 * 10**60}"
+    assert shown.text("area-about") == "about 7.2e61"
+    shown.slide(10 * PARTS)
+    assert shown.text("position-about") == "about (2.6e30, 2.6e30)"
+    short = show(EXAMPLE)
+    assert short.text("area-about") == short.text("position-about") == ""
+    numbers = {
+        "123456789012345678901/123456789": "1e12",
+        "-99999999999999999999999/1000000000000000000000": "-100",
+        "1/300000000000000000000000000": "3.33333e-27",
+        "-1234567/100000000000000000000": "-1.23457e-14",
+        "12345/6789": "",
+    }
+    for number, told in numbers.items():
+        assert shown.tab.evaluate("n => exactsweep.about(n)", number) == told
+
+
+def test_keys_scroll_in_the_panel(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.tab.focus("summary")
+    start = shown.position
+    shown.press("PageDown", "ArrowDown", "End")
+    assert shown.position == start
+    shown.press("u")
+    assert shown.position != start
