@@ -1,0 +1,25 @@
+"""The corpus: pairs with exact answers, against which any implementation can be held."""
+
+from exactsweep.corpus.case import Case, CaseError
+from exactsweep.corpus.case_json import case_from_json, case_to_json
+from exactsweep.corpus.find import find_case
+from exactsweep.corpus.generator import FAMILIES, Family, generate
+from exactsweep.corpus.names import UnknownNameError
+from exactsweep.corpus.notes import Note, notes
+from exactsweep.corpus.shipped import cases, themes
+
+__all__ = [
+    "FAMILIES",
+    "Case",
+    "CaseError",
+    "Family",
+    "Note",
+    "UnknownNameError",
+    "case_from_json",
+    "case_to_json",
+    "cases",
+    "find_case",
+    "generate",
+    "notes",
+    "themes",
+]

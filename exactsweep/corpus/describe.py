@@ -1,0 +1,85 @@
+"""Cases, flags and families in words."""
+
+from collections.abc import Iterator, Sequence
+from textwrap import fill
+
+from exactsweep.corpus.case import Case
+from exactsweep.corpus.find import find_case
+from exactsweep.corpus.generator import FAMILIES
+from exactsweep.corpus.names import known
+from exactsweep.corpus.notes import notes
+from exactsweep.corpus.representable import NUMBER_TYPES
+from exactsweep.corpus.shipped import case_ids
+from exactsweep.number import format_fraction
+from exactsweep.polygon import Point
+from exactsweep.words import CLASSES
+
+_WIDTH = 100
+
+
+def describe(name: str) -> str:
+    """Describe what has this name: a case, a flag or a family of the generator.
+
+    Args:
+        name: the id of a shipped or generated case, a flag, or a family.
+
+    Returns:
+        Lines of text.
+
+    Raises:
+        UnknownNameError: nothing has this name; the message suggests one that is similar.
+
+    Example:
+        >>> print(describe("huge"), end="")
+        huge, a flag
+        Some coordinate is beyond 2^53.
+        Catches: Integers that pass through a double, and overflow.
+    """
+    found = []
+    if name in notes():
+        found.append(f"{name}, a flag\n{_note(name, '')}")
+    if name in FAMILIES:
+        family = FAMILIES[name]
+        found.append(f"{name}, a family of the generator, {family.level}\n{family.description}\n")
+    if found:
+        return "\n".join(found)
+    if not name.startswith("gen-"):
+        known(name, [*case_ids(), *notes(), *FAMILIES], "case, flag or family")
+    return "".join(_case(find_case(name)))
+
+
+def _case(case: Case) -> Iterator[str]:
+    yield f"{case.id}: {case.title}\n\n"
+    yield f"class          {CLASSES[case.kind]}\n"
+    yield f"integer scale  {case.integer_scale}\n"
+    yield f"input fits     {_types(case.representable)}\n"
+    yield f"answer fits    {_types(case.answer_representable)}\n\n"
+    yield _points("directrix", case.directrix_ring)
+    yield _points("generatrix", case.generatrix_ring)
+    yield _points("reference", [case.reference])
+    yield "\n"
+    yield _points("trajectory", case.trajectory.vertices)
+    yield _points("inner loop", case.inner.vertices)
+    yield _points("outer loop", case.outer.vertices)
+    for fit in case.exact_fits:
+        yield _points("exact fit", fit)
+    yield f"swept area  {format_fraction(case.area)}\n"
+    for flag in case.flags:
+        yield f"\n{flag}\n{_note(flag, '  ')}"
+
+
+def _note(flag: str, indent: str) -> str:
+    note = notes()[flag]
+    lines = note.meaning, f"Catches: {note.catches}"
+    return "".join(
+        fill(line, _WIDTH, initial_indent=indent, subsequent_indent=indent) + "\n" for line in lines
+    )
+
+
+def _types(held: frozenset[str]) -> str:
+    return ", ".join(name for name in NUMBER_TYPES if name in held) or "none of these types"
+
+
+def _points(name: str, points: Sequence[Point]) -> str:
+    text = " ".join(f"({','.join(map(format_fraction, point))})" for point in points)
+    return f"{name:10}  {text}\n"

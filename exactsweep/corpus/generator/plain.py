@@ -1,0 +1,148 @@
+"""Families without malice, and families where features coincide."""
+
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.corpus.generator.shapes import (
+    Grid,
+    Pair,
+    Ring,
+    between,
+    columns,
+    convex,
+    monotone,
+    rectilinear,
+    turned,
+    walk,
+)
+
+Rings = tuple[Ring, Ring]
+
+TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
+# Rows of invertible integer matrices, one of them turning the plane over.
+MATRICES = [
+    ((0, -1), (1, 0)),
+    ((1, 1), (0, 1)),
+    ((1, 0), (1, 1)),
+    ((3, -4), (4, 3)),
+    ((2, 1), (1, 1)),
+    ((1, 2), (3, -1)),
+    ((7, 1000), (1, 143)),
+]
+
+
+def convex_pair(random: Prng) -> Rings:
+    """Two convex polygons with corners on a grid of 100."""
+    return convex(random, 12, 100), convex(random, 12, 100)
+
+
+def notched_pair(random: Prng) -> Rings:
+    """A convex polygon around a monotone one, on a grid of 20."""
+    grid = Grid(cells=(2, 7), widths=(3, 5, 8), height=20, walls=1)
+    return convex(random, 8, random.choice([6, 12])), monotone(random, grid)
+
+
+def monotone_pair(random: Prng) -> Rings:
+    """Two monotone polygons, on a grid of 20."""
+    grid = Grid(cells=(2, 6), widths=(3, 5, 8), height=20, walls=1)
+    return monotone(random, grid), monotone(random, grid)
+
+
+def grid_pair(random: Prng) -> Rings:
+    """Two polygons on a grid of 3, where edges are parallel, collinear and equal more than not."""
+    directrix = _on_grid(random)
+    chosen = random.between(0, 7)
+    if chosen == 0:
+        return directrix, directrix
+    if chosen == 1:
+        return turned(directrix), directrix
+    return _on_grid(random), directrix
+
+
+def rectilinear_pair(random: Prng) -> Rings:
+    """Two polygons of horizontal and vertical edges, with slots and teeth of few widths."""
+    widths = random.choice([(1,), (1, 2), (2, 3)])
+    generatrix = rectilinear(random, (1, 4), widths, 2)
+    return generatrix, rectilinear(random, (2, 7), widths, 3)
+
+
+def fitting_pair(random: Prng) -> Rings:
+    """A block with slots as wide as G, or as parts of it, and as deep, or deeper, or less deep."""
+    widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
+    heights = [random.between(1, 4) for _ in widths]
+    generatrix = columns(widths, heights)
+    generatrix = [(0, -1), (sum(widths), -1), *reversed(generatrix)]
+    slot = [(w, h + random.between(-1, 1)) for w, h in zip(widths, heights, strict=True)]
+    cells: list[Pair] = []
+    for _ in range(random.between(1, 2)):
+        cells += [(random.between(1, 2), 0), *slot]
+    cells.append((random.between(1, 2), 0))
+    bottom = columns([w for w, _ in cells], [h for _, h in cells])
+    lid = max(h for _, h in cells) + 1
+    rings = generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]
+    return rings if random.chance(1, 2) else (turned(rings[0]), turned(rings[1]))
+
+
+def equal_slopes_pair(random: Prng) -> Rings:
+    """Teeth of two slopes, up and down, in both: parallel edges everywhere."""
+    depth = random.choice([1, 3, 1000])
+    steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 2 * depth), (2, 0)]
+
+    def teeth() -> Ring:
+        bottom, top = (
+            walk([random.choice(steps) for _ in range(random.between(2, 8))]) for _ in "bt"
+        )
+        return between(random, bottom, top)
+
+    return teeth(), teeth()
+
+
+def tangent_pair(random: Prng) -> Rings:
+    """D's bottom is moulded over G's top in several places: G touches it in many points at once."""
+    width = random.between(2, 6)
+    top = [random.between(0, 4) for _ in range(width + 1)]
+    places = [(random.between(0, 5), random.between(-1, 1)) for _ in range(random.between(2, 4))]
+    length = max(x for x, _ in places) + width
+    # Between two integers the mould is straight, and G below it: a maximum is convex there.
+    mould = []
+    for x in range(length + 1):
+        under = [top[x - at] + rise for at, rise in places if 0 <= x - at <= width]
+        mould.append((x, max(under) if under else random.between(-2, 2)))
+    floor, lid = min(top) - 1, max(y for _, y in mould) + 1
+    generatrix = [(0, floor), (width, floor), *((x, top[x]) for x in range(width, -1, -1))]
+    return generatrix, [*mould, (length, lid), (0, lid)]
+
+
+def turned_pair(random: Prng) -> Rings:
+    """A pair of the family "grid", "monotone" or "fits", mapped by an integer matrix.
+
+    As a rule it is then no longer monotone to the x-axis.
+    """
+    rings = random.choice([grid_pair, monotone_pair, fitting_pair])(random)
+    (a, b), (c, d) = random.choice(MATRICES)
+    generatrix, directrix = ([(a * x + b * y, c * x + d * y) for x, y in ring] for ring in rings)
+    return generatrix, directrix
+
+
+def respelled_pair(random: Prng) -> Rings:
+    """A pair of the family "grid", doubled, with collinear and repeated vertices, either way round.
+
+    Any vertex may be the first.
+    """
+    generatrix, directrix = (_respelled(random, ring) for ring in grid_pair(random))
+    return generatrix, directrix
+
+
+def _on_grid(random: Prng) -> Ring:
+    if random.chance(1, 3):
+        return convex(random, 8, random.choice([1, 2, 3]))
+    return monotone(random, TINY_GRID)
+
+
+def _respelled(random: Prng, ring: Ring) -> Ring:
+    first = random.between(0, len(ring) - 1)
+    ring = [(2 * x, 2 * y) for x, y in ring[first:] + ring[:first]]
+    spelled: Ring = []
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1], strict=True):
+        spelled += [(ax, ay)] * random.choice([1, 1, 2])
+        if random.chance(2, 5):
+            spelled.append(((ax + bx) // 2, (ay + by) // 2))
+    return spelled[::-1] if random.chance(1, 2) else spelled

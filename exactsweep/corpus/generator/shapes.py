@@ -1,0 +1,121 @@
+"""Rings drawn at random on integer coordinates: convex, or monotone to the x-axis at least weakly.
+
+All are counter-clockwise as they are built, simple by construction, and not closed.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from exactsweep.corpus.generator.prng import Prng
+
+Pair = tuple[int, int]
+Ring = list[Pair]
+
+
+class Grid(NamedTuple):
+    """How a monotone ring is drawn: number of cells, their widths, heights, and walls.
+
+    Attributes:
+        cells: the least and the greatest number of cells of each chain.
+        widths: the widths that a cell may have.
+        height: vertices of each chain lie on heights from 0 to this one.
+        walls: how many times in eight there is a vertical edge between cells.
+        pointed: how many times in eight an end is a point and not a vertical edge.
+    """
+
+    cells: Pair
+    widths: Sequence[int]
+    height: int
+    walls: int = 0
+    pointed: int = 3
+
+
+def hull(points: Iterable[Pair]) -> Ring:
+    """The convex hull, corners only (Andrew's monotone chain)."""
+    ordered = sorted(set(points))
+    found: Ring = []
+    for run in ordered, ordered[::-1]:
+        half: Ring = []
+        for x, y in run:
+            while len(half) > 1:
+                (ax, ay), (bx, by) = half[-2:]
+                if (bx - ax) * (y - by) - (by - ay) * (x - bx) > 0:
+                    break
+                half.pop()
+            half.append((x, y))
+        found += half[:-1]
+    return found
+
+
+def convex(random: Prng, most: int, side: int) -> Ring:
+    """The hull of some random points, at most so many, of a square grid."""
+    points = [
+        (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
+    ]
+    found = hull(points)
+    return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
+
+
+def walk(steps: Iterable[Pair]) -> Ring:
+    """The points that steps lead to, from the origin on."""
+    chain: Ring = [(0, 0)]
+    for dx, dy in steps:
+        x, y = chain[-1]
+        chain.append((x + dx, y + dy))
+    return chain
+
+
+def monotone(random: Prng, grid: Grid) -> Ring:
+    """A bottom and a top chain with breakpoints of their own."""
+    bottom, top = _chain(random, grid), _chain(random, grid)
+    return between(random, bottom, top, grid.pointed)
+
+
+def _chain(random: Prng, grid: Grid) -> Ring:
+    widths = [random.choice(grid.widths) for _ in range(random.between(*grid.cells))]
+    xs = [x for x, _ in walk((width, 0) for width in widths)]
+    chain = [(0, random.between(0, grid.height))]
+    for x in xs[1:]:
+        chain.append((x, random.between(0, grid.height)))
+        if x != xs[-1] and random.chance(grid.walls, 8):
+            chain.append((x, random.between(0, grid.height)))
+    return chain
+
+
+def rectilinear(random: Prng, cells: Pair, widths: Sequence[int], height: int) -> Ring:
+    """Horizontal and vertical edges only."""
+
+    def chain() -> Ring:
+        widths_drawn = [random.choice(widths) for _ in range(random.between(*cells))]
+        return columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
+
+    bottom, top = chain(), chain()
+    return between(random, bottom, top, pointed=0)
+
+
+def columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
+    """The upper side of columns, from left to right, from x = 0 on."""
+    xs = [x for x, _ in walk((width, 0) for width in widths)]
+    return [(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]]
+
+
+def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
+    """The ring between two chains that run from x = 0 to the right, the top one lifted clear."""
+    last = max(bottom[-1][0], top[-1][0])
+    bottom, top = (
+        chain if chain[-1][0] == last else [*chain, (last, chain[0][1])] for chain in (bottom, top)
+    )
+    lift = max(y for _, y in bottom) - min(y for _, y in top) + random.between(1, 3)
+    unit = max(1, last // 8)
+    tips: list[Ring] = []
+    for x, low, high in (last + unit, bottom[-1], top[-1]), (-unit, bottom[0], top[0]):
+        # Above and below the chains' ends as well as between them.
+        y = random.between(low[1] - 1, high[1] + lift + 1)
+        tips.append([(x, y)] if random.chance(pointed, 8) else [])
+    right, left = tips
+    return [*bottom, *right, *((x, y + lift) for x, y in reversed(top)), *left]
+
+
+def turned(ring: Ring) -> Ring:
+    """The ring turned by half a turn."""
+    return [(-x, -y) for x, y in ring]

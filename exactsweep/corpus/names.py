@@ -1,0 +1,33 @@
+"""Names that users write, and what they may have meant."""
+
+from collections.abc import Collection
+from difflib import get_close_matches
+
+from exactsweep.number import quoted
+
+
+class UnknownNameError(ValueError):
+    """A name that there is not; the message suggests one that there is."""
+
+
+def known(name: str, names: Collection[str], thing: str) -> str:
+    """Return a name if it is one of those there are.
+
+    Raises:
+        UnknownNameError: it is not.
+
+    Example:
+        >>> known("exact-fits", ["exact-fit", "undercut"], "flag")
+        Traceback (most recent call last):
+        exactsweep.corpus.names.UnknownNameError: no flag 'exact-fits'; did you mean 'exact-fit'?
+    """
+    if name in names:
+        return name
+    near = get_close_matches(name, names, n=1, cutoff=0.5)
+    hint = f"did you mean {quoted(near[0])}?" if near else _some(names)
+    raise UnknownNameError(f"no {thing} {quoted(name)}; {hint}")
+
+
+def _some(names: Collection[str]) -> str:
+    shown = sorted(names)
+    return f"there are {', '.join(shown[:8])}{', ...' if len(shown) > 8 else ''}"

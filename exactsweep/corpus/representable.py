@@ -1,0 +1,59 @@
+"""Which number types hold given numbers without rounding."""
+
+from collections.abc import Collection
+from fractions import Fraction
+
+INTEGER_BITS = {"int32": 32, "int64": 64}
+NUMBER_TYPES = (*INTEGER_BITS, "binary64")
+
+
+def types_holding(values: Collection[Fraction], scale: int) -> frozenset[str]:
+    """Name the number types that hold numbers exactly.
+
+    Args:
+        values: the numbers.
+        scale: a positive int by which they are multiplied for the integer types.
+
+    Returns:
+        "int32" and "int64" (two's complement) if the type holds each number times the scale;
+        "binary64" if that type holds each number as it is, subnormal ones included.
+
+    Cost: linear.
+
+    Example:
+        >>> sorted(types_holding([Fraction(1, 3)], 3)), sorted(types_holding([Fraction(1, 3)], 2))
+        (['int32', 'int64'], [])
+        >>> sorted(types_holding([Fraction(2**31)], 1))
+        ['binary64', 'int64']
+    """
+    held = set()
+    if all(scale % value.denominator == 0 for value in values):
+        scaled = [value.numerator * (scale // value.denominator) for value in values]
+        low, high = min(scaled, default=0), max(scaled, default=0)
+        held = {
+            name
+            for name, bits in INTEGER_BITS.items()
+            if in_range(low, bits) and in_range(high, bits)
+        }
+    if all(map(_is_binary64, values)):
+        held.add("binary64")
+    return frozenset(held)
+
+
+def in_range(value: Fraction | int, bits: int) -> bool:
+    """Whether a number lies between the least and the greatest integer of so many bits.
+
+    >>> in_range(-(2**31), 32), in_range(2**31 - 1, 32), in_range(2**31, 32)
+    (True, True, False)
+    """
+    return -(1 << bits - 1) <= value <= (1 << bits - 1) - 1
+
+
+def _is_binary64(value: Fraction) -> bool:
+    if value.denominator == 1 and abs(value.numerator) <= 2**53:
+        return True
+    # Division of ints rounds correctly; what comes back unchanged was not rounded.
+    try:
+        return Fraction(value.numerator / value.denominator) == value
+    except OverflowError:
+        return False

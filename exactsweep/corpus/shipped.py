@@ -1,0 +1,142 @@
+"""The cases that come with the package, a file a theme, read when they are asked for."""
+
+import json
+from collections.abc import Iterable, Iterator
+from functools import cache
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from exactsweep.corpus.case import KINDS, Case
+from exactsweep.corpus.case_json import case_from_json
+from exactsweep.corpus.names import known
+from exactsweep.corpus.notes import notes
+
+
+def themes() -> dict[str, str]:
+    """Return the themes, in order, each with its title.
+
+    Every case's id starts with the name of its theme and a hyphen.
+
+    Example:
+        >>> themes()["fits"]
+        'Slots that the generatrix fits exactly, and nearly'
+    """
+    return {name: _theme(name)["title"] for name in _names()}
+
+
+def cases(
+    *,
+    prefix: str = "",
+    flags: Iterable[str] = (),
+    kind: str | None = None,
+    max_size: int | None = None,
+) -> Iterator[Case]:
+    """Yield the shipped cases, in the order of themes, reading them one by one.
+
+    Args:
+        prefix: how the id starts; the name of a theme and a hyphen give that theme.
+        flags: flags that the case must all have.
+        kind: "CC", "CM" or "MM".
+        max_size: the most vertices of D and G together.
+
+    Returns:
+        An iterator of Case.
+
+    Raises:
+        UnknownNameError: no such flag or class.
+
+    Cost: linear in the size of the themes that are read.
+
+    Example:
+        >>> [case.kind for case in cases(prefix="figures-10-")][0]
+        'MM'
+    """
+    return map(case_from_json, _matching(prefix, flags, kind, max_size))
+
+
+class Summary(NamedTuple):
+    """A case in a line: its id, class, number of vertices of D and G together, and title."""
+
+    id: str
+    kind: str
+    size: int
+    title: str
+
+
+def summaries(
+    *,
+    prefix: str = "",
+    flags: Iterable[str] = (),
+    kind: str | None = None,
+    max_size: int | None = None,
+) -> Iterator[Summary]:
+    """Yield what a list of the cases needs, without reading the polygons; else as `cases`.
+
+    Example:
+        >>> next(summaries(prefix="fits-")).title
+        'A square into a slot as wide'
+    """
+    for data in _matching(prefix, flags, kind, max_size):
+        yield Summary(data["id"], data["class"], _size(data), data["title"])
+
+
+def _matching(
+    prefix: str, flags: Iterable[str], kind: str | None, max_size: int | None
+) -> Iterator[dict[str, Any]]:
+    wanted = {known(flag, notes(), "flag") for flag in flags}
+    if kind is not None:
+        known(kind, KINDS, "class")
+    return (
+        data
+        for data in _entries(prefix)
+        if wanted <= set(data["flags"])
+        and kind in (None, data["class"])
+        and (max_size is None or _size(data) <= max_size)
+    )
+
+
+def _size(data: dict[str, Any]) -> int:
+    return len(data["directrix"]) + len(data["generatrix"])
+
+
+def shipped_case(id: str) -> Case:
+    """Return the shipped case of this id.
+
+    Raises:
+        UnknownNameError: there is none.
+
+    Example:
+        >>> shipped_case("figures-10-2-4-6").title
+        'Figure 10: one tooth, two peaks and a tip of four flat edges'
+    """
+    known(id, case_ids(), "case")
+    return case_from_json(next(data for data in _entries(id) if data["id"] == id))
+
+
+def case_ids() -> list[str]:
+    """Return the ids of the shipped cases, in their order."""
+    return [data["id"] for data in _entries("")]
+
+
+def schema_text() -> str:
+    """Return the JSON Schema (2020-12) of a case; its "theme" in "$defs" is that of a file."""
+    return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
+
+
+def _entries(prefix: str) -> Iterator[dict[str, Any]]:
+    for name in _names():
+        start = f"{name}-"
+        if start.startswith(prefix) or prefix.startswith(start):
+            yield from (data for data in _theme(name)["cases"] if data["id"].startswith(prefix))
+
+
+@cache
+def _names() -> tuple[str, ...]:
+    listed = (file.name for file in files("exactsweep.corpus").joinpath("data").iterdir())
+    return tuple(sorted(name.removesuffix(".json") for name in listed if name.endswith(".json")))
+
+
+@cache
+def _theme(name: str) -> Any:
+    text = files("exactsweep.corpus").joinpath("data", f"{name}.json").read_text(encoding="utf-8")
+    return json.loads(text)

@@ -1,0 +1,207 @@
+"""The generator: the same cases everywhere, and the families what they say."""
+
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from itertools import islice
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from exactsweep.check import verify
+from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, notes
+from exactsweep.corpus.export import case_to_line
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.sweep import sweep
+
+each_family = pytest.mark.parametrize("family", FAMILIES)
+EACH = 12
+
+# The inputs of the first three cases of seed 7: they must never change.
+GOLDEN = {
+    "convex": "610cd2e2e9f3",
+    "notched": "2062e327d4e4",
+    "monotone": "91d073a7735f",
+    "grid": "33e71d9396ed",
+    "rectilinear": "5a750a2502f6",
+    "fits": "59b34c7da08b",
+    "equal-slopes": "c8f25d3a29dd",
+    "tangent": "0909c8a562ea",
+    "turned": "c9a45237a5f2",
+    "respelled": "07fedff165cd",
+    "rounded-crossings": "d24caae895cd",
+    "far": "a9c33dba465b",
+    "fractions": "8195b0843842",
+    "slivers": "4375b1a2e585",
+    "near-parallel": "a45be0f10598",
+    "near-fits": "bea9fcc0b143",
+    "perturbed": "295929877b82",
+    "int32-edge": "cc2ce7e7cd0d",
+    "int64-edge": "c2427ed802e3",
+    "binary64-edge": "ade2a6d96c37",
+    "unequal": "2f32265ff92c",
+    "lower-bound": "e8ec46fce293",
+    "long": "8344c846cad8",
+}
+
+
+@cache
+def drawn(family: str) -> list[Case]:
+    return list(generate(family, 11, EACH))
+
+
+def digest(family: str) -> str:
+    parts = "id", "directrix", "generatrix", "reference"
+    found = [[case_to_json(case)[part] for part in parts] for case in generate(family, 7, 3)]
+    return sha256(repr(found).encode()).hexdigest()[:12]
+
+
+@each_family
+def test_cases_are_the_same_on_every_machine(family: str) -> None:
+    assert digest(family) == GOLDEN[family]
+
+
+def test_a_case_is_written_the_same_on_every_machine() -> None:
+    assert case_to_line(find_case("gen-convex-7-0")) == (
+        '{"id":"gen-convex-7-0","title":"Family convex, seed 7, number 0","class":"CC",'
+        '"flags":["generated"],'
+        '"directrix":[["5","28"],["6","16"],["92","73"],["91","96"]],'
+        '"generatrix":[["31","31"],["96","55"],["87","95"]],"reference":["0","0"],'
+        '"representable":["int32","int64","binary64"],"integer_scale":"1","expected":{'
+        '"trajectory":[["-91","-27"],["-90","-39"],["-81","-79"],["5","-22"],["61","42"],'
+        '["60","65"],["-5","41"]],'
+        '"inner":[["5","28"],["6","16"],["92","73"],["91","96"]],'
+        '"outer":[["-60","4"],["-59","-8"],["-50","-48"],["15","-24"],["101","33"],'
+        '["157","97"],["156","120"],["147","160"],["82","136"],["-4","68"]],'
+        '"exact_fits":[],"area":"18776",'
+        '"counts":{"trajectory":7,"inner":4,"outer":10,"exact_fits":0},'
+        '"representable":["int32","int64","binary64"]}}\n'
+    )
+
+
+def test_random_numbers_are_those_of_splitmix64() -> None:
+    random = Prng("")
+    random._state = 1234567
+    assert [random.bits64() for _ in range(5)] == [
+        6457827717110365317,
+        3203168211198807973,
+        9817491932198370423,
+        4593380528125082431,
+        16408922859458223821,
+    ]
+
+
+@given(st.text(), st.integers(-(2**70), 2**70), st.integers(0, 2**130))
+def test_random_numbers_are_between_their_bounds(seed: str, low: int, span: int) -> None:
+    random, again = Prng(seed), Prng(seed)
+    drawn = random.between(low, low + span)
+    assert low <= drawn <= low + span
+    assert drawn == again.between(low, low + span)
+    assert Prng(seed).between(low, low) == low
+
+
+def test_all_numbers_are_drawn_about_equally_often() -> None:
+    random = Prng("dice")
+    thrown = [random.between(1, 6) for _ in range(6000)]
+    assert all(900 < thrown.count(side) < 1100 for side in range(1, 7))
+    happened = sum(random.chance(1, 4) for _ in range(4000))
+    assert 900 < happened < 1100
+
+
+def test_nothing_lies_between_bounds_that_are_exchanged() -> None:
+    with pytest.raises(ValueError, match=r"^nothing is between 2 and 1$"):
+        Prng("").between(2, 1)
+
+
+@each_family
+def test_cases_are_proved(family: str) -> None:
+    for case in drawn(family)[:4]:
+        s = sweep(case.generatrix, case.directrix, reference=case.reference)
+        assert verify(s.certificate()).proved
+        assert (s.trajectory, s.inner, s.outer) == (case.trajectory, case.inner, case.outer)
+
+
+@each_family
+def test_cases_come_again_by_their_id(family: str) -> None:
+    for number, case in enumerate(generate(family, 5, 3)):
+        assert case.id == f"gen-{family}-5-{number}"
+        assert find_case(case.id) == case
+    assert list(generate(family, 5, 2)) == list(islice(generate(family, 5), 2))
+
+
+@each_family
+def test_flags_are_known(family: str) -> None:
+    for case in drawn(family):
+        assert "generated" in case.flags
+        assert set(case.flags) <= set(notes())
+
+
+def test_a_generated_case_depends_on_family_seed_and_number() -> None:
+    inputs = {
+        (case.directrix_ring, case.generatrix_ring)
+        for family in ("monotone", "fits")
+        for seed in (1, 2)
+        for case in generate(family, seed, 5)
+    }
+    assert len(inputs) == 20
+
+
+def has(*flags: str) -> Callable[[Case], bool]:
+    return lambda case: set(flags) <= set(case.flags)
+
+
+def holds(number_type: str) -> Callable[[Case], bool]:
+    return lambda case: number_type in case.representable
+
+
+@pytest.mark.parametrize(
+    ("family", "aim", "least"),
+    [
+        ("convex", lambda case: case.kind == "CC", EACH),
+        ("notched", lambda case: case.kind == "CM", EACH - 1),
+        ("monotone", lambda case: case.kind == "MM", EACH - 1),
+        ("grid", has("parallel-edges"), EACH - 1),
+        ("rectilinear", has("exact-fit"), 2),
+        ("fits", has("exact-fit"), EACH - 2),
+        ("equal-slopes", has("parallel-edges"), EACH),
+        ("turned", has("turned"), EACH // 2),
+        ("respelled", has("collinear-vertex"), EACH - 1),
+        ("respelled", has("repeated-vertex"), EACH - 1),
+        ("respelled", has("clockwise"), EACH // 4),
+        ("rounded-crossings", has("rounded-answer"), EACH - 1),
+        ("far", holds("binary64"), EACH),
+        ("fractions", has("fractional-input"), EACH),
+        ("slivers", has("sliver"), EACH),
+        ("near-parallel", has("near-parallel"), EACH - 1),
+        ("near-parallel", holds("binary64"), EACH),
+        ("near-fits", has("exact-fit"), 1),
+        ("near-fits", lambda case: "exact-fit" not in case.flags, 1),
+        ("near-fits", holds("binary64"), EACH),
+        ("perturbed", has("near-parallel"), 1),
+        ("perturbed", holds("binary64"), EACH),
+        ("int32-edge", has("overflow-int32", "product-overflow-int32"), EACH - 1),
+        ("int64-edge", has("overflow-int64", "product-overflow-int64"), EACH - 1),
+        ("binary64-edge", holds("binary64"), EACH),
+        ("binary64-edge", has("tiny"), 1),
+        ("binary64-edge", has("huge"), 1),
+        ("long", lambda case: case.size > 40, EACH),
+    ],
+)
+def test_families_aim_at_what_they_say(
+    family: str, aim: Callable[[Case], bool], least: int
+) -> None:
+    assert sum(map(aim, drawn(family))) >= least
+
+
+@pytest.mark.parametrize(
+    ("seed", "count", "message"),
+    [
+        (-1, 1, r"^the seed is -1, which is not from 0 to 10\*\*18 - 1$"),
+        (10**18, 1, "^the seed is 1000000000000000000, which is not"),
+        (1, -2, "^the count is negative: -2$"),
+    ],
+)
+def test_numbers_out_of_range_are_refused(seed: int, count: int, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        generate("grid", seed, count)
