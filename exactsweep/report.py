@@ -1,5 +1,6 @@
 """The text report of a sweep, for people to read."""
 
+from collections.abc import Iterable
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
@@ -53,6 +54,25 @@ def report(sweep: Sweep, terminal_width: int | None = None) -> str:
         inner loop  (0,0) (1,0) (0,1/3)
         outer loop  (-1,-1) (2,-1) (2,1) (1,4/3) (-1,4/3)
     """
+    loops = {
+        "trajectory": sweep.trajectory,
+        "inner loop": sweep.inner,
+        "outer loop": sweep.outer,
+    }
+    return laid_out([_facts(sweep), _sizes(sweep, loops), _loops(loops)], terminal_width)
+
+
+def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
+    """Write tables as text, an empty line between them.
+
+    Args:
+        tables: the tables.
+        terminal_width: columns of the terminal to be filled; None for plain text, whose lines are
+            as long as they need to be.
+
+    Returns:
+        Lines of text; for a terminal also its control sequences.
+    """
     text = StringIO()
     console = Console(
         file=text,
@@ -61,16 +81,10 @@ def report(sweep: Sweep, terminal_width: int | None = None) -> str:
         highlight=False,
         markup=False,
     )
-    loops = {
-        "trajectory": sweep.trajectory,
-        "inner loop": sweep.inner,
-        "outer loop": sweep.outer,
-    }
-    console.print(_facts(sweep))
-    console.print()
-    console.print(_sizes(sweep, loops))
-    console.print()
-    console.print(_loops(loops))
+    for k, table in enumerate(tables):
+        if k:
+            console.print()
+        console.print(table)
     # rich fills every row up with blanks.
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
 

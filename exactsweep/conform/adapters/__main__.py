@@ -1,0 +1,77 @@
+"""`python -m exactsweep.conform.adapters NAME`: a program, speaking the protocol of the runner."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+import click
+
+from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring
+from exactsweep.conform.adapters.names import NAMES, load
+from exactsweep.conform.protocol import read_object
+from exactsweep.number import format_fraction, quoted, to_fraction
+
+
+@click.command()
+@click.argument("name", required=False, type=click.Choice(NAMES))
+def main(name: str | None) -> None:
+    """Answer cases on standard input, one a line, by the program NAME.
+
+    The protocol is that of 'exactsweep conform'. Without a name, the programs are listed, and
+    which of them are installed.
+    """
+    if name is None:
+        for each in NAMES:
+            click.echo(f"{each:24}{_state(each)}")
+        return
+    try:
+        adapter = load(name)
+    except MissingError as error:
+        raise click.ClickException(str(error)) from None
+    print(json.dumps(adapter.hello.to_json()), flush=True)
+    for line in sys.stdin:
+        case = read_object(line)
+        if "bye" in case:
+            break
+        answer = {"id": case["id"], **_answer(adapter, case)}
+        print(json.dumps(answer, default=_plain), flush=True)
+
+
+def _state(name: str) -> str:
+    try:
+        return load(name).hello.name
+    except MissingError as error:
+        return str(error)
+
+
+def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
+    try:
+        d, g = (_ring(case[name], adapter.hello.numbers) for name in ("directrix", "generatrix"))
+        return adapter.answer(d, g, None)
+    except NotImplementedError as error:
+        return {"unsupported": str(error)}
+    except Exception as error:  # the program may fail in any way, and that is its answer
+        return {"error": f"{type(error).__name__}: {error}"}
+
+
+def _ring(pairs: list[list[str]], numbers: str) -> Ring:
+    return [(_number(x, numbers), _number(y, numbers)) for x, y in pairs]
+
+
+def _number(text: str, numbers: str) -> object:
+    if numbers == "rational":
+        return to_fraction(text)
+    try:
+        return float(text) if numbers == "binary64" else int(text)
+    except ValueError:
+        raise NotImplementedError(f"{quoted(text)} is no {numbers}") from None
+
+
+def _plain(value: object) -> str:
+    return format_fraction(to_fraction(value))
+
+
+if __name__ == "__main__":
+    main()

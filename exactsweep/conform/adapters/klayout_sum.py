@@ -1,0 +1,38 @@
+"""KLayout: the Minkowski sum of polygons of its database module.
+
+What it promises: coordinates are integers of 32 bits; vertices of the result are rounded to them.
+
+What it is asked: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
+makes the case integer.  Cases whose result, or its width or height, needs more than 32 bits are not
+asked.  Polygons are made raw, so that collinear vertices stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib.metadata import version
+
+from exactsweep.conform.adapters.adapter import Adapter, Ring, peer_hello, require_range
+
+MOST = 2**30 - 1
+
+
+def adapter(name: str) -> Adapter:
+    """Return the adapter.
+
+    Raises:
+        ImportError: it is not installed.
+    """
+    import klayout.db as db
+
+    def polygon(ring: Ring) -> object:
+        return db.Polygon([db.Point(x, y) for x, y in ring], True)
+
+    def rings(directrix: Ring, inverse: Ring) -> Sequence[Ring]:
+        require_range(directrix, inverse, MOST)
+        total = polygon(directrix).minkowski_sum(polygon(inverse), False)  # type: ignore[attr-defined]
+        holes = range(total.holes())
+        found = [total.each_point_hull(), *(total.each_point_hole(hole) for hole in holes)]
+        return [[(point.x, point.y) for point in ring] for ring in found]
+
+    return Adapter(peer_hello(f"KLayout {version('klayout')}", "int32"), rings)

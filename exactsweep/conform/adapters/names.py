@@ -1,0 +1,61 @@
+"""The adapters by name."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from exactsweep.conform.adapters.adapter import Adapter, MissingError
+from exactsweep.number import quoted
+
+CGAL_STRATEGIES = (
+    "reduced",
+    "full",
+    "bisectors",
+    "optimal",
+    "hertel-mehlhorn",
+    "greene",
+    "vertical",
+    "triangulation",
+)
+
+_MODULES = {
+    "shapely": "shapely_union",
+    "pyclipper": "pyclipper_sum",
+    "clipper2": "clipper2_sum",
+    "klayout": "klayout_sum",
+    "pysfcgal": "sfcgal_sum",
+    **{f"cgal-{strategy}": "cgal_sum" for strategy in CGAL_STRATEGIES},
+}
+
+NAMES = tuple(_MODULES)
+
+
+def load(name: str) -> Adapter:
+    """Return an adapter, with its program loaded.
+
+    Args:
+        name: one of NAMES.
+
+    Returns:
+        The Adapter; its `answer` and `hello` are what `CallablePeer` takes.
+
+    Raises:
+        MissingError: there is no such adapter, or its program is not installed.
+
+    Example:
+        >>> load("abacus")
+        Traceback (most recent call last):
+        exactsweep.conform.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
+pyclipper, clipper2, klayout, pysfcgal, cgal-reduced, cgal-full, cgal-bisectors, cgal-optimal, \
+cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation
+    """
+    if name not in _MODULES:
+        raise MissingError(f"no adapter {quoted(name)}; there are {', '.join(NAMES)}")
+    module = import_module(f"exactsweep.conform.adapters.{_MODULES[name]}")
+    try:
+        adapter: Adapter = module.adapter(name)
+    except ImportError as error:
+        raise MissingError(
+            f"{name} is not installed ({error}): pip install 'exactsweep[peers]'"
+        ) from None
+    return adapter

@@ -1,0 +1,1 @@
+"""Small programs that speak the protocol of `exactsweep conform`, to begin with."""

@@ -1,0 +1,70 @@
+"""An implementation that is a function in this process."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from exactsweep.conform.asked import as_numbers
+from exactsweep.conform.peer import SECONDS, Answer, answered, cut
+from exactsweep.conform.protocol import Hello
+from exactsweep.conform.verdict import Verdict
+from exactsweep.corpus import Case
+from exactsweep.polygon import Point
+
+Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
+
+
+class CallablePeer:
+    """A function in this process.
+
+    It cannot be stopped: an answer that comes too late gets the verdict timeout when it comes.
+
+    Args:
+        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
+            integer numbers of the hello, float for "binary64", else Fraction. It returns what an
+            answer of the protocol holds, without the id; coordinates may be any numbers that
+            `to_fraction` reads. What it raises is a crash, and NotImplementedError is unsupported.
+        hello: what it can do.
+        seconds: that an answer may take.
+    """
+
+    def __init__(
+        self,
+        function: Function,
+        hello: Hello,
+        seconds: float = SECONDS,
+    ) -> None:
+        self._function, self._seconds = function, seconds
+        self.hello = hello
+
+    def ask(self, case: Case) -> Answer:
+        """Call the function on a case."""
+        arguments = self._points(case.directrix_ring), self._points(case.generatrix_ring)
+        (reference,) = self._points([case.reference])
+        began = time.monotonic()
+        try:
+            result = self._function(*arguments, reference)
+        except NotImplementedError as error:
+            return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
+        except Exception as error:  # it may fail in any way, and that is its answer
+            reason = cut(f"{type(error).__name__}: {error}")
+            seconds = time.monotonic() - began
+            return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds)
+        seconds = time.monotonic() - began
+        if seconds > self._seconds:
+            reason = f"no answer within {self._seconds:g} s"
+            return Answer(verdict=Verdict.TIMEOUT, reason=reason, seconds=seconds)
+        if not isinstance(result, Mapping):
+            reason = f"returns {type(result).__name__}, not a mapping"
+            return Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=seconds)
+        return answered({**result, "id": case.id})._replace(seconds=seconds)
+
+    def close(self) -> str | None:
+        """Do nothing."""
+        return None
+
+    def _points(self, points: Sequence[Point]) -> list[Any]:
+        numbers = self.hello.numbers
+        return [(as_numbers(x, numbers), as_numbers(y, numbers)) for x, y in points]

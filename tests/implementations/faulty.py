@@ -1,0 +1,200 @@
+"""A correct implementation with one fault: `python faulty.py FAULT`, or `--list` for the faults.
+
+The faults are those that real implementations have, in their geometry and as processes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+from correct import answer, hello, written
+
+Case = dict[str, Any]
+Result = dict[str, Any]
+Loop = list[tuple[Any, Any]]
+
+SLOW = 30.0
+
+
+def on(name: str, change: Callable[[Loop], Any]) -> Callable[[Result, Case], Result]:
+    """A fault of one loop."""
+    return lambda result, case: {**result, name: change(list(result[name]))}
+
+
+def on_trajectory(change: Callable[[Loop], Any]) -> Callable[[Result, Case], Result]:
+    return on("trajectory", change)
+
+
+def notch(loop: Loop) -> int:
+    """The place of the first reflex vertex, the end of a slide into a notch."""
+    for k, (x, y) in enumerate(loop):
+        (px, py), (qx, qy) = loop[k - 1], loop[(k + 1) % len(loop)]
+        if (x - px) * (qy - y) < (y - py) * (qx - x):
+            return k
+    raise ValueError("convex")
+
+
+def moved(loop: Loop, k: int, dx: object, dy: object) -> Loop:
+    """One vertex moved."""
+    x, y = loop[k]
+    return [*loop[:k], (x + Fraction(str(dx)), y + Fraction(str(dy))), *loop[k + 1 :]]
+
+
+def without_reference(result: Result, case: Case) -> Result:
+    x, y = map(Fraction, case["reference"])
+    return on_trajectory(lambda loop: [(a - x, b - y) for a, b in loop])(result, case)
+
+
+def with_sliver(loop: Loop) -> Loop:
+    """A needle along the last edge, up from the first vertex."""
+    (x, y), rest = loop[0], loop[1:]
+    needle = [(x - 1, y + Fraction(1, 10**6)), (x, y + Fraction(2, 10**6))]
+    return [(x, y), *rest, *needle]
+
+
+def hull(loop: Loop) -> Loop:
+    k = notch(loop)
+    return loop[:k] + loop[k + 1 :]
+
+
+def doubled(loop: Loop) -> Loop:
+    return [vertex for vertex in loop for _ in range(2)]
+
+
+def halved(loop: Loop) -> Loop:
+    """A vertex more in the middle of each edge."""
+    pairs = zip(loop, [*loop[1:], loop[0]], strict=True)
+    return [v for p, q in pairs for v in (p, ((p[0] + q[0]) / 2, (p[1] + q[1]) / 2))]
+
+
+def crossed(loop: Loop) -> Loop:
+    return [loop[1], loop[0], *loop[2:]]
+
+
+def each(change: Callable[[Any], Any]) -> Callable[[Loop], Loop]:
+    return lambda loop: [(change(x), change(y)) for x, y in loop]
+
+
+def everywhere(change: Callable[[Loop], Loop]) -> Callable[[Result, Case], Result]:
+    return lambda result, case: {
+        **result,
+        **{name: change(list(result[name])) for name in ("trajectory", "inner", "outer")},
+    }
+
+
+def invented_fit(result: Result, case: Case) -> Result:
+    inside = tuple(map(Fraction, case["directrix"][0]))
+    xs, ys = zip(*(map(Fraction, p) for p in case["directrix"]), strict=True)
+    centre = (sum(xs) / len(xs), sum(ys) / len(ys))
+    return {**result, "exact_fits": [*result["exact_fits"], [inside, centre]]}
+
+
+GEOMETRY: dict[str, Callable[[Result, Case], Result]] = {
+    "sign": on_trajectory(each(lambda c: -c)),
+    "swapped-axes": on_trajectory(lambda loop: [(y, x) for x, y in loop]),
+    "reference": without_reference,
+    "shifted": on_trajectory(lambda loop: [(x + 1, y) for x, y in loop]),
+    "no-generatrix": lambda result, case: {**result, "trajectory": case["directrix"]},
+    "vertex-outward": on_trajectory(lambda loop: moved(loop, 0, "-1/3", "-1/3")),
+    "vertex-inward": on_trajectory(lambda loop: moved(loop, 0, "1/3", "1/3")),
+    "wrong-side": on_trajectory(lambda loop: moved(loop, notch(loop), 0, "-1/10")),
+    "crossing-cut": on_trajectory(lambda loop: moved(loop, notch(loop), 0, "1/10")),
+    "hull": on_trajectory(hull),
+    "sliver": on_trajectory(with_sliver),
+    "fit-dropped": lambda result, case: {**result, "exact_fits": []},
+    "fit-invented": invented_fit,
+    "undercut-open": lambda result, case: {**result, "inner": case["directrix"]},
+    "outer-hull": on("outer", hull),
+    "to-integers": everywhere(each(round)),
+    "to-floats": everywhere(each(float)),
+    "to-one-digit": everywhere(each(lambda c: float(f"{float(c):.1g}"))),
+    "reversed": everywhere(lambda loop: loop[::-1]),
+    "another-start": everywhere(lambda loop: loop[1:] + loop[:1]),
+    "closed": everywhere(lambda loop: [*loop, loop[0]]),
+    "duplicate-vertices": everywhere(doubled),
+    "collinear-vertices": everywhere(halved),
+    "spike": on_trajectory(lambda loop: [*loop, loop[0], (loop[0][0] - 1, loop[0][1] - 1)]),
+    "self-crossing": on_trajectory(crossed),
+    "two-vertices": on_trajectory(lambda loop: loop[:2]),
+    "empty": on_trajectory(lambda loop: []),
+    "lost-loop": lambda result, case: {k: v for k, v in result.items() if k != "inner"},
+    "nan": on_trajectory(lambda loop: [(float("nan"), 0), *loop[1:]]),
+    "infinite": on_trajectory(lambda loop: [(float("inf"), 0), *loop[1:]]),
+    "three-coordinates": on_trajectory(lambda loop: [(*p, 0) for p in loop]),
+    "text": on_trajectory(lambda loop: "POLYGON ((0 0, 1 0, 0 1, 0 0))"),
+    "wrong-id": lambda result, case: {**result, "id": "another"},
+    "no-id": lambda result, case: {k: v for k, v in result.items() if k != "id"},
+    "error": lambda result, case: {"id": case["id"], "error": "division by zero"},
+    "unsupported": lambda result, case: {"id": case["id"], "unsupported": "too hard"},
+}
+
+
+def crash(line: str) -> None:
+    print("about to fail", file=sys.stderr, flush=True)
+    sys.exit(3)
+
+
+def segfault(line: str) -> None:
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def slow(line: str) -> None:
+    time.sleep(SLOW)
+    print(line, flush=True)
+
+
+def huge(line: str) -> None:
+    while True:
+        print('"trajectory": [' * 1000, end="")
+
+
+def half(line: str) -> None:
+    print(line[: len(line) // 2], end="", flush=True)
+    sys.exit(0)
+
+
+# A process that is done with an answer: what is written, and what happens then.
+PROCESS: dict[str, Callable[[str], object]] = {
+    "slow": slow,
+    "silent": lambda line: None,
+    "crash": crash,
+    "segfault": segfault,
+    "half-an-answer": half,
+    "garbage": lambda line: print("Segmentation fault (core dumped)", flush=True),
+    "debug-print": lambda line: print(f"computing ...\n{line}", flush=True),
+    "binary": lambda line: sys.stdout.buffer.write(b"\x00\xff\xfe\n") and sys.stdout.flush(),
+    "list": lambda line: print(f"[{line}]", flush=True),
+    "huge": huge,
+    "twice": lambda line: print(f"{line}\n{line}", flush=True),
+}
+
+
+def faulty(fault: str, case: Case) -> None:
+    result = answer(case)
+    if fault in GEOMETRY:
+        print(written(GEOMETRY[fault](result, case)), flush=True)
+    else:
+        PROCESS[fault](written(result))
+
+
+def main(fault: str) -> None:
+    if fault == "--list":
+        print(*GEOMETRY, *PROCESS)
+        return
+    print(written(hello(hello=f"faulty: {fault}")), flush=True)
+    for line in sys.stdin:
+        case = json.loads(line)
+        if "bye" in case:
+            break
+        faulty(fault, case)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
