@@ -7,7 +7,9 @@ generatrix along the two sides of the first trajectory (Lemma 5.3).
 Errata.  Lemma 5.3: along the inner side, I(G) must stay inside T, so that its x-range stays within
 T's; the boundary lives on D's x-range, and what Trajectory_MM adds at either end, where I(G) only
 partly overlaps, is cut off.  Lemma 5.2: the size is O(m n alpha(min(m, n))), alpha the inverse
-Ackermann function, since an envelope of segments can have more pieces than segments.
+Ackermann function, since an envelope of segments can have more pieces than segments.  Lemma 5.5:
+the inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
+every pair of a peak and a valley of G_t.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator, Sequence
 
 from exactsweep.ceiling import Boxes, Ceiling
-from exactsweep.chain import Vertex, complement, convex_parts, inverse
+from exactsweep.chain import Vertex, complement, convex_parts, corners, inverse
 from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
 from exactsweep.inside import Run, inside_runs
 from exactsweep.parts import ConvexPart, joined_parts
@@ -179,7 +181,7 @@ def inner_mm(
     parts = joined_parts(directrix)
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(gaps(trajectory, parts))]
     if not open_spans:
-        return list(directrix)
+        return corners(directrix)
     chains = convex_parts(inverse(generatrix_top))
     inside = inside_runs(trajectory)
     # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
