@@ -76,11 +76,11 @@ def peers(quick: bool, limit: float, cgal: Path | None) -> None:
 def report(folder: Path, redraw: bool, quick: bool, limit: float, cgal: Path | None) -> None:
     """Measure everything, and write Markdown and plots into a folder."""
     # matplotlib is needed for nothing else.
-    from benchmarks.report import load, save, write
+    from benchmarks.report import load, save_peers, save_scaling, write
 
     if not redraw:
-        measured = list(scaling_runs.measure_all(quick=quick))
-        save(folder, measured, measure_peers(quick, limit, cgal))
+        save_scaling(folder, list(scaling_runs.measure_all(quick=quick)))
+        save_peers(folder, measure_peers(quick, limit, cgal))
     click.echo(write(folder, *load(folder)))
 
 

@@ -16,16 +16,20 @@ from benchmarks.scaling import summary
 SCALING, PEERS = "scaling.json", "peers.json"
 
 
-def save(folder: Path, measured: Sequence[Series], found: Comparison) -> None:
-    """Keep what was measured, as JSON, so that the report can be written again."""
+def save_scaling(folder: Path, measured: Sequence[Series]) -> None:
+    """Keep the growth as JSON, so that the report can be written again."""
     folder.mkdir(parents=True, exist_ok=True)
     series = [asdict(one) for one in measured]
     (folder / SCALING).write_text(json.dumps(series, indent=1), encoding="utf-8")
+
+
+def save_peers(folder: Path, found: Comparison) -> None:
+    """Keep the comparison, likewise."""
     (folder / PEERS).write_text(json.dumps(found.to_json(), indent=1), encoding="utf-8")
 
 
 def load(folder: Path) -> tuple[list[Series], Comparison]:
-    """Read what `save` kept."""
+    """Read what was kept."""
     measured = [
         Series(**{**one, "points": [Point(**point) for point in one["points"]]})
         for one in json.loads((folder / SCALING).read_text(encoding="utf-8"))

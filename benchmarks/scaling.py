@@ -14,12 +14,12 @@ from rich.table import Table
 
 from benchmarks import procedures as p
 from benchmarks.clock import milliseconds
-from benchmarks.counting import counted, counting
 from benchmarks.families import FAMILIES
 from benchmarks.growth import Point, Series
 from benchmarks.procedures import Chains, Procedure
+from exactsweep.paper.counting import counted, counting
 
-DOUBLINGS, QUICK_DOUBLINGS = 5, 4
+DOUBLINGS, QUICK_DOUBLINGS = 5, 3
 
 
 class Run(NamedTuple):
@@ -33,7 +33,9 @@ class Run(NamedTuple):
 
     def sizes(self, *, quick: bool = False) -> list[tuple[int, int]]:
         """The (m, n), from the least on."""
-        first, doublings = (8, QUICK_DOUBLINGS) if quick else (self.first, DOUBLINGS)
+        first, doublings = self.first, DOUBLINGS
+        if quick:
+            first, doublings = min(first, 16), QUICK_DOUBLINGS
         doubled = [first * 2**k for k in range(doublings + 1)]
         if self.varied == "m":
             return [(size, self.fixed) for size in doubled]

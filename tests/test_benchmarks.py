@@ -4,14 +4,15 @@ from fractions import Fraction
 
 import pytest
 
-from benchmarks.counting import Counted, counted, counting
-from benchmarks.families import FAMILIES, bumps
+from benchmarks.families import FAMILIES
 from benchmarks.growth import exponent
 from benchmarks.outlines import OUTLINES, part_pairs
 from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM, Chains
 from benchmarks.scaling import RUNS, Run, measure
 from exactsweep import Polygon, sweep
 from exactsweep.mm import outer_mm, trajectory_mm
+from exactsweep.paper.counting import Counted, counted, counting
+from exactsweep.paper.figure10 import bumps
 
 
 @pytest.mark.parametrize("family", FAMILIES)

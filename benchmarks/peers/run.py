@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any, cast
 
 from benchmarks.clock import Times, machine, milliseconds
-from benchmarks.families import Pair
 from benchmarks.outlines import part_pairs
 from benchmarks.peers import ours
 from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
@@ -25,13 +24,14 @@ from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 
-OURS, CGAL, FLOOR = "exactsweep", "CGAL", "floor"
+OURS, CHECKED, CGAL, FLOOR = "exactsweep", "with checks", "CGAL", "floor"
 MODULES = {
     "pysfcgal": "sfcgal",
     "shapely": "shapely_pieces",
     "pyclipper": "clipper",
     "klayout": "klayout_sum",
 }
+FUNCTIONS = {TRAJECTORY: "trajectory", LOOPS: "loops"}
 SECONDS = 0.5
 STARTING = 3.0
 """Seconds that a process of Python may take to start, beyond the limit."""
@@ -80,6 +80,7 @@ def compare(
     say("small pairs")
     for operation in (TRAJECTORY, LOOPS):
         found.pairs_a_second[operation] = pairs_a_second(operation)
+        found.pairs_a_second[f"{operation}, {CHECKED}"] = pairs_a_second(operation, checked=True)
     if not quick:
         say("memory")
         found.memory = memory(MEMORY_CASE)
@@ -102,6 +103,8 @@ def measure(case: Case, peers: Iterable[str], cgal: Cgal | None, limit: float) -
     for operation in case.operations:
         times = before[operation][0] + run_ours(case, operation)[0]
         results.append(_result(OURS, operation, case, times, exact[operation], exact[operation]))
+        times, loops = run_worker("ours", f"checked_{FUNCTIONS[operation]}", case, UNLIMITED)
+        results.append(_result(CHECKED, operation, case, times, exact[operation], loops))
     return results
 
 
@@ -144,7 +147,7 @@ def measure_floor(case: Case) -> list[Result]:
 
 def run_ours(case: Case, operation: str) -> tuple[list[float], list[Loop]]:
     """The kernel; what it gives is the measure of all others."""
-    return run_worker("ours", "loops" if operation == LOOPS else "trajectory", case, UNLIMITED)
+    return run_worker("ours", FUNCTIONS[operation], case, UNLIMITED)
 
 
 def run_worker(
@@ -198,17 +201,18 @@ def same(right: Loop, answer: Loop) -> bool:
         return False
 
 
-def pairs_a_second(operation: str, passes: int = 3) -> float:
+def pairs_a_second(operation: str, *, checked: bool = False, passes: int = 3) -> float:
     """Pairs of part outlines a second on one core, the median of some passes over all of them."""
-    pairs: list[tuple[list[Pair], list[Pair]]] = list(part_pairs())
-    task = ours.loops if operation == LOOPS else ours.trajectory
+    name = FUNCTIONS[operation]
+    task = getattr(ours, f"checked_{name}" if checked else name)
+    tasks = [task(generatrix, directrix) for generatrix, directrix in part_pairs()]
 
     def sweep_all() -> None:
-        for generatrix, directrix in pairs:
-            task(generatrix, directrix)()
+        for sweep in tasks:
+            sweep()
 
     times = [milliseconds(sweep_all, 0)[0] for _ in range(passes)]
-    return 1000 * len(pairs) / Times.of(times).median
+    return 1000 * len(tasks) / Times.of(times).median
 
 
 def memory(case: Case) -> dict[str, float]:

@@ -20,12 +20,14 @@ from benchmarks.peers.cases import (
     Case,
 )
 from benchmarks.peers.measured import Comparison, Result
-from benchmarks.peers.run import CGAL, FLOOR, MODULES, OURS
+from benchmarks.peers.run import CGAL, CHECKED, FLOOR, MODULES, OURS
 
 Row = list[str]
 TIMES = (
     "Processor times in ms: median (least to greatest); ratios are of the medians and of the least "
-    "times. CGAL goes by its fastest strategy for each step; its three loops are three sums."
+    "times. CGAL goes by its fastest strategy for each step; its three loops are three sums. Both "
+    "are given polygons; the times with checks are from lists of numbers, with every check that "
+    "they are simple polygons, which CGAL does not make."
 )
 
 
@@ -52,6 +54,7 @@ def sections(found: Comparison) -> Iterator[tuple[str, Row, list[Row]]]:
             "pair",
             "vertices",
             OURS,
+            CHECKED,
             CGAL,
             "ratio",
             "of the least",
@@ -76,7 +79,7 @@ def sections(found: Comparison) -> Iterator[tuple[str, Row, list[Row]]]:
         "small pairs on one core: outlines of parts, 20 to 150 vertices",
         ["operation", "pairs a second", "bar"],
         [
-            [name, f"{rate:.0f}", f"{PAIRS_BARS[name]:g}"]
+            [name, f"{rate:.0f}", f"{PAIRS_BARS[name]:g}" if name in PAIRS_BARS else "-"]
             for name, rate in found.pairs_a_second.items()
         ],
     )
@@ -126,6 +129,7 @@ def _beside_cgal(found: Comparison, case: Case, operation: str) -> Row:
         _name(case),
         vertices,
         _time(ours),
+        _time(found.find(CHECKED, operation, case)),
         _time(theirs),
         "-" if times is None else f"{times:.2f}",
         "-" if least is None else f"{least:.2f}",

@@ -21,6 +21,7 @@ class Tally:
 
     @property
     def total(self) -> int:
+        """Both together."""
         return self.multiplications + self.comparisons
 
 
@@ -39,10 +40,12 @@ class Counted(int):
     # Fraction takes these, and so goes on in counted ints.
     @property
     def numerator(self) -> Counted:
+        """The int itself."""
         return self
 
     @property
     def denominator(self) -> Counted:  # type: ignore[override]
+        """One."""
         return Counted(1)
 
 

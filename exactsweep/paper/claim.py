@@ -1,0 +1,143 @@
+"""Claims of the paper, what a check finds about one, and whether the two agree.
+
+A check looks for counterexamples twice: to the statement as it stands in the paper, and to the
+statement as the ledger has it.  The first kind makes a row "with a condition" or "refuted"; one
+of the second kind, or the lack of an announced one of the first, makes the row fail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from random import Random
+from typing import NamedTuple
+
+from exactsweep.paper.growth import Growth
+
+Ring = Sequence[tuple[int, int]]
+
+
+class Status(Enum):
+    """What became of a claim."""
+
+    REPRODUCED = "reproduced"
+    CONDITION = "reproduced with a condition"
+    SHARPENED = "sharpened"
+    REFUTED = "refuted as stated"
+
+
+class Counterexample(NamedTuple):
+    """A case in which a statement fails.
+
+    Attributes:
+        text: what goes wrong there.
+        how: how it was found, and in which sense it is the smallest.
+        generatrix: vertices of G, empty where the case is not a pair.
+        directrix: vertices of D, likewise.
+    """
+
+    text: str
+    how: str
+    generatrix: Ring = ()
+    directrix: Ring = ()
+
+
+class Table(NamedTuple):
+    """A table of measured numbers."""
+
+    caption: str
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What a check finds.
+
+    Attributes:
+        tried: what was looked at, and how much of it.
+        failure: a counterexample to the statement as corrected; empty if there is none.
+        against: a counterexample to the statement as printed; None if there is none.
+        tables: measured numbers.
+        growth: counted operations or vertices over doubling sizes.
+    """
+
+    tried: str
+    failure: str = ""
+    against: Counterexample | None = None
+    tables: tuple[Table, ...] = ()
+    growth: tuple[Growth, ...] = ()
+
+
+@dataclass(frozen=True)
+class Run:
+    """The seed and the effort of a run.
+
+    >>> Run(seed=1).random("Lemma 5.3").random() == Run(seed=1).random("Lemma 5.3").random()
+    True
+    """
+
+    seed: int = 1
+    quick: bool = False
+
+    def random(self, label: str) -> Random:
+        """Return a source of numbers that depends on the seed and a label alone."""
+        return Random(f"{self.seed} {label}")
+
+    def effort(self, count: int) -> int:
+        """Return how many cases to try where a check names a number: thrice that, or a tenth."""
+        return max(1, count // 10) if self.quick else 3 * count
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A row of the ledger.
+
+    Attributes:
+        name: as in the paper, or a short sentence where it has no number.
+        section: of the paper.
+        says: the statement, in our words.
+        status: what became of it.
+        code: dotted names of what implements it.
+        check: looks for counterexamples.
+        corrected: the statement that holds, or the condition; empty if nothing is to be said.
+    """
+
+    name: str
+    section: str
+    says: str
+    status: Status
+    code: tuple[str, ...]
+    check: Callable[[Run], Evidence] = field(repr=False)
+    corrected: str = ""
+
+
+class Row(NamedTuple):
+    """A claim, what its check found, and how long that took."""
+
+    claim: Claim
+    evidence: Evidence
+    seconds: float
+
+    @property
+    def disagreement(self) -> str:
+        """Why the evidence does not bear out the status; empty if it does."""
+        status, evidence = self.claim.status, self.evidence
+        if evidence.failure:
+            return evidence.failure
+        objected = status in (Status.CONDITION, Status.REFUTED)
+        if objected and evidence.against is None:
+            return "no counterexample to the statement as printed was found"
+        if not objected and evidence.against is not None:
+            return f"the statement as printed fails: {evidence.against.text}"
+        return ""
+
+
+def first_failure(failures: Iterator[str]) -> str:
+    """Return the first text that is not empty, or the empty one.
+
+    >>> first_failure(iter(["", "wrong", "worse"]))
+    'wrong'
+    """
+    return next(filter(None, failures), "")

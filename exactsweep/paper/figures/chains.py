@@ -1,0 +1,105 @@
+"""Figure 2: the monotone chains of a polygon."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from exactsweep.chain import Vertex, split
+from exactsweep.draw import style
+from exactsweep.draw.style import Look
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ
+from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
+from exactsweep.paper.figures.sheet import (
+    COLUMN,
+    PLACED,
+    Box,
+    Margins,
+    Panel,
+    Sheet,
+    middle,
+)
+from exactsweep.paper.functions import between
+from exactsweep.polygon import Polygon
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+BOTTOM = Look(style.BLUE, 2.0, order=5)
+TOP = Look(style.RED, 2.0, dash=(0, (4, 1.2)), order=5)
+# D of Figure 1, and its G twice as large.
+POLYGONS = {"D": DIRECTRIX, "G": [(2 * x, 2 * y) for x, y in GENERATRIX]}
+
+
+def _chains() -> dict[str, list[Vertex]]:
+    """The chains of both polygons by name, D_b, D_t, G_b and G_t."""
+    found = {}
+    for letter, ring in POLYGONS.items():
+        found[f"{letter}_b"], found[f"{letter}_t"] = split(Polygon(ring).vertices)
+    return found
+
+
+def _facts() -> Facts:
+    return [(f"edges of {name}", str(len(chain) - 1)) for name, chain in _chains().items()]
+
+
+def _failures() -> Iterator[str]:
+    chains = _chains()
+    for letter, ring in POLYGONS.items():
+        corners = Polygon(ring).vertices
+        edges = list(pairwise([*corners, corners[0]]))
+        bottom, top = chains[f"{letter}_b"], chains[f"{letter}_t"]
+        yield differ("edges", len(bottom) + len(top) - 2, len(edges))
+        for x in between(corners):
+            met = sum(min(p.x, q.x) < x < max(p.x, q.x) for p, q in edges)
+            yield differ(f"edges of {letter} over x = {x}", met, 2)
+
+
+def _draw() -> Figure:
+    rings = list(POLYGONS.values())
+    margins = Margins(15, 10, 17, 8)
+    boxes = [Box.around(ring, margins=margins) for ring in rings]
+    chains = _chains()
+    with Sheet([boxes], COLUMN) as sheet:
+        for panel, (letter, ring) in zip(sheet.panels, POLYGONS.items(), strict=True):
+            look = style.DIRECTRIX if letter == "D" else PLACED
+            panel.area(ring, replace(look, width=0))
+            bottom, top = chains[f"{letter}_b"], chains[f"{letter}_t"]
+            panel.line(bottom, BOTTOM)
+            panel.line(top, TOP)
+            _heads(panel, bottom, BOTTOM)
+            _heads(panel, top, TOP)
+            panel.dots([bottom[0], bottom[-1]])
+            panel.label(bottom[0], f"$v_l^{letter}$", -10)
+            panel.label(bottom[-1], f"$v_r^{letter}$", 10)
+        d, g = sheet.panels
+        d.label((8, 7), "$D$")
+        d.label((15, 1), "$D_b$", 6, -4)
+        d.label((5, 10), "$D_t$", -4, 5)
+        g.label((4, 4), "$G$")
+        g.label((4, 2), "$G_b$", 0, -9)
+        g.label((4, 6), "$G_t$", 0, 8)
+    return sheet.figure
+
+
+def _heads(panel: Panel, chain: Sequence[Vertex], look: Look) -> None:
+    """Arrow heads in the middle of the edges, which run counter-clockwise."""
+    for p, q in pairwise(chain):
+        panel.arrow(middle(p, q), middle(p, q, share=Fraction(5, 8)), replace(look, dash="-"))
+
+
+FIGURE = PaperFigure(
+    2,
+    "2",
+    "A polygon that is monotone to the X axis falls apart at its leftmost and its rightmost vertex "
+    "into a bottom chain (solid) and a top chain (dashed), both directed counter-clockwise: D_b "
+    "and D_t, G_b and G_t. A vertical line meets each chain once at most.",
+    ("exactsweep.chain.split",),
+    _facts,
+    _failures,
+    "Between any two vertices a vertical line meets two edges of each polygon.",
+    _draw,
+)

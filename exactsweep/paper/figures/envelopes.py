@@ -1,0 +1,165 @@
+"""Figure 6: a CM sweep from the CC sweeps of D's convex chains."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from exactsweep.cc import sweep_outer_cc, trajectory_cc
+from exactsweep.chain import Vertex, convex_parts, split
+from exactsweep.cm import sweep_outer_cm, trajectory_cm
+from exactsweep.draw import draw_undercuts, style
+from exactsweep.draw.style import Look
+from exactsweep.lower import LowerSweep
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.sheet import (
+    BOLD,
+    COLUMN,
+    OUTER,
+    PLACED,
+    THIN,
+    Box,
+    Margins,
+    Sheet,
+    moved,
+)
+from exactsweep.paper.functions import bottom_of, exact
+from exactsweep.paper.section4 import lowest
+from exactsweep.sweep import Sweep, sweep
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+GENERATRIX = [(0, 0), (1, -2), (4, -1), (5, 0), (3, 3), (1, 2)]
+DIRECTRIX = [(0, 5), (2, 1), (5, 0), (8, 4), (10, 0), (14, 1), (16, 5), (12, 7), (4, 7)]
+PARTS = (
+    Look(style.BLUE, 1.6, order=4),
+    Look(style.RED, 1.6, dash=(0, (4, 1.2)), order=4.1),
+)
+GROUND = Look("white", 3.0, order=4.5)
+"""Under dashes, so that other lines do not show between them."""
+
+
+def example() -> Sweep:
+    """The CM sweep; the reference point is inside G."""
+    return sweep(GENERATRIX, DIRECTRIX, reference=(2, 0))
+
+
+def half() -> LowerSweep:
+    """Its lower half."""
+    s = example()
+    bottom, top = split(s.generatrix.vertices)
+    return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
+
+
+def _sub_chains() -> tuple[list[list[Vertex]], list[list[Vertex]]]:
+    """Sub-trajectories of the reference point, and sub-outer chains."""
+    lower, reference = half(), example().reference
+    parts = convex_parts(lower.directrix)
+    return (
+        [moved(trajectory_cc(lower.top, part), reference) for part in parts],
+        [sweep_outer_cc(lower.top, lower.bottom, part) for part in parts],
+    )
+
+
+def _envelopes() -> tuple[list[Vertex], list[Vertex]]:
+    """The trajectory of the reference point, and the outer boundary."""
+    lower = half()
+    return (
+        moved(trajectory_cm(lower.top, lower.directrix), example().reference),
+        list(sweep_outer_cm(lower.top, lower.bottom, lower.directrix)),
+    )
+
+
+def _facts() -> Facts:
+    parts = convex_parts(half().directrix)
+    paths, outers = _sub_chains()
+    path, outer = _envelopes()
+    return [
+        ("convex chains of D_b", str(len(parts))),
+        ("their edges", ", ".join(str(len(part) - 1) for part in parts)),
+        ("edges of the sub-trajectories", ", ".join(str(len(p) - 1) for p in paths)),
+        ("edges of the trajectory", str(len(path) - 1)),
+        ("edges of the sub-outer chains", ", ".join(str(len(p) - 1) for p in outers)),
+        ("edges of the outer boundary", str(len(outer) - 1)),
+        ("undercuts", str(len(example().undercuts))),
+    ]
+
+
+def _failures() -> Iterator[str]:
+    s = example()
+    yield from loops_differ(s)
+    yield from overlaps(s, s.undercuts[0].positions)
+    path, outer = _envelopes()
+    yield differ("trajectory", exact(path), bottom_of(s.trajectory.vertices))
+    yield differ("outer boundary", exact(outer), bottom_of(s.outer.vertices))
+    paths, outers = _sub_chains()
+    yield lowest("sub-trajectory", paths, path)
+    yield lowest("sub-outer chain", outers, outer)
+    meeting = s.undercuts[0].positions[0]
+    yield differ("the sub-trajectories meet on the trajectory", meeting in path, True)
+
+
+def _draw() -> Figure:
+    s = example()
+    paths, outers = _sub_chains()
+    path, outer = _envelopes()
+    parts = convex_parts(half().directrix)
+    d_top = split(s.directrix.vertices)[1]
+    everything = [s.directrix.vertices, *paths, *outers]
+    beside = moved(s.generatrix.vertices, (-5, 0))
+    ends = [(x, 0) for x, _ in (outer[0], outer[-1])]
+    boxes = [
+        Box.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
+        Box.around(*everything, title="(b)", margins=Margins(2, 16, 2, 2)),
+        Box.around(*everything, title="(c)", margins=Margins(2, 16, 2, 2)),
+    ]
+    with Sheet([[box] for box in boxes], COLUMN) as sheet:
+        a, b, c = sheet.panels
+        for panel in sheet.panels:
+            panel.area(s.directrix.vertices, replace(style.DIRECTRIX, width=0))
+            panel.line(d_top, THIN)
+            panel.label((8, 6), "$D$")
+        for look, part in zip(PARTS, parts, strict=True):
+            a.line(part, look)
+        a.area(beside, PLACED)
+        a.label((-3, 0), "$G$", 2, 2)
+        a.label(parts[0][-2], "$D_1$", -14, -8)
+        a.label(parts[1][1], "$D_2$", 14, -8)
+        a.dots([parts[0][-1]])
+        for panel in (b, c):
+            panel.line(half().directrix, THIN)
+        for look, one, two in zip(PARTS, paths, outers, strict=True):
+            b.line(one, look)
+            b.line(two, replace(look, width=1.0))
+        b.label(paths[0][0], "$T(G_t, D_1)$", 2, 8)
+        b.label(paths[1][-1], "$T(G_t, D_2)$", -2, 8)
+        for chain in (*paths, *outers):
+            c.line(chain, style.SUB_TRAJECTORY)
+        draw_undercuts(c, s.undercuts)
+        c.line(path, BOLD)
+        c.line(outer, GROUND)
+        c.line(outer, replace(OUTER, width=2.4, order=5))
+        c.generatrix(s, s.undercuts[0].positions[:1])
+        c.label(path[0], "trajectory", 4, 8)
+        c.label((8, 3), "undercut", 34, 13, leader=True)
+        for panel, words in ((b, "sub-outer chains"), (c, "outer boundary")):
+            panel.label((half().directrix[3][0] - 2, min(y for _, y in outer)), words, 0, -9)
+    return sheet.figure
+
+
+FIGURE = PaperFigure(
+    6,
+    "4",
+    "A CM sweep. (a) D_b is split at its reflex vertex into the convex chains D_1 (solid) and D_2 "
+    "(dashed). (b) The sub-trajectories and the sub-outer chains of the two CC sweeps. (c) Their "
+    "lower envelopes, the trajectory and the outer boundary (bold). Where the sub-trajectories "
+    "meet, G touches D in two places and leaves an undercut (hatched) between them.",
+    ("exactsweep.cm.trajectory_cm", "exactsweep.cm.sweep_outer_cm"),
+    _facts,
+    _failures,
+    "The loops and both envelopes against the definition, and the envelopes against the least of "
+    "the chains; at the position drawn, G touches D and does not overlap it.",
+    _draw,
+)

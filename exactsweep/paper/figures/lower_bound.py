@@ -1,0 +1,156 @@
+"""Figure 10: sweeps whose outer boundary has a number of edges of order m n^2."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from exactsweep.chain import Edge, split
+from exactsweep.draw import placed_generatrix, style
+from exactsweep.lower import LowerSweep
+from exactsweep.paper.figure10 import bumps, edges_of_bumps, printed_count
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.sheet import (
+    OUTER,
+    PAGE,
+    PLACED,
+    SMALL,
+    SMALL_DOT,
+    THIN,
+    Box,
+    Margins,
+    Panel,
+    Sheet,
+    middle,
+)
+from exactsweep.paper.functions import bottom_of
+from exactsweep.polygon import Polygon
+from exactsweep.sweep import Sweep, sweep
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# Two peaks above a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
+PEAKS = [(80, 0), (60, 80), (40, 0), (20, 80), (0, 0)]
+TIP = [(26, -120), (33, -134), (40, -141), (47, -134), (54, -120)]
+SIZES = ((2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8))
+
+
+def example(teeth: int) -> Sweep:
+    """The pair of the paper's sizes (2 teeth, 4, 6), flatter and with a wider tip than `bumps`."""
+    bottom = [(40 * k, -120 if k % 2 else 0) for k in range(2 * teeth + 1)]
+    rings = PEAKS + TIP, [*bottom, (40 * teeth, 60)]
+    g, d = ([(Fraction(x, 4), Fraction(y, 20)) for x, y in ring] for ring in rings)
+    return sweep(g, d)
+
+
+def sizes(s: Sweep) -> tuple[int, int, int]:
+    """m_b, n_t and n_b, counted."""
+    g_bottom, g_top = split(s.generatrix.vertices)
+    return len(split(s.directrix.vertices)[0]) - 1, len(g_top) - 1, len(g_bottom) - 1
+
+
+def outer_edges(s: Sweep) -> list[Edge]:
+    """The edges of the outer boundary of the lower sweep."""
+    return list(pairwise(bottom_of(s.outer.vertices)))
+
+
+def measured() -> tuple[tuple[tuple[int, int, int], int], ...]:
+    """Sizes in the family of `bumps`, and the edges of its outer boundary."""
+    return tuple((size, len(outer_edges(sweep(*bumps(*size))))) for size in SIZES)
+
+
+def _facts() -> Facts:
+    rows = [
+        (f"({letter}) (m_b, n_t, n_b): edges", f"{sizes(s)}: {len(outer_edges(s))}")
+        for letter, s in (("a", example(1)), ("b", example(2)))
+    ]
+    return [
+        *rows,
+        *(
+            (f"family, {size}: edges, formula of the paper", f"{edges}, {printed_count(*size)}")
+            for size, edges in measured()
+        ),
+    ]
+
+
+def _failures() -> Iterator[str]:
+    for s in (example(1), example(2)):
+        yield from loops_differ(s)
+        yield differ(f"edges for {sizes(s)}", len(outer_edges(s)), edges_of_bumps(*sizes(s)))
+    yield differ("sizes", sizes(example(1)), (2, 4, 6))
+    yield differ("edges", len(outer_edges(example(1))), printed_count(2, 4, 6))
+    for size, edges in measured():
+        g, d = (Polygon(ring) for ring in bumps(*size))
+        (bottom, top), (directrix, _) = split(g.vertices), split(d.vertices)
+        lower = LowerSweep("MM", top, bottom, directrix)
+        yield differ(f"edges for {size}", edges, len(lower.outer) - 1)
+        yield differ(f"edges for {size}", edges, edges_of_bumps(*size))
+
+
+def _draw() -> Figure:
+    first, second = example(1), example(2)
+    boxes = [[_box(first, "a"), Box((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
+    with Sheet(boxes, PAGE) as sheet:
+        a, table, b = sheet.panels
+        for panel, s in ((a, first), (b, second)):
+            _draw_pair(panel, s)
+        _number(a, outer_edges(first))
+        _draw_table(table)
+    return sheet.figure
+
+
+def _box(s: Sweep, letter: str) -> Box:
+    lower, title = bottom_of(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
+    return Box.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
+
+
+def _draw_pair(panel: Panel, s: Sweep) -> None:
+    """D, G where a peak of it is under a tooth, and the edges of the outer boundary."""
+    place = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
+    panel.area(s.directrix.vertices, style.DIRECTRIX)
+    panel.area(placed_generatrix(s, place).vertices, PLACED)
+    panel.lines(outer_edges(s), replace(OUTER, order=5))
+    panel.dots(bottom_of(s.outer.vertices), SMALL_DOT)
+    panel.label((10, -2), "$D$")
+    panel.label((place.x + 10, place.y), "$G$", 0, -12)
+
+
+def _number(panel: Panel, edges: Sequence[Edge]) -> None:
+    """Number edges below them, straight below where the chain turns right and room is scarce."""
+    vectors = [(q[0] - p[0], q[1] - p[1]) for p, q in edges]
+    right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
+    for k, (edge, (dx, dy)) in enumerate(zip(edges, vectors, strict=True)):
+        is_scarce = any(right[max(k - 1, 0) : k + 1])
+        shift = 0 if is_scarce else 7 * float(dy) / (float(dx) + abs(float(dy)))
+        panel.label(middle(*edge), str(k + 1), shift, -7, size=SMALL)
+
+
+def _draw_table(panel: Panel) -> None:
+    """The counts of the family."""
+    columns = [(3, "$(m_b, n_t, n_b)$"), (10, "formula"), (16, "edges")]
+    for x, head in columns:
+        panel.label((x, 16), head, size=SMALL)
+    panel.line([(-1, Fraction(29, 2)), (19, Fraction(29, 2))], THIN)
+    for row, (size, edges) in enumerate(measured(), 1):
+        cells = str(size), str(printed_count(*size)), str(edges)
+        for (x, _), cell in zip(columns, cells, strict=True):
+            panel.label((x, 16 - Fraction(5, 2) * row), cell, 0, -3, size=SMALL)
+
+
+FIGURE = PaperFigure(
+    10,
+    "5",
+    "Outer boundaries of order mn². (a) With (m_b, n_t, n_b) = (2, 4, 6) there are 16 edges, as in "
+    "the paper. (b) With a second tooth in D, each peak of G passes under both. (c) The family "
+    "with more bumps: edges by the formula of the paper, and edges found.",
+    ("exactsweep.mm.outer_mm", "exactsweep.paper.figure10.bumps"),
+    _facts,
+    _failures,
+    "The loops of (a) and (b) against the definition; the counts of the family against a formula "
+    "for it, and against the procedures run on its chains.",
+    _draw,
+)

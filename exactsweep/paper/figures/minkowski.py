@@ -1,0 +1,155 @@
+"""Figure 1: the sweep of G around D beside the Minkowski sum of G and D's boundary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from exactsweep.chain import Vertex, complement, inverse, split
+from exactsweep.check import classify, reference_loops
+from exactsweep.draw import Picture, draw_undercuts, placed_generatrix, style
+from exactsweep.envelope import lower_envelope_mm
+from exactsweep.mm import trajectory_mm
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Box, Margins, Sheet
+from exactsweep.paper.planar import free_parts, swept_polygons
+from exactsweep.polygon import Point, Polygon
+from exactsweep.sweep import Sweep, no_fit_polygon, sweep
+from exactsweep.undercut import pockets
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+GENERATRIX = [(0, 0), (2, 1), (4, 0), (3, 3), (1, 3)]
+DIRECTRIX = [(0, 5), (4, 0), (8, 4), (12, -1), (20, 5), (17, 10), (11, 6), (8, 11), (3, 9)]
+# Where G stands in the right half, its reference point on D's boundary: two vertices, two edges.
+ALONG = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 5), (12, -1), (16, 2), (11, 6)]]
+
+
+def example() -> Sweep:
+    """The sweep, which Figure 8 shows, too."""
+    return sweep(GENERATRIX, DIRECTRIX, reference=(2, 1))
+
+
+def inverse_generatrix(s: Sweep) -> Polygon:
+    """I(G), its reference point at the origin."""
+    return s.generatrix.translated((-s.reference.x, -s.reference.y)).reflected()
+
+
+def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
+    """The outer boundary, and the holes, of the Minkowski sum of D's boundary and G.
+
+    The sum of D and G is the no-fit polygon of D and I(G).  What is missing of it are the points p
+    for which p + I(G) lies inside D, off its boundary: between the greatest and the least height
+    at which I(G) touches D_b and D_t from inside.
+    """
+    s = example()
+    inverted = inverse_generatrix(s)
+    outer = no_fit_polygon(s.directrix, inverted).vertices
+    i_bottom, i_top = split(inverted.vertices)
+    d_bottom, d_top = split(s.directrix.vertices)
+    lowest = trajectory_mm(inverse(i_bottom), complement(inverse(d_bottom)))
+    highest = trajectory_mm(i_top, complement(d_top))
+    left, right = d_bottom[0][0] - i_bottom[0][0], d_bottom[-1][0] - i_bottom[-1][0]
+    floor = complement(inverse(list(lowest.restricted(-right, -left))))
+    ceiling = highest.restricted(left, right)
+    ceilings = list(ceiling)
+    lower = lower_envelope_mm([ceiling.of(floor), ceiling])
+    holes = [(*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in pockets(list(lower), ceilings)]
+    return outer, tuple(holes)
+
+
+def draw_sweep(picture: Picture, s: Sweep) -> None:
+    """Draw the swept area, D, undercuts, both loops and the trajectory, each in its look."""
+    outer, inner = s.outer.vertices, s.inner.vertices
+    picture.ring(outer, inner, style.SWEPT)
+    picture.area(s.directrix.vertices, style.DIRECTRIX)
+    draw_undercuts(picture, s.undercuts)
+    picture.line(inner, INNER, closed=True)
+    picture.line(outer, OUTER, closed=True)
+    picture.line(s.trajectory.vertices, TRAJECTORY, closed=True)
+
+
+def _facts() -> Facts:
+    s = example()
+    _, holes = sum_boundary()
+    met = [classify(s.directrix, placed_generatrix(s, t), (0, 0)).verdict for t in ALONG]
+    return [
+        ("class of the sweep", s.kind),
+        ("edges of the trajectory", str(len(s.trajectory))),
+        ("edges of the inner and the outer loop", f"{len(s.inner)}, {len(s.outer)}"),
+        ("undercuts", str(len(s.undercuts))),
+        ("positions in (b) at which G overlaps D", f"{met.count('OVERLAP')} of {len(met)}"),
+        ("holes of the sum", str(len(holes))),
+    ]
+
+
+def _failures() -> Iterator[str]:
+    s = example()
+    yield from loops_differ(s)
+    yield from overlaps(s, _positions(s))
+    outer, holes = sum_boundary()
+    yield differ(
+        "boundary of the sum", outer, reference_loops(inverse_generatrix(s), s.directrix).trajectory
+    )
+    corners = s.directrix.vertices
+    edges = list(pairwise([*corners, corners[0]]))
+    around = free_parts(swept_polygons(GENERATRIX, edges))
+    yield differ("holes of the sum", len(holes), around - 1)
+
+
+def _positions(s: Sweep) -> list[Point]:
+    """A corner, and where G closes the upper undercut."""
+    return [s.trajectory.vertices[6], s.undercuts[-1].positions[0]]
+
+
+def _draw() -> Figure:
+    s = example()
+    sum_outer, holes = sum_boundary()
+    shapes = s.outer.vertices, sum_outer
+    margins = Margins(top=22)
+    boxes = [
+        Box.around(*shapes, title="(a) sweep", margins=margins),
+        Box.around(*shapes, title="(b) Minkowski sum", margins=margins),
+    ]
+    with Sheet([boxes], PAGE) as sheet:
+        left, right = sheet.panels
+        draw_sweep(left, s)
+        left.generatrix(s, _positions(s))
+        left.label((4, 6), "$D$")
+        for x, y in _positions(s):
+            left.label((x, y), "$G$", 0, 8)
+        left.label((8, Fraction(7, 2)), "undercut", -33, 8, leader=True)
+        left.label((1, 10), "trajectory", -14, 30, leader=True)
+        left.label((16, 2), "inner loop", -4, 24, leader=True)
+        left.label((19, 13), "outer loop", 10, 14, leader=True)
+        right.area(sum_outer, style.SWEPT)
+        right.area(s.directrix.vertices, replace(style.DIRECTRIX, fill="#b4b4b480"))
+        for hole in holes:
+            right.line(hole, INNER, closed=True)
+        right.line(sum_outer, OUTER, closed=True)
+        right.line(s.directrix.vertices, TRAJECTORY, closed=True)
+        right.generatrix(s, ALONG)
+        right.label((Fraction(37, 2), 5), "$D$")
+        right.label(ALONG[0], "$G$", 0, 8)
+        right.label((8, 11), "path of the marked point", -20, 34, leader=True)
+    return sheet.figure
+
+
+FIGURE = PaperFigure(
+    1,
+    "1",
+    "Two ways to move G with its marked point. In a sweep (a) the point runs along the trajectory, "
+    "so that G touches D and never overlaps it; the area swept lies between an inner and an outer "
+    "loop, and what the inner loop cuts off from D's surroundings are undercuts. In the Minkowski "
+    "sum (b) the point runs along D's boundary, and G overlaps D.",
+    ("exactsweep.sweep.sweep", "exactsweep.sweep.no_fit_polygon"),
+    _facts,
+    _failures,
+    "Both loops, the trajectory and the boundary of the sum against the definition; each position "
+    "of G that is drawn by a test for overlap.",
+    _draw,
+)

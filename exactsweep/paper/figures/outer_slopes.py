@@ -1,0 +1,138 @@
+"""Figure 5: the outer boundary of a CC sweep in order of slope."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from exactsweep.cc import sweep_outer_cc
+from exactsweep.chain import Rational, Vertex, split
+from exactsweep.draw import style
+from exactsweep.draw.style import Look
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.sheet import (
+    SMALL,
+    SMALL_DOT,
+    TRAJECTORY,
+    WIDE,
+    Box,
+    Margins,
+    Sheet,
+    middle,
+    moved,
+)
+from exactsweep.paper.figures.slopes import (
+    Move,
+    by_slope,
+    edges,
+    example,
+    laid,
+    slope_text,
+    stations,
+)
+from exactsweep.polygon import Point
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LOOKS = {
+    "D_b": Look(style.GREY, 3.2, order=5),
+    "G_t": Look(style.BLUE, 1.6, order=5),
+    "G_b": Look(style.RED, 2.2, dash=(0, (3, 1)), order=5),
+}
+
+
+def _turn() -> int:
+    """The number of the vertex of the trajectory between whose edges most edges of G_b fall."""
+    path = by_slope("D_b", "G_t")
+    return max(range(1, len(path)), key=lambda k: len(_between(path[k - 1], path[k])))
+
+
+def _between(before: Move, after: Move) -> list[Move]:
+    return [m for m in edges()["G_b"] if before.slope < m.slope < after.slope]
+
+
+def _outer() -> list[Vertex]:
+    """The outer boundary by Lemma 3.2."""
+    s = example()
+    (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
+    start = moved([d_bottom[0]], (g_bottom[0][0] - g_top[0][0], g_bottom[0][1] - g_top[0][1]))[0]
+    return laid(start, by_slope("D_b", "G_t", "G_b"))
+
+
+def _facts() -> Facts:
+    path, k = by_slope("D_b", "G_t"), _turn()
+    before, after = path[k - 1], path[k]
+    return [
+        ("edges of D_b, G_t, G_b", ", ".join(str(len(moves)) for moves in edges().values())),
+        ("edges of the outer boundary", str(len(_outer()) - 1)),
+        ("slopes of t_i and t_(i+1)", f"{before.slope}, {after.slope}"),
+        ("slopes of G_b between them", ", ".join(str(m.slope) for m in _between(before, after))),
+    ]
+
+
+def _failures() -> Iterator[str]:
+    s = example()
+    yield from loops_differ(s)
+    (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
+    yield differ("outer boundary", sweep_outer_cc(g_top, g_bottom, d_bottom), _outer())
+    yield differ("edges", len(_outer()) - 1, sum(map(len, edges().values())))
+
+
+def _apart(moves: Sequence[Move]) -> list[list[Vertex]]:
+    """The edges side by side, with gaps, each about the height 0."""
+    found: list[list[Vertex]] = []
+    x: Rational = 0
+    for dx, dy in (move.by for move in moves):
+        found.append([(x, -Fraction(dy) / 2), (x + dx, Fraction(dy) / 2)])
+        x += dx + Fraction(3, 2)
+    return found
+
+
+def _draw() -> Figure:
+    s, k = example(), _turn()
+    path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
+    outer, order = _outer(), by_slope("D_b", "G_t", "G_b")
+    apart = _apart(order)
+    boxes = [
+        Box.around(s.directrix.vertices, outer, path, title="(a)", margins=Margins(2, 4, 2, 4)),
+        Box.around(*apart, title="(b)", margins=Margins(8, 24, 8, 14)),
+    ]
+    with Sheet([[box] for box in boxes], WIDE) as sheet:
+        panel, row = sheet.panels
+        panel.area(s.directrix.vertices, style.DIRECTRIX)
+        panel.generatrix(s, [path[k]])
+        panel.line(path, TRAJECTORY)
+        for edge, piece, move in zip(pairwise(outer), apart, order, strict=True):
+            panel.line(edge, LOOKS[move.owner])
+            row.line(piece, LOOKS[move.owner])
+            lowest = middle(*piece)[0], min(y for _, y in piece)
+            row.label(
+                lowest, f"{slope_text(move.slope)}\n${move.owner}$", 0, -4, va="top", size=SMALL
+            )
+        panel.dots(path[1:-1], SMALL_DOT)
+        panel.label((6, 3), "$D$")
+        panel.label(path[k], "$G$", -36, -9)
+        for number, name in ((k - 1, "$t_i$"), (k, "$t_{i+1}$")):
+            panel.label(middle(path[number], path[number + 1]), name, -1, -9)
+            piece = apart[order.index(by_slope("D_b", "G_t")[number])]
+            highest = middle(*piece)[0], max(y for _, y in piece)
+            row.label(highest, name, 0, 8)
+    return sheet.figure
+
+
+FIGURE = PaperFigure(
+    5,
+    "3",
+    "The sweep of Figure 4. (a) The outer boundary has the edges of D_b (thick), of reversed G_t "
+    "(thin) and of G_b (dashed). At a vertex of the trajectory, between its edges t_i and t_(i+1), "
+    "G adds the edges of G_b whose slopes lie between theirs. (b) The same edges one by one, with "
+    "their slopes.",
+    ("exactsweep.cc.sweep_outer_cc",),
+    _facts,
+    _failures,
+    "Both loops against the definition; the edges sorted here against the merge of the procedure.",
+    _draw,
+)

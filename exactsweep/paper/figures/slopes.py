@@ -1,0 +1,187 @@
+"""Figure 4: a CC sweep goes along the edges of both polygons in order of slope."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from exactsweep.cc import trajectory_cc
+from exactsweep.chain import Rational, Vertex, inverse, split
+from exactsweep.draw import placed_generatrix, style
+from exactsweep.number import format_fraction
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.sheet import (
+    BOLD,
+    GHOST,
+    PLACED,
+    SMALL,
+    SMALL_DOT,
+    TRAJECTORY,
+    WIDE,
+    Box,
+    Panel,
+    Sheet,
+    middle,
+    moved,
+)
+from exactsweep.polygon import Point
+from exactsweep.sweep import Sweep, sweep
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+GENERATRIX = [(0, 0), (2, -1), (5, -2), (6, 1), (3, 3), (2, 3)]
+DIRECTRIX = [(0, 5), (2, 1), (4, -1), (8, -2), (10, -1), (7, 6)]
+STEPS = 4
+
+Owner = Literal["D_b", "G_t", "G_b"]
+
+
+class Move(NamedTuple):
+    """An edge along which G slides: whose it is, and which vector it adds to the path."""
+
+    owner: Owner
+    by: Vertex
+
+    @property
+    def slope(self) -> Rational:
+        """Its slope."""
+        return Fraction(self.by[1]) / self.by[0]
+
+
+def example() -> Sweep:
+    """The CC sweep of Figures 4 and 5; the reference point is the right end of G."""
+    return sweep(GENERATRIX, DIRECTRIX, reference=(6, 1))
+
+
+def edges() -> dict[Owner, list[Move]]:
+    """The edges of D_b, of reversed G_t and of G_b, each from left to right."""
+    s = example()
+    g_bottom, g_top = split(s.generatrix.vertices)
+    chains: dict[Owner, list[Vertex]] = {
+        "D_b": split(s.directrix.vertices)[0],
+        "G_t": inverse(g_top),
+        "G_b": g_bottom,
+    }
+    return {
+        owner: [Move(owner, (q[0] - p[0], q[1] - p[1])) for p, q in pairwise(chain)]
+        for owner, chain in chains.items()
+    }
+
+
+def by_slope(*owners: Owner) -> list[Move]:
+    """The edges of some chains, sorted."""
+    found = edges()
+    return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
+
+
+def laid(start: Vertex, moves: Sequence[Move]) -> list[Vertex]:
+    """Edges laid end to end."""
+    path = [start]
+    for move in moves:
+        path += moved([move.by], path[-1])
+    return path
+
+
+def stations() -> list[Vertex]:
+    """The path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
+    return laid(split(example().directrix.vertices)[0][0], by_slope("D_b", "G_t"))
+
+
+def _upcoming(step: int) -> tuple[Move, Move]:
+    """The next edges of D_b and of reversed G_t before a move."""
+    done = by_slope("D_b", "G_t")[:step]
+    waiting = [[m for m in moves if m not in done] for o, moves in edges().items() if o != "G_b"]
+    return waiting[0][0], waiting[1][0]
+
+
+def slope_text(value: Rational) -> str:
+    """A slope, with a true minus sign."""
+    return format_fraction(Fraction(value)).replace("-", "\N{MINUS SIGN}")
+
+
+def _facts() -> Facts:
+    rows = []
+    for step in range(STEPS):
+        ours, theirs = _upcoming(step)
+        taken = by_slope("D_b", "G_t")[step]
+        rows.append(
+            (
+                f"({'abcd'[step]}) slopes ahead on D_b and on G_t",
+                f"{ours.slope}, {theirs.slope}: {taken.owner} is next",
+            )
+        )
+    return [*rows, ("edges of the trajectory", str(len(stations()) - 1))]
+
+
+def _failures() -> Iterator[str]:
+    s = example()
+    yield from loops_differ(s)
+    yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in stations()])
+    half = [split(p.vertices) for p in (s.generatrix, s.directrix)]
+    yield differ(
+        "trajectory", moved(trajectory_cc(half[0][1], half[1][0]), s.reference), stations()
+    )
+    for step in range(STEPS):
+        first = min(_upcoming(step), key=lambda move: move.slope)
+        yield differ(f"edge taken in step {step}", by_slope("D_b", "G_t")[step], first)
+        contacts = [c.event for c in s.contacts_at(stations()[step])]
+        yield differ(f"contacts before step {step}", contacts, ["VV"])
+
+
+def _draw() -> Figure:
+    s = example()
+    path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
+    placed = [placed_generatrix(s, place).vertices for place in path[: STEPS + 1]]
+    across = [(x, 0) for ring in placed for x, _ in ring]
+    boxes = [
+        Box.around(s.directrix.vertices, across, *placed[k : k + 2], title=f"({'abcd'[k]})")
+        for k in range(STEPS)
+    ]
+    with Sheet([boxes[:2], boxes[2:]], WIDE) as sheet:
+        for step, panel in enumerate(sheet.panels):
+            panel.area(s.directrix.vertices, style.DIRECTRIX)
+            panel.area(placed[step + 1], GHOST)
+            panel.area(placed[step], PLACED)
+            panel.line(path[: step + 1], TRAJECTORY)
+            panel.dots([path[step]], SMALL_DOT)
+            panel.label((6, 3), "$D$")
+            panel.label(path[step], "$G$", -38, -4)
+            _show_step(panel, step)
+    return sheet.figure
+
+
+def _show_step(panel: Panel, step: int) -> None:
+    """Mark the vertices that have met, the edge along which G goes on, and both slopes."""
+    ours, theirs = _upcoming(step)
+    x, y = _meeting(step)
+    on_d = (x, y), (x + ours.by[0], y + ours.by[1])
+    on_g = (x, y), (x - theirs.by[0], y - theirs.by[1])
+    edge = on_d if by_slope("D_b", "G_t")[step] == ours else on_g
+    panel.line(edge, BOLD)
+    panel.dots([(x, y)])
+    panel.label(middle(*on_d), slope_text(ours.slope), 3, 6, ha="left", size=SMALL)
+    panel.label(middle(*on_g), slope_text(theirs.slope), -7, -9, size=SMALL)
+
+
+def _meeting(step: int) -> Vertex:
+    """The vertex of D_b at which G's vertex is before a move."""
+    done = [move for move in by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
+    return laid(split(example().directrix.vertices)[0][0], done)[-1]
+
+
+FIGURE = PaperFigure(
+    4,
+    "3",
+    "The first moves of a CC sweep. Before each, a vertex of G is on a vertex of D, and two "
+    "edges are ahead, one of either polygon, with the slopes written beside them. G slides "
+    "along the one with the smaller slope (bold), until two vertices meet again (thin).",
+    ("exactsweep.cc.trajectory_cc",),
+    _facts,
+    _failures,
+    "The trajectory against the definition; at each position drawn, a vertex of G is "
+    "on one of D, and they do not overlap.",
+    _draw,
+)

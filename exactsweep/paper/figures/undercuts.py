@@ -1,0 +1,126 @@
+"""Figure 7: the two kinds of undercut."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from exactsweep.cc import trajectory_cc
+from exactsweep.chain import Vertex, convex_parts, split
+from exactsweep.draw import draw_undercuts, placed_generatrix, style
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.sheet import (
+    BOLD,
+    GHOST,
+    HOLLOW,
+    PAGE,
+    PLACED,
+    TRAJECTORY,
+    Box,
+    Sheet,
+    middle,
+    moved,
+)
+from exactsweep.paper.functions import bottom_of
+from exactsweep.sweep import Sweep, Vertices, sweep
+from exactsweep.undercut import Undercut
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+DIRECTRIX = [(0, 4), (3, 0), (6, 5), (9, 1), (12, 5), (6, 8)]
+# A roof, and a long straight edge parallel to the line through the two lowest vertices of D.
+GENERATRICES: tuple[Vertices, ...] = (
+    [(0, 0), (5, -4), (9, 0), (4, 3)],
+    [(0, -1), (6, -4), (11, 0), (10, "3/2"), (1, 0)],
+)
+REFERENCES = ((5, -4), (6, -4))
+
+
+def examples() -> tuple[Sweep, Sweep]:
+    """The two sweeps; the reference points are the lowest vertices of G."""
+    first, second = (
+        sweep(g, DIRECTRIX, reference=r) for g, r in zip(GENERATRICES, REFERENCES, strict=True)
+    )
+    return first, second
+
+
+def undercut(s: Sweep) -> Undercut:
+    """The only one."""
+    (found,) = s.undercuts
+    return found
+
+
+def _facts() -> Facts:
+    facts = []
+    for letter, s in zip("ab", examples(), strict=True):
+        found = undercut(s)
+        facts += [
+            (f"({letter}) undercuts", str(len(s.undercuts))),
+            (f"({letter}) the sub-trajectories meet in a", found.intersection),
+            (f"({letter}) edges of the bottom chain", str(len(found.bottom) - 1)),
+            (f"({letter}) contact points", " ".join(f"({p.x}, {p.y})" for p in found.extremes)),
+        ]
+    return facts
+
+
+def _failures() -> Iterator[str]:
+    for s, kind in zip(examples(), ("point", "segment"), strict=True):
+        found = undercut(s)
+        yield from loops_differ(s)
+        yield from overlaps(s, found.positions)
+        yield differ("kind", found.intersection, kind)
+        yield differ("positions", len(found.positions), 1 if kind == "point" else 2)
+        gap = s.inner.area - s.directrix.area
+        yield differ("area between D and the inner loop", gap, found.polygon.area)
+
+
+def sub_trajectories(s: Sweep) -> list[list[Vertex]]:
+    """The paths of the reference point along the two convex chains of D_b."""
+    top, d_bottom = split(s.generatrix.vertices)[1], split(s.directrix.vertices)[0]
+    return [moved(trajectory_cc(top, part), s.reference) for part in convex_parts(d_bottom)]
+
+
+def _draw() -> Figure:
+    boxes = []
+    for letter, s in zip("ab", examples(), strict=True):
+        placed = [placed_generatrix(s, place).vertices for place in undercut(s).positions]
+        shapes = s.directrix.vertices, *placed, *sub_trajectories(s)
+        boxes.append(Box.around(*shapes, title=f"({letter})"))
+    with Sheet([boxes], PAGE) as sheet:
+        for panel, s in zip(sheet.panels, examples(), strict=True):
+            found = undercut(s)
+            panel.area(s.directrix.vertices, style.DIRECTRIX)
+            for place, look in zip(found.positions, (PLACED, GHOST), strict=False):
+                panel.area(placed_generatrix(s, place).vertices, look)
+            draw_undercuts(panel, [found])
+            for chain in sub_trajectories(s):
+                panel.line(chain, style.SUB_TRAJECTORY)
+            panel.line(bottom_of(s.trajectory.vertices), TRAJECTORY)
+            panel.line(found.bottom, BOLD)
+            panel.dots(found.extremes)
+            panel.dots(found.positions, HOLLOW)
+            panel.label((6, Fraction(13, 2)), "$D$")
+            panel.label(found.positions[0], "$G$", 0, 22)
+            panel.label((6, 4), "undercut", 94, -2, leader=True)
+            panel.label(middle(*found.bottom[:2]), "bottom chain", -72, 4, leader=True)
+        one, other = undercut(examples()[1]).positions
+        sheet.panels[1].label(middle(one, other), "$l$", 2, -8)
+    return sheet.figure
+
+
+FIGURE = PaperFigure(
+    7,
+    "4",
+    "The bottom chain of an undercut (bold) ends where G touches D (dots). (a) The "
+    "sub-trajectories meet in one point (hollow): G closes the undercut in one position, and the "
+    "bottom chain is a piece of G_t. (b) They share a segment of an edge l, with hollow ends: one "
+    "edge of G slides along both contact points, and the bottom chain is parallel to l.",
+    ("exactsweep.sweep.Sweep.undercuts", "exactsweep.undercut.closing_positions"),
+    _facts,
+    _failures,
+    "Both sweeps against the definition; the area between D and the inner loop is that of the "
+    "undercut; in each position drawn, G touches D and does not overlap it.",
+    _draw,
+)

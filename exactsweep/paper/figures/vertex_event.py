@@ -1,0 +1,116 @@
+"""Figure 12: a vertex of G that slides along an edge of D is the only contact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from exactsweep.chain import Vertex
+from exactsweep.draw import Stretch, placed_generatrix, stretches, style
+from exactsweep.draw.features import Features
+from exactsweep.draw.style import Look
+from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.sheet import (
+    PLACED,
+    WIDE,
+    Box,
+    Sheet,
+    half_way,
+    middle,
+)
+from exactsweep.paper.figures.undercuts import examples
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LINE = Look(style.BLACK, 0.9, dash=(0, (4, 2)), order=6)
+
+OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
+"""Where the name of an event is written, in points from the contact."""
+
+
+def moment(event: str, contacts: int) -> Stretch:
+    """The last stretch of the lower sweep of Figure 7b with an event and so many contacts."""
+    found = [
+        stretch
+        for stretch in stretches(examples()[1])
+        if stretch.event == event
+        and len(stretch.contacts) == contacts
+        and stretch.start.x < stretch.end.x
+    ]
+    return max(found, key=lambda stretch: stretch.start.x)
+
+
+def _facts() -> Facts:
+    every = stretches(examples()[1])
+    alone = [s for s in every if s.event == "VE"]
+    several = [s for s in every if len(s.contacts) > 1]
+    return [
+        ("stretches of the trajectory", str(len(every))),
+        ("with a VE event", str(len(alone))),
+        ("with a VE event and another one", str(sum(len(s.contacts) > 1 for s in alone))),
+        ("with several events", str(len(several))),
+        ("events there", ", ".join(sorted({c.event for s in several for c in s.contacts}))),
+    ]
+
+
+def _failures() -> Iterator[str]:
+    s = examples()[1]
+    yield from loops_differ(s)
+    for stretch in stretches(s):
+        t = half_way(stretch.start, stretch.end)
+        yield from overlaps(s, [t])
+        missing = set(stretch.contacts) - set(s.contacts_at(t))
+        yield differ(f"contacts missing at ({t.x}, {t.y})", missing, set())
+        if len(stretch.contacts) > 1:
+            yield differ("edges of G", len({c.generatrix for c in stretch.contacts}), 1)
+            kinds = {c.event for c in stretch.contacts}
+            yield differ("a VE event among several", "VE" in kinds, False)
+
+
+def _draw() -> Figure:
+    s = examples()[1]
+    moments = moment("VE", 1), moment("EV", 2)
+    places = [half_way(m.start, m.end) for m in moments]
+    placed = [placed_generatrix(s, place).vertices for place in places]
+    boxes = [
+        Box.around(s.directrix.vertices, ring, title=title)
+        for ring, title in zip(placed, ("(a)", "(b)"), strict=True)
+    ]
+    with Sheet([boxes], WIDE) as sheet:
+        for panel, ring, place, stretch in zip(sheet.panels, placed, places, moments, strict=True):
+            panel.area(s.directrix.vertices, style.DIRECTRIX)
+            panel.area(ring, PLACED)
+            dx, dy = stretch.end.x - stretch.start.x, stretch.end.y - stretch.start.y
+            share = 2 / max(dx, abs(dy))
+            by = share * dx, share * dy
+            panel.label((6, 6), "$D$")
+            panel.label(middle(min(ring), max(ring)), "$G$", 0, -6)
+            for contact in stretch.contacts:
+                spot = Features(s).spot(contact, place)[0]
+                panel.line([_plus(spot, by, -2), _plus(spot, by, 3)], LINE)
+                panel.dots([spot])
+                panel.label(spot, contact.event, *OFFSETS[contact.event])
+            low = min(ring, key=lambda p: p.y)
+            panel.arrow(_plus(low, by, Fraction(1, 4)), _plus(low, by, Fraction(3, 2)))
+    return sheet.figure
+
+
+def _plus(p: Vertex, by: Vertex, times: int | Fraction) -> Vertex:
+    return p[0] + times * by[0], p[1] + times * by[1]
+
+
+FIGURE = PaperFigure(
+    12,
+    "Appendix",
+    "(a) While a vertex of a convex G slides along an edge of D, a VE event, there is no other "
+    "contact: the line of the edge (dashed) meets G in that vertex alone. (b) Several events "
+    "last at once only if they are EV or EE, and of the same edge of G.",
+    ("exactsweep.contact.edge_contacts", "exactsweep.draw.stretches.stretches"),
+    _facts,
+    _failures,
+    "All events that last along the whole trajectory of Figure 7b; in the middle of each "
+    "stretch, all contacts are found again from the position alone.",
+    _draw,
+)

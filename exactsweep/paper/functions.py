@@ -1,0 +1,91 @@
+"""Chains as functions of x, and definitions evaluated straight from the input."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+
+from exactsweep.chain import Vertex, corners, split
+from exactsweep.check import ReferenceLoops, reference_loops
+from exactsweep.paper.pairs import Pair
+
+Points = Sequence[Vertex]
+
+
+def exact(chain: Iterable[Vertex]) -> list[Vertex]:
+    """A chain with corners only, so that equal chains are equal lists."""
+    return corners([(Fraction(x), Fraction(y)) for x, y in chain])
+
+
+def value(chain: Points, x: Fraction) -> Fraction:
+    """The height of a chain that runs from left to right over an x at which it does not jump.
+
+    >>> str(value([(0, 0), (3, 1)], Fraction(1)))
+    '1/3'
+    """
+    for (px, py), (qx, qy) in pairwise(chain):
+        if px < qx and px <= x <= qx:
+            return Fraction(py) + Fraction(qy - py) * (x - px) / (qx - px)
+    raise ValueError(f"the chain does not reach {x}")
+
+
+def between(*chains: Points) -> Iterator[Fraction]:
+    """Points inside every interval of x between vertices of some chains."""
+    xs = sorted({Fraction(x) for chain in chains for x, _ in chain})
+    for left, right in pairwise(xs):
+        yield (5 * left + 3 * right) / 8
+
+
+def over(chain: Points, x: Fraction) -> bool:
+    """Whether x is strictly inside the range of a chain."""
+    return chain[0][0] < x < chain[-1][0]
+
+
+def common_points(first: Points, second: Points) -> list[Fraction]:
+    """Where two chains from left to right are equally high, of the x of vertices and of ends."""
+    left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
+    xs = {Fraction(x) for x, _ in (*first, *second) if left <= x <= right}
+    xs |= {Fraction(left), Fraction(right)}
+    return sorted(x for x in xs if left <= right and value(first, x) == value(second, x))
+
+
+def clipped(chain: Points, left: Fraction, right: Fraction) -> list[Vertex]:
+    """The part of a chain over a closed x-range at whose ends it does not jump."""
+    inside = [(x, y) for x, y in chain if left < x < right]
+    return exact([(left, value(chain, left)), *inside, (right, value(chain, right))])
+
+
+def bottom_of(loop: Iterable[Vertex]) -> list[Vertex]:
+    """The bottom chain of a canonical loop, without vertical edges at the ends."""
+    return exact(split([(x, y) for x, y in loop])[0])
+
+
+def reference(pair: Pair) -> ReferenceLoops:
+    """The three loops of a pair by the definition; those of the last pairs are kept."""
+    return _reference(tuple(pair.generatrix), tuple(pair.directrix))
+
+
+@cache
+def _reference(
+    generatrix: tuple[tuple[int, int], ...], directrix: tuple[tuple[int, int], ...]
+) -> ReferenceLoops:
+    return reference_loops(list(generatrix), list(directrix))
+
+
+def differs(name: str, found: Iterable[Vertex], expected: Iterable[Vertex]) -> str:
+    """Say that two chains differ; empty if they do not.
+
+    >>> differs("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
+    'T is (0, 0) (1, 1), and (0, 0) (1, 2) by the definition'
+    """
+    found, expected = exact(found), exact(expected)
+    if found == expected:
+        return ""
+    return f"{name} is {text(found)}, and {text(expected)} by the definition"
+
+
+def text(chain: Iterable[Vertex]) -> str:
+    """A chain on one line."""
+    return " ".join(f"({x}, {y})" for x, y in chain)

@@ -1,0 +1,93 @@
+"""Laws over random pairs, and pairs that break one made smaller."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from exactsweep.chain import split
+from exactsweep.paper.claim import Run
+from exactsweep.paper.pairs import Kind, Pair, Ring, random_pairs
+from exactsweep.polygon import Polygon
+
+Law = Callable[[Pair], str]
+"""What is wrong with a pair; empty if nothing is."""
+
+
+def broken(law: Law, pairs: Iterable[Pair]) -> str:
+    """Say with which pair a law breaks, made smaller, and how; empty if it holds for all.
+
+    >>> law = lambda pair: "" if len(pair.directrix) < 4 else "four corners"
+    >>> triangle = [(0, 0), (1, 0), (0, 1)]
+    >>> broken(law, [Pair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
+    'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
+    """
+    for pair in pairs:
+        if wrong(law, pair):
+            least = shrunk(law, pair)
+            return f"{wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
+    return ""
+
+
+def wrong(law: Law, pair: Pair) -> str:
+    """What a law says of a pair; an exception is wrong too."""
+    try:
+        return law(pair)
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+
+
+def shrunk(law: Law, pair: Pair) -> Pair:
+    """Leave out vertices and halve coordinates as long as the law stays broken."""
+    while smaller := next((p for p in _smaller(pair) if wrong(law, p)), None):
+        pair = smaller
+    return pair
+
+
+def _smaller(pair: Pair) -> Iterator[Pair]:
+    for which, ring in enumerate(pair):
+        for changed in _smaller_rings(ring):
+            try:
+                corners = [(int(x), int(y)) for x, y in Polygon(changed).vertices]
+                split(corners)
+            except ValueError:
+                continue
+            if corners != ring:
+                yield Pair(corners, pair[1]) if which == 0 else Pair(pair[0], corners)
+
+
+def _smaller_rings(ring: Ring) -> Iterator[Ring]:
+    for k in range(len(ring)):
+        yield ring[:k] + ring[k + 1 :]
+    left, low = min(x for x, _ in ring), min(y for _, y in ring)
+    moved = [(x - left, y - low) for x, y in ring]
+    yield [(x // 2, y) for x, y in moved]
+    yield [(x, y // 2) for x, y in moved]
+
+
+class Trial:
+    """Laws tried on random pairs of several classes; keeps count, and the first failure.
+
+    All trials of a run draw the same pairs, whose loops by the definition are kept.
+    """
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self.failure = ""
+        self._tried: dict[str, list[str]] = {}
+
+    def of(self, law: Law, kind: Kind, count: int, *, strict: bool = True) -> Trial:
+        """Try a law, of which the first line of the docstring is told; returns the trial itself."""
+        effort = self.run.effort(count)
+        if not self.failure:
+            self.failure = broken(law, random_pairs(self.run, kind, effort, strict=strict))
+        text = (law.__doc__ or "").split("\n")[0]
+        counts = self._tried.setdefault(text, [])
+        counts.append(f"{effort} {kind}{'' if strict else ' with vertical edges'}")
+        return self
+
+    @property
+    def tried(self) -> str:
+        """What was tried, for the evidence."""
+        return " ".join(
+            f"{text} Pairs: {', '.join(counts)}." for text, counts in self._tried.items()
+        )

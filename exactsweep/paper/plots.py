@@ -1,0 +1,64 @@
+"""Plots of counts divided by claimed bounds; for these matplotlib is needed.
+
+Colours are Okabe and Ito's, which colour-blind readers tell apart; markers differ too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib.util import find_spec
+from io import BytesIO
+from itertools import cycle
+from typing import Any
+
+from exactsweep.paper.growth import Growth
+
+STYLES = (("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"))
+SETTINGS: dict[str, Any] = {
+    "font.size": 8,
+    "legend.fontsize": 7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.5,
+    "lines.markersize": 4,
+    "lines.linewidth": 1,
+    "svg.hashsalt": "exactsweep",
+}
+
+
+def available() -> bool:
+    """Whether matplotlib is installed."""
+    return find_spec("matplotlib") is not None
+
+
+def ratios(growth: Sequence[Growth]) -> bytes:
+    """An SVG of counts divided by their bounds over the sizes, one line for each series."""
+    from matplotlib.figure import Figure
+    from matplotlib.style import context
+    from matplotlib.ticker import NullFormatter, NullLocator
+
+    with context(SETTINGS):
+        figure = Figure(figsize=(4.6, 2.6), layout="constrained")
+        axes = figure.subplots()
+        for series, (colour, marker) in zip(growth, cycle(STYLES), strict=False):
+            axes.plot(
+                [point.n for point in series.points],
+                [point.ratio for point in series.points],
+                color=colour,
+                marker=marker,
+                label=f"{series.what}, {series.family}, / ({series.bound})",
+            )
+        sizes = sorted({point.n for series in growth for point in series.points})
+        axes.set_xscale("log")
+        axes.set_xticks(sizes, [str(size) for size in sizes])
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.set_ylim(0, 1.1 * max(p.ratio for series in growth for p in series.points))
+        axes.set_xlabel("n")
+        axes.set_ylabel("count / bound")
+        figure.legend(loc="outside lower left", frameon=False)
+        out = BytesIO()
+        figure.savefig(out, format="svg", metadata={"Date": None})
+    return out.getvalue()
