@@ -3,9 +3,19 @@
 import click
 
 from exactsweep import __version__
+from exactsweep.cli.batch import batch_command
+from exactsweep.cli.compare import compare_command
+from exactsweep.cli.conform import conform_command
+from exactsweep.cli.convert import convert_command
+from exactsweep.cli.corpus import corpus_command
+from exactsweep.cli.draw import draw_command
 from exactsweep.cli.explain import explain_command
+from exactsweep.cli.help import add_examples
+from exactsweep.cli.judge import judge_command
+from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
+from exactsweep.cli.view import view_command
 
 
 class _Commands(click.Group):
@@ -28,4 +38,14 @@ def main() -> None:
 
 main.add_command(sweep_command)
 main.add_command(explain_command)
+main.add_command(draw_command)
 main.add_command(verify_command)
+main.add_command(view_command)
+main.add_command(corpus_command)
+main.add_command(conform_command)
+main.add_command(judge_command)
+main.add_command(compare_command)
+main.add_command(convert_command)
+main.add_command(batch_command)
+main.add_command(reproduce_command)
+add_examples(main)

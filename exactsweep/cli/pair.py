@@ -1,14 +1,16 @@
 """The pair that a command sweeps: its files and options."""
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import wraps
 from typing import Any
 
 import click
 
-from exactsweep import Point, Sweep, examples, sweep
+from exactsweep import Point, examples, sweep
 from exactsweep.direction import DirectionError, Vector, read_direction
 from exactsweep.formats import file_name, read_polygon
+from exactsweep.formats.decimals import read_tolerance
 from exactsweep.number import to_fraction
 
 # Not checked by click, for which a file that cannot be read is a mistake in the usage.
@@ -42,34 +44,55 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         metavar="X Y",
         help="The point of the generatrix whose path the trajectory is; 0 0 if left out.",
     )
+    @takes_tolerance
     @wraps(command)
     def with_pair(
         generatrix: str | None,
         directrix: str | None,
         direction: Vector | None,
         reference: Point,
+        tolerance: Fraction | None,
         **options: Any,
     ) -> None:
         if generatrix is not None and directrix is None:
             raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
         if generatrix == directrix == "-":
             raise click.UsageError("Only one polygon can be read from standard input.")
-        command(_sweep_files(generatrix, directrix, direction, reference), **options)
+        if generatrix is None or directrix is None:
+            g, d = examples.GENERATRIX, examples.DIRECTRIX
+        else:
+            g, d = read_polygon(generatrix, tolerance), read_polygon(directrix, tolerance)
+        try:
+            result = sweep(g, d, direction=direction, reference=reference)
+        except DirectionError as error:
+            if generatrix is None or directrix is None:
+                raise
+            raise DirectionError(
+                f"{file_name(generatrix)}, {file_name(directrix)}: {error}"
+            ) from None
+        command(result, **options)
 
     return with_pair
 
 
-def _sweep_files(
-    generatrix: str | None, directrix: str | None, direction: Vector | None, reference: Point
-) -> Sweep:
-    if generatrix is None or directrix is None:
-        g, d = examples.GENERATRIX, examples.DIRECTRIX
-        return sweep(g, d, direction=direction, reference=reference)
-    g, d = read_polygon(generatrix), read_polygon(directrix)
+def takes_tolerance(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the option --flatten, as `tolerance`; None if left out."""
+    option = click.option(
+        "--flatten",
+        "tolerance",
+        callback=_to_tolerance,
+        metavar="TOLERANCE",
+        help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
+        "left out.",
+    )
+    return option(command)
+
+
+def _to_tolerance(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
     try:
-        return sweep(g, d, direction=direction, reference=reference)
-    except DirectionError as error:
-        raise DirectionError(f"{file_name(generatrix)}, {file_name(directrix)}: {error}") from None
+        return read_tolerance(text)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
 
 
 def _to_direction(

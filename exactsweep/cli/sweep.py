@@ -24,10 +24,10 @@ def sweep_command(
     """Sweep one polygon around another.
 
     GENERATRIX goes round DIRECTRIX, in contact all the way, and never overlapping. Each is a file,
-    or - for standard input, and holds one polygon: a JSON list of pairs or an object with such a
-    list as "vertices", a WKT POLYGON, or a GeoJSON Polygon or Feature. Decimals are read exactly;
-    JSON may hold fractions, too, as strings such as "-7/2". Without files, a built-in example is
-    swept.
+    or - for standard input: JSON (a list of pairs or an object with such a list as "vertices"),
+    GeoJSON, WKT, SVG or DXF. Of a file with several polygons, FILE#NAME chooses one by its name,
+    its index from 0 or its layer. Decimals are read exactly; JSON may hold fractions, too, as
+    strings such as "-7/2". Without files, a built-in example is swept.
 
     WKT has no fractions: --wkt writes the trajectory, the inner and the outer loop, a POLYGON a
     line, if all their coordinates are finite decimals, and is refused otherwise.

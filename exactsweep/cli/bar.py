@@ -1,0 +1,47 @@
+"""A progress bar with the rate and the remaining time, for a terminal."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TaskID,
+    TimeRemainingColumn,
+)
+from rich.text import Text
+
+
+class _Rate(ProgressColumn):
+    """How many a second."""
+
+    def render(self, task: Task) -> Text:
+        speed = task.finished_speed or task.speed
+        return Text("" if speed is None else f"{speed:.0f}/s")
+
+
+@contextmanager
+def bar(total: int) -> Iterator[Callable[[int], None]]:
+    """Show a bar on standard error.
+
+    Args:
+        total: the number at its end.
+
+    Yields:
+        A function to be told how far it is; where it starts does not count for the rate.
+    """
+    columns = BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn()
+    with Progress(*columns, console=Console(stderr=True)) as progress:
+        task: TaskID | None = None
+
+        def show(done: int) -> None:
+            nonlocal task
+            if task is None:
+                task = progress.add_task("", total=total, completed=done)
+            progress.update(task, completed=done)
+
+        yield show

@@ -1,0 +1,159 @@
+"""`exactsweep batch`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import click
+
+from exactsweep.cli.output import write
+from exactsweep.cli.pair import PATH, takes_tolerance
+from exactsweep.words import count
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from fractions import Fraction
+
+    from exactsweep.batch import Job, Part
+
+
+@click.command("batch")
+@click.argument("pairs", required=False, type=PATH)
+@click.option(
+    "--all",
+    "lists",
+    nargs=2,
+    type=PATH,
+    metavar="GENERATRICES DIRECTRICES",
+    help="All pairs of the polygons of two files.",
+)
+@click.option("--parts", type=PATH, metavar="FILE", help="Polygons that PAIRS names.")
+@click.option(
+    "--compute",
+    "what",
+    type=click.Choice(["trajectory", "loops", "areas"]),
+    default="loops",
+    help="The trajectory alone, all loops (if left out), or just areas.",
+)
+@click.option(
+    "--workers",
+    type=click.IntRange(1, 1024),
+    metavar="N",
+    help="How many processes compute; one for each processor if left out.",
+)
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Compute on the workers of a Dask scheduler; 'local' starts a cluster of this machine.",
+)
+@click.option("--restart", is_flag=True, help="Throw away what an interrupted batch left.")
+@takes_tolerance
+@click.option(
+    "-o",
+    "--output",
+    type=PATH,
+    required=True,
+    metavar="FILE",
+    help="The records, a line of JSON each; a table if it ends in .parquet.",
+)
+def batch_command(
+    pairs: str | None,
+    lists: tuple[str, str] | None,
+    parts: str | None,
+    what: str,
+    workers: int | None,
+    scheduler: str | None,
+    restart: bool,
+    tolerance: Fraction | None,
+    output: str,
+) -> None:
+    """Sweep very many pairs.
+
+    PAIRS has a line of JSON for each pair, {"generatrix": ..., "directrix": ...}, perhaps with
+    "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
+    'exactsweep sweep' reads, or the name of one in the file of --parts. Instead of PAIRS, --all
+    takes two files and sweeps each polygon of the first one around each of the second.
+
+    The records are in the order of the pairs. A pair that is refused has a record that says why,
+    and does not end the batch. A batch that is interrupted, however, goes on from where it was
+    when the same command is given again; until it is whole, its records are in FILE.part.
+    """
+    if (pairs is None) == (lists is None):
+        raise click.UsageError("Give either PAIRS or --all.")
+    if pairs is None and parts is not None:
+        raise click.UsageError("--parts goes with PAIRS.")
+    if "-" in (pairs, output):
+        raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
+    from exactsweep.batch import run
+
+    if scheduler is not None:
+        import logging
+
+        # Dask tells a long story of each connection that it loses.
+        logging.disable(logging.CRITICAL)
+    job = _job(pairs, lists, parts, what, tolerance)
+    done = 0
+    try:
+        with _progress(job.total) as show:
+
+            def note(number: int) -> None:
+                nonlocal done
+                done = number
+                show(number)
+
+            summary = run(
+                job,
+                output,
+                workers=workers,
+                scheduler=scheduler,
+                restart=restart,
+                progress=note,
+            )
+    except KeyboardInterrupt:
+        raise click.ClickException(
+            f"interrupted after {done} of {count(job.total, 'pair')}; "
+            "the same command goes on from there"
+        ) from None
+    text = f"{count(summary.pairs, 'pair')}, {summary.refused} refused"
+    if summary.resumed:
+        text += f"; {summary.resumed} of the records were there already"
+    write(f"{text}\n", "-")
+
+
+def _job(
+    pairs: str | None,
+    lists: tuple[str, str] | None,
+    parts: str | None,
+    what: str,
+    tolerance: Fraction | None,
+) -> Job:
+    from exactsweep.batch import all_pairs, pairs_of
+
+    if pairs is not None:
+        return pairs_of(pairs, () if parts is None else _parts(parts, tolerance), what)
+    assert lists is not None
+    generatrices, directrices = lists
+    first = _parts(generatrices, tolerance)
+    second = first if generatrices == directrices else _parts(directrices, tolerance)
+    return all_pairs(first, second, what)
+
+
+def _parts(path: str, tolerance: Fraction | None) -> tuple[Part, ...]:
+    from exactsweep.batch import read_parts
+
+    return read_parts(path, tolerance)
+
+
+@contextmanager
+def _progress(total: int) -> Iterator[Callable[[int], None]]:
+    """A bar on standard error, if that is a terminal."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield lambda done: None
+        return
+    from exactsweep.cli.bar import bar
+
+    with bar(total) as show:
+        yield show

@@ -1,0 +1,75 @@
+"""`exactsweep compare`."""
+
+from __future__ import annotations
+
+import json
+import sys
+from fractions import Fraction
+
+import click
+
+from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.pair import PATH
+from exactsweep.cli.reports import takes_accept
+from exactsweep.number import to_fraction
+
+
+def _to_rounding(ctx: click.Context, option: click.Parameter, value: str | None) -> Fraction | None:
+    try:
+        rounding = None if value is None else to_fraction(value)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+    if rounding is not None and rounding < 0:
+        raise click.BadParameter(f"{value} is negative")
+    return rounding
+
+
+@click.command("compare")
+@click.argument("case", type=PATH)
+@click.argument("result", type=PATH)
+@click.option(
+    "--rounding",
+    callback=_to_rounding,
+    metavar="NUMBER",
+    help="By how much less a coordinate may be off and the answer still be 'within'.",
+)
+@takes_accept
+@click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
+@takes_output
+def compare_command(
+    case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str
+) -> None:
+    """Hold an answer against the exact one.
+
+    CASE is a file with a case, or with a pair of polygons as 'exactsweep sweep --json' writes it;
+    or the id of a case of the corpus. RESULT is a file, or - for standard input: a JSON object
+    with any of "trajectory", "inner" and "outer", each a list of pairs of numbers or, if there
+    are several rings, a list of such lists; and "exact_fits", a list of pairs of points. A number
+    is an integer, a decimal, which is read as the binary64 next to it, or a string, "-7/2".
+
+    \b
+    Verdicts, the worst part of the answer deciding:
+      exact          the vertices of the exact loop, in order
+      equivalent     the same set of points, with other vertices
+      equivalent but for exact fits
+      within         the exact loop but for rounding
+      conservative   free positions are lost, no overlap is permitted
+      unsound        overlap is permitted
+      wrong          both
+      malformed      no loop: nan, too few vertices, crossing itself, ...
+      unsupported    nothing to compare
+
+    For each part: how far the loops are apart, the area between them, and a place to check by hand.
+
+    The exit code is 0 if the verdict is not worse than --accept, and 1 otherwise.
+    """  # noqa: D301
+    from exactsweep.conform.compare import compare
+    from exactsweep.conform.files import read_case, read_result
+    from exactsweep.conform.told import told
+    from exactsweep.conform.verdict import Verdict
+
+    if case == result == "-":
+        raise click.UsageError("Only one file can be read from standard input.")
+    found = compare(read_case(case), read_result(result), rounding=rounding)
+    write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else told(found), output)
+    sys.exit(0 if found.verdict.severity <= Verdict(accept).severity else 1)

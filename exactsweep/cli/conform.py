@@ -1,0 +1,128 @@
+"""`exactsweep conform`."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from math import isnan
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from exactsweep.cli.pair import PATH
+from exactsweep.cli.reports import Reports, takes_reports
+
+
+def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> float:
+    """Refuse the one float that is in no range and outside of none."""
+    if isnan(seconds):
+        raise click.BadParameter("nan is no number of seconds.")
+    return seconds
+
+
+@click.command("conform", context_settings={"allow_interspersed_args": False})
+@click.argument("command", nargs=-1, required=True, type=click.UNPROCESSED)
+@click.option(
+    "--filter",
+    "filters",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Only cases whose id starts with id=..., with flag=..., class=CC, CM or MM, or at most "
+    "size=... vertices. May be repeated.",
+)
+@click.option(
+    "--cases", "path", type=PATH, metavar="FILE", help="Cases as JSON lines; else the corpus."
+)
+@click.option(
+    "--timeout",
+    type=click.FloatRange(min=0, min_open=True),
+    callback=_no_nan,
+    default=10.0,
+    metavar="SECONDS",
+    help="For one answer; 10 if left out.",
+)
+@click.option(
+    "--workers",
+    type=click.IntRange(min=1, max=256),
+    default=1,
+    metavar="N",
+    help="Processes of the command side by side.",
+)
+@click.option("--journal", type=PATH, metavar="FILE", help="Keep the outcomes as they come.")
+@click.option("--resume", is_flag=True, help="Go on with the journal where it ends.")
+@click.option(
+    "--shrink",
+    type=click.IntRange(min=0),
+    default=1,
+    metavar="N",
+    help="Make N failures of each verdict smaller, for --html and --json; 1 if left out.",
+)
+@takes_reports
+def conform_command(
+    command: tuple[str, ...],
+    filters: tuple[str, ...],
+    path: str | None,
+    timeout: float,
+    workers: int,
+    journal: str | None,
+    resume: bool,
+    shrink: int,
+    reports: Reports,
+) -> None:
+    """Judge a program by exact answers.
+
+    COMMAND is started, with its arguments, and gets a JSON case a line on its standard input; it
+    answers with a JSON result a line on its standard output. The section 'Judging your own program'
+    of the README has the protocol, on a page. Write -- before COMMAND.
+
+    Prints how many cases of each class and flag got which verdict. The exit code is 0 if no
+    verdict is worse than --accept, the program ended well, and some case could be judged; and 1
+    otherwise.
+    """
+    from exactsweep.conform.journal import Journal
+    from exactsweep.conform.pool import Pool
+    from exactsweep.conform.progress import progress
+    from exactsweep.conform.run import Run
+    from exactsweep.conform.runner import conduct
+    from exactsweep.conform.selection import Selection, SelectionError, distinct, read_cases
+    from exactsweep.conform.verdict import Verdict
+
+    if resume and journal is None:
+        raise click.UsageError("--resume needs --journal.")
+    selection = Selection.of(filters)
+    total = None
+    if path is None and sys.stderr is not None and sys.stderr.isatty():
+        total = sum(1 for _ in selection.shipped())
+    cases = distinct(selection.shipped() if path is None else selection.among(read_cases(path)))
+    with ExitStack() as stack:
+        stack.enter_context(_terminated_as_interrupted())
+        pool = stack.enter_context(Pool(command, seconds=timeout, workers=workers))
+        kept = journal and stack.enter_context(
+            Journal(
+                Path(journal), command=command, hello=pool.hello, seconds=timeout, resume=resume
+            )
+        )
+        run = Run(pool.hello, command, Verdict(reports.accept))
+        tell = stack.enter_context(progress(run, total))
+        smaller = shrink if reports.html or reports.json else 0
+        conduct(run, pool, cases, journal=kept or None, tell=tell, made_smaller=smaller)
+    if not run.summary.total() and not run.interrupted:
+        raise SelectionError("no case is like that")
+    reports.write(run)
+
+
+@contextmanager
+def _terminated_as_interrupted() -> Iterator[None]:
+    """Let a polite request to end do what Ctrl-C does."""
+
+    def interrupt(number: int, frame: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    old = signal.signal(signal.SIGTERM, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, old)

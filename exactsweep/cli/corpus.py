@@ -1,0 +1,180 @@
+"""`exactsweep corpus`: list, show, export and generate cases."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain, islice
+from typing import TYPE_CHECKING, TypeVar
+
+import click
+
+from exactsweep.cli.output import takes_output, write
+
+if TYPE_CHECKING:
+    from exactsweep.corpus import Case
+
+_Command = TypeVar("_Command", bound=Callable[..., None])
+
+
+@click.group("corpus")
+def corpus_command() -> None:
+    """List, show, export or generate test cases."""
+
+
+def _takes_filters(command: _Command) -> _Command:
+    for option in (
+        click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
+        click.option("--class", "kind", metavar="CLASS", help="CC, CM or MM."),
+        click.option("--flag", "flags", multiple=True, help="A flag; repeatable."),
+    ):
+        command = option(command)
+    return command
+
+
+@corpus_command.command("list")
+@click.argument("what", default="cases", metavar="[cases|themes|flags|families]")
+@click.option("--prefix", default="", help="How the ids start; the name of a theme, for example.")
+@_takes_filters
+def list_command(
+    what: str, prefix: str, flags: tuple[str, ...], kind: str | None, max_size: int | None
+) -> None:
+    """List cases, a line each; or themes, flags, or families of the generator.
+
+    A case's line has its id, its class, the number of vertices of D and G together, and its title.
+    """
+    from exactsweep.corpus import FAMILIES, notes, themes
+    from exactsweep.corpus.names import known
+    from exactsweep.corpus.shipped import summaries
+
+    if what != "cases" and (prefix or flags or kind or max_size is not None):
+        raise click.UsageError("The options choose among cases.")
+    match known(what, ["cases", "themes", "flags", "families"], "list"):
+        case "themes":
+            rows: Iterable[tuple[str, ...]] = themes().items()
+        case "flags":
+            rows = ((flag, note.meaning) for flag, note in notes().items())
+        case "families":
+            rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
+        case _:
+            found = summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
+            rows = ((case.id, case.kind, f"{case.size:3}", case.title) for case in found)
+    write(_columns([*rows]), "-")
+
+
+@corpus_command.command("show")
+@click.argument("name", metavar="ID|FLAG|FAMILY")
+@click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
+def show_command(name: str, as_json: bool) -> None:
+    """Show a case, with the notes on its flags; or a flag; or a family of the generator.
+
+    The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER: then it is made again.
+    """
+    from exactsweep.corpus import find_case
+    from exactsweep.corpus.describe import describe
+    from exactsweep.corpus.export import case_to_line
+
+    write(case_to_line(find_case(name)) if as_json else describe(name), "-")
+
+
+@corpus_command.command("export")
+@click.argument("names", nargs=-1, metavar="[ID]...")
+@_takes_filters
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["json", "wkt", "geojson", "svg"]),
+    default="json",
+    help="json if left out.",
+)
+@takes_output
+def export_command(
+    names: tuple[str, ...],
+    flags: tuple[str, ...],
+    kind: str | None,
+    max_size: int | None,
+    form: str,
+    output: str,
+) -> None:
+    """Write cases for other programs.
+
+    An ID names a case, gen-FAMILY-SEED-NUMBER a generated one, and the beginning of ids, such as a
+    theme, all cases whose ids begin so; of these, and of all shipped cases where no ID is given,
+    the options choose.
+
+    json: a case a line, as 'exactsweep corpus schema' describes it. Nothing is lost.
+
+    wkt: a table of comma-separated values, a ring or segment a row. WKT has decimals only: a row
+    with a coordinate that is none has no geometry, and says why.
+
+    geojson: a FeatureCollection, a ring or segment a feature. Its readers take numbers for
+    doubles: a feature whose coordinates are not all doubles has "exact": false, the nearest
+    doubles, and the exact vertices as strings.
+
+    svg: a sheet of small pictures.
+    """
+    from exactsweep.corpus import export
+
+    chosen = _chosen(names, flags, kind, max_size)
+    match form:
+        case "json":
+            parts: Iterable[str] = map(export.case_to_line, chosen)
+        case "wkt":
+            parts = export.cases_to_wkt(chosen)
+        case "geojson":
+            parts = export.cases_to_geojson(chosen)
+        case _:
+            parts = export.cases_to_svg(chosen)
+    for text in parts if output == "-" else ["".join(parts)]:
+        write(text, output)
+
+
+@corpus_command.command("generate")
+@click.option("--family", "families", multiple=True, help="Repeatable; all families if left out.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, help="0 if left out.")
+@click.option("--count", type=click.IntRange(min=0), required=True, help="How many cases.")
+def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
+    """Make cases, and write each as a line of JSON.
+
+    They are the same on every machine and in every version of Python. Of several families the
+    first cases come first, then the second ones. 'exactsweep corpus list families' lists families.
+    """
+    from exactsweep.corpus import FAMILIES, generate
+    from exactsweep.corpus.export import case_to_line
+
+    streams = [generate(family, seed) for family in families or FAMILIES]
+    for case in islice(chain.from_iterable(zip(*streams, strict=True)), count):
+        write(case_to_line(case), "-")
+
+
+@corpus_command.command("schema")
+def schema_command() -> None:
+    """Write the JSON Schema (2020-12) of a case."""
+    from exactsweep.corpus.shipped import schema_text
+
+    write(schema_text(), "-")
+
+
+def _chosen(
+    names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
+) -> Iterator[Case]:
+    """The cases of these names; the names are looked at at once, the cases one by one."""
+    from exactsweep.corpus import cases, find_case, themes
+    from exactsweep.corpus.names import known
+    from exactsweep.corpus.shipped import case_ids
+
+    ids = case_ids()
+    found: list[Iterable[Case]] = []
+    for name in names or ("",):
+        if name in ids or name.startswith("gen-"):
+            found.append([find_case(name)])
+            continue
+        if not any(id.startswith(name) for id in ids):
+            known(name, [*themes(), *ids], "theme or case")
+        found.append(cases(prefix=name, flags=flags, kind=kind, max_size=max_size))
+    return chain.from_iterable(found)
+
+
+def _columns(rows: list[tuple[str, ...]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
+    return "".join(f"{line}\n" for line in lines)

@@ -1,0 +1,45 @@
+"""Examples at the end of the help of each command."""
+
+import click
+
+EXAMPLES = {
+    "sweep": [
+        "house.json block.wkt",
+        "parts.svg#bracket sheet.dxf#0 --flatten 1/1000 --json -o result.json",
+    ],
+    "explain": ["house.json block.wkt"],
+    "draw": ["house.json block.wkt --position 13/5 13/5 -o block.svg"],
+    "view": ["house.json block.wkt -o sweep.html"],
+    "verify": ["proof.json"],
+    "convert": ["drawing.dxf --flatten 1/100 -o parts.json", "parts.json#0 --to wkt --round 6"],
+    "batch": [
+        "--all parts.dxf sheets.json -o results.jsonl",
+        "pairs.jsonl --parts parts.svg --compute areas -o areas.parquet",
+    ],
+    "corpus list": ["--class MM --max-size 20", "families"],
+    "corpus show": ["directions-y"],
+    "corpus export": ["directions --format svg -o directions.svg"],
+    "corpus generate": ["--family notched --seed 1 --count 100"],
+    "corpus schema": [""],
+    "conform": ["--filter class=CC -- python adapter.py"],
+    "judge": ["--cases cases.jsonl"],
+    "compare": ["directions-y answer.json"],
+    "reproduce": ['"Lemma 5.3"', "--quick --out report"],
+}
+"""What a command may be given; a command of a group by both names."""
+
+
+def add_examples(command: click.Command, name: str = "") -> None:
+    """Give a command, and those of a group, their examples.
+
+    Args:
+        command: that of the whole program, or part of it.
+        name: what is typed for it after `exactsweep`.
+    """
+    if isinstance(command, click.Group):
+        for word, inner in command.commands.items():
+            add_examples(inner, f"{name} {word}".strip())
+    elif name in EXAMPLES:
+        lines = "".join(f"\n  {' '.join(('exactsweep', name, e)).strip()}" for e in EXAMPLES[name])
+        # \b keeps click from wrapping what follows.
+        command.epilog = f"\b\nExample{'s' * (len(EXAMPLES[name]) > 1)}:{lines}"

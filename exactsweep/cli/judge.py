@@ -1,0 +1,50 @@
+"""`exactsweep judge`."""
+
+from __future__ import annotations
+
+import click
+
+from exactsweep.cli.pair import PATH
+from exactsweep.cli.reports import Reports, takes_reports
+
+
+@click.command("judge")
+@click.option(
+    "--cases",
+    "path",
+    type=PATH,
+    metavar="FILE",
+    help="The cases, as JSON lines, if they are neither of the corpus nor generated.",
+)
+@takes_reports
+def judge_command(path: str | None, reports: Reports) -> None:
+    """Judge answers in a pipe by exact answers.
+
+    Reads on standard input what a program writes that speaks the protocol of 'exactsweep conform':
+    its hello, then a JSON result a line. Cases of the corpus and generated ones are known by
+    their ids, as in 'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
+
+    Prints how many cases of each class and flag got which verdict. The exit code is 0 if no
+    verdict is worse than --accept, all lines were answers, and some case could be judged; and 1
+    otherwise.
+    """
+    from exactsweep.conform.run import Run
+    from exactsweep.conform.selection import distinct, read_cases, standard_input
+    from exactsweep.conform.stream import Stream, finder
+    from exactsweep.conform.verdict import Verdict
+    from exactsweep.corpus import find_case
+
+    if path == "-":
+        raise click.UsageError("Standard input is for the answers; give the cases as a file.")
+    stream = Stream(standard_input())
+    run = Run(stream.hello, accepted=Verdict(reports.accept))
+    cases = None if path is None else {case.id: case for case in distinct(read_cases(path))}
+    try:
+        for outcome in stream.outcomes(find_case if cases is None else finder(cases)):
+            run.add(outcome)
+        for outcome in stream.unanswered(() if cases is None else cases.values()):
+            run.add(outcome)
+    except KeyboardInterrupt:
+        run.interrupted = True
+    run.complaints += stream.complaints
+    reports.write(run)

@@ -1,0 +1,124 @@
+"""The reports that `exactsweep conform` and `exactsweep judge` have in common."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from functools import wraps
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from exactsweep.cli.output import terminal_size, write
+from exactsweep.cli.pair import PATH
+from exactsweep.formats import FormatError
+from exactsweep.words import count
+
+if TYPE_CHECKING:
+    from exactsweep.conform.run import Run
+
+_MOST_LISTED = 10
+
+
+class Reports:
+    """Where a run is reported to, and what it is measured by."""
+
+    def __init__(self, accept: str, junit: str | None, json: str | None, html: str | None) -> None:
+        self.accept, self.junit, self.json, self.html = accept, junit, json, html
+        self._require_places()
+
+    def write(self, run: Run) -> None:
+        """Write the table and the files that were asked for, and exit with 1 unless all is well.
+
+        A report to standard output takes the place of the table.
+
+        Raises:
+            FormatError: a file cannot be written.
+        """
+        from exactsweep.conform.table import table
+
+        if "-" not in (self.junit, self.json, self.html):
+            terminal = terminal_size("-")
+            write(f"{table(run.summary, terminal and terminal.columns)}\n{_closing(run)}", "-")
+        if self.junit is not None:
+            from exactsweep.conform.junit import junit
+
+            write(junit(run), self.junit)
+        if self.json is not None:
+            write(json.dumps(run.to_json(), indent=1) + "\n", self.json)
+        if self.html is not None:
+            from exactsweep.conform.html import html
+
+            write(html(run), self.html)
+        sys.exit(0 if run.passed else 1)
+
+    def _require_places(self) -> None:
+        """Refuse, before a long run, what would fail after it."""
+        paths = [path for path in (self.junit, self.json, self.html) if path is not None]
+        if paths.count("-") > 1:
+            raise click.UsageError("Only one report can go to standard output.")
+        for path in paths:
+            if path != "-" and not Path(path).parent.is_dir():
+                raise FormatError(f"{path}: its folder is not there")
+
+
+def takes_reports(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of its reports, as `reports`."""
+
+    @takes_accept
+    @click.option("--junit", type=PATH, metavar="FILE", help="Write JUnit XML, for CI.")
+    @click.option("--json", type=PATH, metavar="FILE", help="Write all outcomes as JSON.")
+    @click.option(
+        "--html", type=PATH, metavar="FILE", help="Write a page with a picture of each failure."
+    )
+    @wraps(command)
+    def with_reports(
+        accept: str, junit: str | None, json: str | None, html: str | None, **options: Any
+    ) -> None:
+        command(reports=Reports(accept, junit, json, html), **options)
+
+    return with_reports
+
+
+def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the option --accept VERDICT, as `accept`."""
+    option = click.option(
+        "--accept",
+        metavar="VERDICT",
+        default="equivalent but for exact fits",
+        callback=_known_verdict,
+        help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
+        "for exact fits', as exact fits are reported apart; with --accept equivalent they count.",
+    )
+    return option(command)
+
+
+def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> str:
+    """Refuse what is no verdict, or says nothing on an answer."""
+    from exactsweep.conform.verdict import Verdict
+
+    allowed = [verdict.value for verdict in Verdict if verdict is not Verdict.UNSUPPORTED]
+    if name not in allowed:
+        raise click.BadParameter(f"{name!r} is not one of: {', '.join(allowed)}")
+    return name
+
+
+def _closing(run: Run) -> str:
+    """The last lines of a run: what failed, and how it ended."""
+    from exactsweep.conform.summary import fails
+
+    lines = []
+    failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
+    failed.sort(key=lambda outcome: -outcome.verdict.severity)
+    lines += [f"{o.verdict}  {o.id}  {o.reason}" for o in failed[:_MOST_LISTED]]
+    if len(failed) > _MOST_LISTED:
+        lines.append(f"... and {len(failed) - _MOST_LISTED} more")
+    lines += run.complaints
+    if run.interrupted:
+        lines.append("interrupted")
+    ending = "passed" if run.passed else "failed"
+    worse = f"{len(failed)} worse than {run.accepted}"
+    lines.append(f"{run.hello.name}: {ending}, {count(run.summary.total(), 'case')}, {worse}")
+    return "".join(f"{line}\n" for line in lines)

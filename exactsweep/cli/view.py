@@ -1,0 +1,24 @@
+"""`exactsweep view`."""
+
+import click
+
+from exactsweep import Sweep
+from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.pair import takes_pair
+
+
+@click.command("view")
+@takes_pair
+@takes_output
+def view_command(result: Sweep, output: str) -> None:
+    """Write a page on which the generatrix can be moved.
+
+    The page is one HTML file that needs no network: open it in a browser. The generatrix goes
+    round the directrix by a slider, by dragging or by the keyboard; the contact is named all the
+    way, and vertices, undercuts and exact fits tell their exact coordinates.
+
+    Files are read as by 'exactsweep sweep'; without files, its example is shown.
+    """
+    from exactsweep.view import page
+
+    write(page(result), output)

@@ -1,0 +1,117 @@
+"""Help, suggestions, colours and completion."""
+
+import os
+import pty
+import re
+import shlex
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+from command import EXACTSWEEP, NOTCH, run, shell
+from partlist import part_list
+
+from exactsweep.cli import main
+from exactsweep.cli.help import EXAMPLES
+from exactsweep.formats import format_polygons
+
+
+def commands(group: click.Group = main, prefix: str = "") -> Iterator[tuple[str, click.Command]]:
+    for name, command in group.commands.items():
+        path = f"{prefix} {name}".strip()
+        if isinstance(command, click.Group):
+            yield from commands(command, path)
+        else:
+            yield path, command
+
+
+@pytest.mark.parametrize(("name", "command"), list(commands()))
+def test_help_has_an_example_that_can_be_given(name: str, command: click.Command) -> None:
+    shown = run(*name.split(), "--help").stdout
+    examples = re.findall(r"^ +exactsweep (.*)$", shown.partition("  Example")[2], re.M)
+    assert examples == [f"{name} {example}".strip() for example in EXAMPLES[name]]
+    for example in EXAMPLES[name]:
+        command.make_context(name, shlex.split(example))
+    assert "\\b" not in shown
+
+
+@pytest.mark.parametrize(
+    ("arguments", "suggested"),
+    [
+        (["sweeep"], "sweep"),
+        (["exlpain"], "explain"),
+        (["corpus", "lst"], "list"),
+        (["sweep", "--jsom"], "--json"),
+        (["batch", "--worker", "2"], "--workers"),
+    ],
+)
+def test_unknown_words_get_a_suggestion(arguments: list[str], suggested: str) -> None:
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert f"Did you mean '{suggested}'?" in result.stderr
+
+
+def test_unknown_polygons_get_a_suggestion(tmp_path: Path) -> None:
+    path = tmp_path / "parts.json"
+    path.write_text(format_polygons(part_list(8), "json"))
+    result = run("sweep", f"{path}#shin-5", NOTCH)
+    assert result.stderr.endswith(
+        "parts.json: no polygon has the name, index or layer 'shin-5'; did you mean 'shim-5'?\n"
+    )
+
+
+@pytest.mark.parametrize("shell_name", ["bash", "zsh", "fish"])
+def test_completion_can_be_installed(shell_name: str) -> None:
+    done = shell(f"_EXACTSWEEP_COMPLETE={shell_name}_source exactsweep")
+    assert "_EXACTSWEEP_COMPLETE" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [("exactsweep ba", "plain,batch"), ("exactsweep sweep --fl", "plain,--flatten"),
+     ("exactsweep batch --compute a", "plain,areas"), ("exactsweep sweep ho", "file,ho")],
+)  # fmt: skip
+def test_words_are_completed(words: str, completed: str) -> None:
+    count = len(words.split()) - 1
+    done = shell(
+        f"COMP_WORDS='{words}' COMP_CWORD={count} _EXACTSWEEP_COMPLETE=bash_complete exactsweep"
+    )
+    assert completed in done.stdout.splitlines()
+
+
+def on_terminal(command: list[str]) -> str:
+    """Run a command with a terminal for all its output, and return that."""
+    ours, theirs = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm"}
+    environment.pop("NO_COLOR", None)
+    process = subprocess.Popen(command, stdout=theirs, stderr=theirs, env=environment)
+    os.close(theirs)
+    shown = b""
+    try:
+        while data := os.read(ours, 65536):
+            shown += data
+    except OSError:
+        pass  # how Linux says that the other side is closed
+    os.close(ours)
+    assert process.wait(60) == 0
+    return shown.decode()
+
+
+def test_colours_are_for_terminals() -> None:
+    assert "\x1b[1m" in on_terminal([EXACTSWEEP, "sweep"])
+    assert "\x1b" not in run("sweep").output
+
+
+def test_a_bar_with_rate_and_time_is_for_terminals(tmp_path: Path) -> None:
+    parts = tmp_path / "parts.json"
+    parts.write_text(format_polygons(part_list(16), "json"))
+    command = [EXACTSWEEP, "batch", "--all", str(parts), str(parts)]
+    command += ["--workers", "1", "-o", str(tmp_path / "out")]
+    shown = on_terminal(command)
+    assert "256/256" in shown
+    assert re.search(r"\d+/s", shown)
+    assert re.search(r"\d:\d\d:\d\d", shown)
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    assert (done.stdout[:9], done.stderr) == ("256 pairs", "")
