@@ -33,10 +33,17 @@ class LowerSweep:
         self.directrix = directrix
 
     @cached_property
+    def path(self) -> list[Vertex]:
+        """T(G_t, D_b) as a chain, from left to right."""
+        if self.kind == "CC":
+            return trajectory_cc(self.top, self.directrix)
+        return list(self.trajectory)
+
+    @cached_property
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of_own(trajectory_cc(self.top, self.directrix))
+            return Envelope.of_own(self.path)
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)

@@ -84,7 +84,7 @@ class Sweep:
     @cached_property
     def trajectory(self) -> Polygon:
         """The path of the reference point of G: the boundary of the no-fit polygon."""
-        return self._loop(lambda half: half.trajectory, self.reference)
+        return self._loop(lambda half: half.path, self.reference)
 
     @cached_property
     def inner(self) -> Polygon:
