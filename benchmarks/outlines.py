@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import cos, pi, sin, sqrt
 
-from benchmarks.families import Pair
+from exactsweep.paper.figure10 import Pair
 
 Outline = list[Pair]
 Corner = tuple[float, float]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from benchmarks.families import FAMILIES, Pair
+from benchmarks.families import FAMILIES
+from exactsweep.paper.figure10 import Pair
 
 TRAJECTORY, LOOPS = "trajectory", "three loops"
 

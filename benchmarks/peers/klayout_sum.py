@@ -7,8 +7,8 @@ from importlib.metadata import version as installed
 
 import klayout.db as db
 
-from benchmarks.families import Pair
 from benchmarks.peers.worker import Loop
+from exactsweep.paper.figure10 import Pair
 
 LIMIT = 2**31
 

@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 import exactsweep
-from benchmarks.families import Pair
 from benchmarks.peers.worker import Loop
+from exactsweep.paper.figure10 import Pair
 
 Outline = Sequence[Pair] | exactsweep.Polygon
 

@@ -9,8 +9,8 @@ from importlib.metadata import version as installed
 
 from pysfcgal.geometry import Polygon
 
-from benchmarks.families import Pair
 from benchmarks.peers.worker import Loop
+from exactsweep.paper.figure10 import Pair
 
 _FIRST_RING = re.compile(r"\(([^()]*)\)")
 

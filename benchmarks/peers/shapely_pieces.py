@@ -12,9 +12,9 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
-from benchmarks.families import Pair
 from benchmarks.peers.worker import Loop
 from exactsweep.chain import Rational, Vertex, split
+from exactsweep.paper.figure10 import Pair
 
 Array = npt.NDArray[np.float64]
 FloatPoint = tuple[float, float]
