@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import groupby
 from math import gcd
+from operator import ne, sub
 
 from exactsweep.number import to_fraction
 from exactsweep.polygon import Polygon
@@ -205,8 +206,11 @@ def monotone_directions(polygon: Polygon) -> Directions:
 def is_monotone(polygon: Polygon, direction: Vector) -> bool:
     """Whether a polygon is monotone to one direction, at least weakly.  Cost: O(n)."""
     p, q = direction
-    along = [d for dx, dy in _edges(polygon.lattice()[1]) if (d := p * dx + q * dy)]
-    return sum((along[k] > 0) != (along[k - 1] > 0) for k in range(len(along))) == 2
+    along = [p * x + q * y for x, y in polygon.lattice()[1]]
+    steps = filter(None, map(sub, along, along[-1:] + along))
+    forward = [step > 0 for step in steps]
+    changes: int = sum(map(ne, forward, forward[-1:] + forward))
+    return changes == 2
 
 
 def shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector:

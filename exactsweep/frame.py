@@ -25,7 +25,7 @@ class Frame(NamedTuple):
         """Vertices of a polygon on the lattice, not turned, in canonical order."""
         scale, points = polygon.lattice()
         k = self.scale // scale
-        return [(k * x, k * y) for x, y in points]
+        return list(points) if k == 1 else [(k * x, k * y) for x, y in points]
 
     def raised(self, points: Sequence[Point], shift: Point) -> list[Vertex]:
         """Points less a vector on the lattice, not turned; as ints where they lie on it."""
@@ -35,6 +35,8 @@ class Frame(NamedTuple):
     def turned(self, points: Sequence[Vertex]) -> list[Vertex]:
         """Points of the lattice in the frame."""
         p, q = self.direction
+        if (p, q) == X_AXIS:
+            return list(points)
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
     def turned_back(self, points: Sequence[Vertex]) -> Sequence[Vertex]:

@@ -13,6 +13,7 @@ from math import lcm
 from typing import TYPE_CHECKING, Any
 
 from exactsweep.chain import Vertex, inverse, split
+from exactsweep.collector import resting
 from exactsweep.contact import Boundary, Contact, contacts_at, edge_contacts
 from exactsweep.direction import X_AXIS, Vector, read_direction, require_monotone, shared_direction
 from exactsweep.exact_fit import exact_fits
@@ -67,19 +68,20 @@ class Sweep:
         )
 
     def _loop(self, half: Callable[[LowerSweep], Iterable[Vertex]], shift: Point) -> Polygon:
-        lower, upper = (list(half(side)) for side in self._halves)
-        upper = inverse(upper)
-        # At each end the two chains meet in a point or are joined by a vertical edge.
-        if upper[0] == lower[-1]:
-            del upper[0]
-        if upper[-1] == lower[0]:
-            del upper[-1]
-        loop = lower + upper
-        if self.direction != X_AXIS:
-            points = self._frame.turned_back(loop)
-            start = min(range(len(points)), key=points.__getitem__)
-            loop = loop[start:] + loop[:start]
-        return Polygon._from_canonical(self._frame.leave(loop, shift))
+        with resting():
+            lower, upper = (list(half(side)) for side in self._halves)
+            upper = inverse(upper)
+            # At each end the two chains meet in a point or are joined by a vertical edge.
+            if upper[0] == lower[-1]:
+                del upper[0]
+            if upper[-1] == lower[0]:
+                del upper[-1]
+            loop = lower + upper
+            if self.direction != X_AXIS:
+                points = self._frame.turned_back(loop)
+                start = min(range(len(points)), key=points.__getitem__)
+                loop = loop[start:] + loop[:start]
+            return Polygon._from_canonical(self._frame.leave(loop, shift))
 
     @cached_property
     def trajectory(self) -> Polygon:
