@@ -1,6 +1,6 @@
 """Log-log plots: measured points beside the claimed curves, and programs beside each other.
 
-Colours are Okabe and Ito's, which colour-blind readers tell apart; markers and dashes differ too.
+Colours are those of all pictures (`exactsweep.draw.style`); markers and dashes differ too.
 """
 
 from __future__ import annotations
@@ -18,28 +18,17 @@ from matplotlib.ticker import NullFormatter, NullLocator
 from benchmarks.growth import Point, Series
 from benchmarks.peers.cases import TRAJECTORY
 from benchmarks.peers.measured import Comparison
+from exactsweep.draw.style import PALETTE
+from exactsweep.paper.plots import SETTINGS
 
-STYLES = (
-    ("#0072B2", "o"),
-    ("#D55E00", "s"),
-    ("#009E73", "^"),
-    ("#CC79A7", "D"),
-    ("#E69F00", "v"),
-    ("#56B4E9", "P"),
-)
-SETTINGS: dict[str, Any] = {
-    "font.size": 8,
+STYLES = tuple(zip(PALETTE, "os^DvP", strict=False))
+# Panels are smaller here than the plots of the ledger.
+SMALLER: dict[str, Any] = {
+    **SETTINGS,
     "axes.titlesize": 8,
     "legend.fontsize": 6.5,
     "xtick.labelsize": 6.5,
     "ytick.labelsize": 6.5,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": "#DDDDDD",
-    "grid.linewidth": 0.5,
-    "lines.markersize": 4,
-    "lines.linewidth": 1,
     "svg.hashsalt": "benchmarks",
 }
 COLUMNS = 3
@@ -54,7 +43,7 @@ def growth(
     The claimed curve is scaled to the value at the largest size.
     """
     names = list(dict.fromkeys(series.procedure for series in measured))
-    with context(SETTINGS):
+    with context(SMALLER):
         figure, panels = _panels(len(names))
         for panel, name in zip(panels, names, strict=False):
             chosen = [s for s in measured if s.procedure == name]
@@ -96,7 +85,7 @@ def programs(found: Comparison, path: Path) -> None:
     ]
     families = list(dict.fromkeys(r.case.family for r in results))
     names = sorted({r.program for r in results}, key=list(found.versions).index)
-    with context(SETTINGS):
+    with context(SMALLER):
         figure, panels = _panels(len(families))
         for panel, family in zip(panels, families, strict=False):
             for name, (colour, marker) in zip(names, STYLES, strict=False):

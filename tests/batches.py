@@ -1,12 +1,11 @@
 """How the tests run a batch as a process, watch it, and find its workers."""
 
 import subprocess
-import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from command import EXACTSWEEP
+from command import EXACTSWEEP, eventually
 
 from exactsweep.formats import NamedPolygon, format_polygons
 
@@ -32,10 +31,7 @@ def size(path: Path) -> int:
 
 def wait_for(condition: Callable[[], object], process: subprocess.Popen[str]) -> None:
     """Wait until something is so, or the process has ended."""
-    end = time.monotonic() + 120
-    while not condition() and process.poll() is None:
-        assert time.monotonic() < end
-        time.sleep(0.005)
+    eventually(lambda: condition() or process.poll() is not None)
 
 
 def children(pid: int) -> list[int]:

@@ -190,11 +190,6 @@ def convex_polygons() -> st.SearchStrategy[Polygon]:
     return _polygons(convex_rings())
 
 
-def strict_polygons() -> st.SearchStrategy[Polygon]:
-    """Strictly x-monotone."""
-    return _polygons(strict_rings())
-
-
 def monotone_polygons() -> st.SearchStrategy[Polygon]:
     """Weakly x-monotone."""
     return _polygons(monotone_rings())

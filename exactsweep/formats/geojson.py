@@ -10,9 +10,6 @@ from exactsweep.formats.exact_json import described, read_name, read_vertices
 from exactsweep.formats.outline import Outline
 from exactsweep.polygon import Point
 
-TYPES = {"Polygon", "MultiPolygon", "GeometryCollection", "Feature", "FeatureCollection"}
-"""The types that hold polygons."""
-
 _MAX_DEPTH = 100
 
 

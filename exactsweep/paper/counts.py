@@ -40,11 +40,8 @@ def operations_grow(
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
     """Count the operations of a procedure beside a bound in m and n."""
-
-    def count(m: int, n: int) -> tuple[int, float]:
-        return operations(run, Pair(*family(m, n)).chains), bound[1](m, n)
-
-    return grow(f"operations of {procedure}", family.__name__, bound[0], sizes, count)
+    what = f"operations of {procedure}"
+    return _grow(what, lambda chains: operations(run, chains), family, bound, sizes)
 
 
 def vertices_grow(
@@ -55,8 +52,17 @@ def vertices_grow(
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
     """Count the vertices that come out beside a bound in m and n."""
+    return _grow(f"vertices of {what}", lambda c: sum(1 for _ in run(c)), family, bound, sizes)
 
-    def count(m: int, n: int) -> tuple[int, float]:
-        return sum(1 for _ in run(Pair(*family(m, n)).chains)), bound[1](m, n)
 
-    return grow(f"vertices of {what}", family.__name__, bound[0], sizes, count)
+def _grow(
+    what: str,
+    count: Callable[[Chains], int],
+    family: Family,
+    bound: tuple[str, Callable[[int, int], float]],
+    sizes: Iterable[tuple[int, int]],
+) -> Growth:
+    def beside(m: int, n: int) -> tuple[int, float]:
+        return count(Pair(*family(m, n)).chains), bound[1](m, n)
+
+    return grow(what, family.__name__, bound[0], sizes, beside)

@@ -1,6 +1,6 @@
 """Plots of counts divided by claimed bounds; for these matplotlib is needed.
 
-Colours are Okabe and Ito's, which colour-blind readers tell apart; markers differ too.
+Colours are those of all pictures (`exactsweep.draw.style`); markers differ too.
 """
 
 from __future__ import annotations
@@ -11,9 +11,10 @@ from io import BytesIO
 from itertools import cycle
 from typing import Any
 
+from exactsweep.draw.style import PALETTE
 from exactsweep.paper.growth import Growth
 
-STYLES = (("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"))
+STYLES = tuple(zip(PALETTE, "os^D", strict=False))
 SETTINGS: dict[str, Any] = {
     "font.size": 8,
     "legend.fontsize": 7,

@@ -2,57 +2,36 @@
 
 import json
 from hashlib import sha256
-from types import ModuleType
+from importlib import import_module
 from typing import Any
 
-from builders import (
-    directions,
-    failures,
-    figures,
-    fits,
-    identical,
-    lower_bounds,
-    near_parallel,
-    parallel,
-    parts,
-    reference,
-    sampled,
-    sizes,
-    slivers,
-    spelling,
-    tangent,
-    touching,
-    undercuts,
-    vertical,
-    worked,
-)
 from builders.entry import Entry
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.corpus.case import given_ring
 from exactsweep.polygon import read_point
 
-_MODULES: list[ModuleType] = [
-    directions,
-    failures,
-    figures,
-    fits,
-    identical,
-    lower_bounds,
-    near_parallel,
-    parallel,
-    parts,
-    reference,
-    sampled,
-    sizes,
-    slivers,
-    spelling,
-    tangent,
-    touching,
-    undercuts,
-    vertical,
-    worked,
-]
-THEMES = {module.__name__.rpartition(".")[2].replace("_", "-"): module for module in _MODULES}
+_NAMES = (
+    "directions",
+    "failures",
+    "figures",
+    "fits",
+    "identical",
+    "lower_bounds",
+    "near_parallel",
+    "parallel",
+    "parts",
+    "reference",
+    "sampled",
+    "sizes",
+    "slivers",
+    "spelling",
+    "tangent",
+    "touching",
+    "undercuts",
+    "vertical",
+    "worked",
+)
+THEMES = {name.replace("_", "-"): import_module(f"builders.{name}") for name in _NAMES}
 
 
 class BuilderError(ValueError):

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 LEFT = Look(style.BLUE, 2.6, order=5)
 RIGHT = Look(style.RED, 1.6, dash=(0, (4, 1.2)), order=5.1)
-LEFT_HALF = Look("none", 0, fill="#f0e44240", order=0)
+LEFT_HALF = Look("none", 0, fill=f"{style.YELLOW}40", order=0)
 
 
 class Frozen(NamedTuple):
