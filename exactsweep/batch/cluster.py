@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import Future
+from concurrent.futures import CancelledError, Future, wait
 from contextlib import suppress
 from typing import Any
 
@@ -14,6 +14,9 @@ from exactsweep.number import quoted
 
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""
+
+# Seconds between two looks at whether the scheduler is still there.
+_LOOK = 0.5
 
 
 class Cluster:
@@ -34,36 +37,66 @@ class Cluster:
     def __init__(self, work: Work, address: str, count: int) -> None:
         dask = _dask()
         self.lost: tuple[type[BaseException], ...] = (dask.KilledWorker,)
+        self.closed: type[Exception] = dask.client.ClosedClientError
         self.own = None
         try:
             if address == LOCAL:
+                # It serves its state by HTTP even so; on some port that is free, then.
                 self.own = dask.LocalCluster(
-                    n_workers=count, threads_per_worker=1, dashboard_address=None
+                    n_workers=count,
+                    threads_per_worker=1,
+                    dashboard_address="127.0.0.1:0",
+                    scheduler_kwargs={"dashboard": False},
                 )
             self.client = dask.Client(self.own or address, timeout=5)
+            self.count = max(1, sum(self.client.nthreads().values()))
+            self.name = f"exactsweep-{id(self):x}"
+            self.client.register_plugin(_holder(work, self.name))
         except (OSError, ValueError) as error:
             reason = str(error).partition("\n")[0]
             raise BatchError(f"no Dask scheduler at {quoted(address)}: {reason}") from None
-        self.count = max(1, sum(self.client.nthreads().values()))
-        self.name = f"exactsweep-{id(self):x}"
-        self.client.register_plugin(_holder(work, self.name))
+        self.connection = self.client.scheduler_comm
         self.pool = self.client.get_executor(pure=False)
 
-    def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
-        """Compute a chunk in some process."""
-        found: Future[Sequence[bytes]] = self.pool.submit(_compute, chunk, self.name)
-        return found
+    def submit(self, chunk: Chunk) -> _Answer:
+        """Compute a chunk in some process.
+
+        Raises:
+            CancelledError: the scheduler is gone.
+        """
+        try:
+            return _Answer(self.pool.submit(_compute, chunk, self.name), self)
+        except self.closed:
+            raise CancelledError from None
+
+    def is_gone(self) -> bool:
+        """Return whether the scheduler is gone, or was and has forgotten the batch."""
+        return self.client.status != "running" or self.client.scheduler_comm is not self.connection
 
     def close(self) -> None:
         """Leave the cluster, and end it if it is our own."""
-        self.pool.shutdown(wait=False)
         # If the scheduler is gone, there is nothing left to be tidied up.
-        with suppress(OSError):
-            if self.own is None and self.client.status == "running":
+        with suppress(OSError, self.closed):
+            self.pool.shutdown(wait=False)
+            if self.own is None and not self.is_gone():
                 self.client.unregister_worker_plugin(self.name)
         self.client.close()
         if self.own is not None:
             self.own.close()
+
+
+class _Answer:
+    """What a chunk gives, some time."""
+
+    def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
+        self.future, self.cluster = future, cluster
+
+    def result(self) -> Sequence[bytes]:
+        # Dask never settles the futures of results that it was fetching when the scheduler went.
+        while not wait([self.future], _LOOK).done:
+            if self.cluster.is_gone():
+                raise CancelledError
+        return self.future.result()
 
 
 def _dask() -> Any:

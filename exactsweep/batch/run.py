@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import CancelledError, Future
+from concurrent.futures import CancelledError
 from typing import NamedTuple, Protocol
 
 from exactsweep.batch.error import BatchError
@@ -32,13 +32,20 @@ class Summary(NamedTuple):
     resumed: int
 
 
+class Answer(Protocol):
+    """What a chunk gives, some time."""
+
+    def result(self) -> Sequence[bytes]:
+        """Wait for it, and return it."""
+
+
 class Processes(Protocol):
     """Whatever computes chunks."""
 
     count: int
     lost: tuple[type[BaseException], ...]
 
-    def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
+    def submit(self, chunk: Chunk) -> Answer:
         """Compute a chunk in some process."""
 
     def close(self) -> None:
@@ -113,7 +120,7 @@ def _processes(work: Work, workers: int | None, scheduler: str | None) -> Proces
     return Cluster(work, scheduler, workers or cores())
 
 
-_Pending = tuple[Chunk, Future[Sequence[bytes]]]
+_Pending = tuple[Chunk, Answer]
 
 
 def _in_order(
@@ -128,11 +135,9 @@ def _in_order(
         yield _result(*pending.popleft(), processes, work)
 
 
-def _result(
-    chunk: Chunk, future: Future[Sequence[bytes]], processes: Processes, work: Work
-) -> Sequence[bytes]:
+def _result(chunk: Chunk, answer: Answer, processes: Processes, work: Work) -> Sequence[bytes]:
     try:
-        return future.result()
+        return answer.result()
     except processes.lost:
         # One of its pairs, or of another chunk, is too much for a process: one at a time, then.
         return [_alone(single, processes, work) for single in chunk.singles()]
