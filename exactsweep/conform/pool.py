@@ -20,6 +20,8 @@ from exactsweep.number import quoted
 
 _Job = tuple[str, dict[str, Any]]
 
+_ENDED = "the process that judges has ended"
+
 
 class JudgeError(ValueError):
     """What could not be judged, by no fault of the implementation; the message says why."""
@@ -195,7 +197,7 @@ class _Worker:
     def read(self) -> dict[str, Any]:
         line = self._from.readline()
         if not line.endswith(b"\n"):
-            raise JudgeError("the process that judges has ended")
+            raise JudgeError(_ENDED)
         found: dict[str, Any] = json.loads(line)
         return found
 
@@ -207,5 +209,8 @@ class _Worker:
         self._started.end()
 
     def _send(self, data: dict[str, Any]) -> None:
-        self._to.write(json.dumps(data).encode() + b"\n")
-        self._to.flush()
+        try:
+            self._to.write(json.dumps(data).encode() + b"\n")
+            self._to.flush()
+        except BrokenPipeError:
+            raise JudgeError(_ENDED) from None
