@@ -29,6 +29,10 @@ Vector = tuple[int, int]
 X_AXIS: Vector = (1, 0)
 Y_AXIS: Vector = (0, 1)
 
+# The smallest directions but the X axis, in order, as `Directions.simplest` has it: most pairs
+# that share any share one of these, and then all others need not be found.
+_SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
+
 
 class DirectionError(ValueError):
     """Polygons that are not monotone to a shared direction, or not to the one asked for."""
@@ -68,16 +72,27 @@ class Directions:
         return any(self.at)
 
     def __and__(self, other: Directions) -> Directions:
-        """The directions in both.  Cost: O(n log n)."""
-        critical = _by_angle({*self.critical, *other.critical})
-        return Directions(
-            tuple(critical),
-            tuple(u in self and u in other for u in critical),
-            tuple(
-                self.after[self._last_up_to(u)] and other.after[other._last_up_to(u)]
-                for u in critical
-            ),
-        )
+        """The directions in both.  Cost: O(n), one cross product for each critical direction."""
+        critical: list[Vector] = []
+        at: list[bool] = []
+        after: list[bool] = []
+        i = j = 0
+        while i < len(self.critical) or j < len(other.critical):
+            # Before its first critical direction a polygon is as after its last one.
+            mine, others = self.after[i - 1], other.after[j - 1]
+            turn = -1 if j == len(other.critical) else i == len(self.critical)
+            if not turn:
+                turn = _turn(self.critical[i], other.critical[j])
+            critical.append(self.critical[i] if turn <= 0 else other.critical[j])
+            if turn <= 0:
+                mine = self.at[i]
+                i += 1
+            if turn >= 0:
+                others = other.at[j]
+                j += 1
+            at.append(mine and others)
+            after.append(self.after[i - 1] and other.after[j - 1])
+        return Directions(tuple(critical), tuple(at), tuple(after))
 
     def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
         """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.
@@ -203,12 +218,14 @@ def monotone_directions(polygon: Polygon) -> Directions:
     return Directions(tuple(critical), tuple(at), tuple(after))
 
 
-def is_monotone(polygon: Polygon, direction: Vector) -> bool:
+def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) -> bool:
     """Whether a polygon is monotone to one direction, at least weakly.  Cost: O(n)."""
     p, q = direction
     along = [p * x + q * y for x, y in polygon.lattice()[1]]
-    steps = filter(None, map(sub, along, along[-1:] + along))
-    forward = [step > 0 for step in steps]
+    steps = list(map(sub, along, along[-1:] + along))
+    if strict and not all(steps):
+        return False
+    forward = [step > 0 for step in filter(None, steps)]
     changes: int = sum(map(ne, forward, forward[-1:] + forward))
     return changes == 2
 
@@ -222,10 +239,15 @@ def shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
     Raises:
         DirectionError: there is none; the message says to which directions each one is monotone.
 
-    Cost: O(m + n) if it is the X axis, else O((m + n) log(m + n)).
+    Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
     """
     if is_monotone(generatrix, X_AXIS) and is_monotone(directrix, X_AXIS):
         return X_AXIS
+    for direction in _SMALL:
+        if is_monotone(generatrix, direction, strict=True) and is_monotone(
+            directrix, direction, strict=True
+        ):
+            return direction
     of_generatrix, of_directrix = monotone_directions(generatrix), monotone_directions(directrix)
     shared = of_generatrix & of_directrix
     if not shared:
@@ -255,10 +277,6 @@ def _turn(u: Vector, v: Vector) -> int:
 
 # Both in the half plane of `primitive`, so that the sign of the cross product orders them.
 angle_key = cmp_to_key(_turn)
-
-
-def _by_angle(directions: Iterable[Vector]) -> list[Vector]:
-    return sorted(directions, key=angle_key)
 
 
 def _simplest_between(u: Vector, v: Vector) -> Vector:
