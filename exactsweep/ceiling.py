@@ -1,15 +1,16 @@
-"""A ceiling over a trajectory: which sub-trajectories cannot reach below it.
+"""Which pairs of convex parts need not be swept: boxes of parts, and a ceiling over a trajectory.
 
-Most pairs of convex parts of a monotone pair never come near the envelope.  The x-range is cut
-into strips of equal width, each with an upper bound of an envelope already computed; a
-sub-trajectory whose least y is no less than the bounds of all strips that it crosses is nowhere
-below that envelope, and need not be made.  Bounds are rounded upwards to ints: exact.
+Two parts without a slope in common give nothing that matters (see `exactsweep.parts`), and most of
+the other pairs never come near the envelope.  So its x-range is cut into strips of equal width,
+each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
+than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
+Bounds of heights are rounded upwards to ints, and those of slopes downwards: exact.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from math import inf
 from typing import NamedTuple, Protocol
 
@@ -17,8 +18,20 @@ from exactsweep.chain import Rational
 from exactsweep.envelope import Envelope
 from exactsweep.piece import Span, upper_bound
 
-Box = tuple[Rational, Rational, Rational]
-"""Of a chain: least x, greatest x, least y."""
+
+class Box(NamedTuple):
+    """Bounds of a convex part: of its x-range, its least y, and the slopes in which it matters.
+
+    Slopes are ints as `slope_bound` gives them, or infinite where the other polygon turns about
+    an end of the part.
+    """
+
+    left: Rational
+    right: Rational
+    low: Rational
+    flattest: Rational | float
+    steepest: Rational | float
+
 
 STRIPS_PER_EDGE = 4
 STRIPS_PER_CHAIN = 8
@@ -33,17 +46,26 @@ class Boxed(Protocol):
 
 
 class Boxes(NamedTuple):
-    """The boxes of consecutive chains, and their ends, which ascend."""
+    """The boxes of consecutive parts, and their ends, which ascend."""
 
     boxes: list[Box]
     lefts: list[Rational]
     rights: list[Rational]
 
     @classmethod
-    def of(cls, chains: Iterable[Boxed]) -> Boxes:
-        """Collect the boxes of chains, from left to right."""
-        boxes = [chain.box for chain in chains]
-        return cls(boxes, [left for left, _, _ in boxes], [right for _, right, _ in boxes])
+    def of(cls, parts: Iterable[Boxed]) -> Boxes:
+        """Collect the boxes of parts, from left to right."""
+        boxes = [part.box for part in parts]
+        return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
+
+    def facing(self, part: Box) -> list[int]:
+        """The numbers of the boxes that may have slopes in common with a part.  Cost: O(m)."""
+        _, _, _, flattest, steepest = part
+        return [
+            k
+            for k, (_, _, _, first, last) in enumerate(self.boxes)
+            if first <= steepest and flattest <= last
+        ]
 
 
 class Ceiling:
@@ -96,21 +118,28 @@ class Ceiling:
             int((right // right_d - self.start) // self.width),
         )
 
-    def reached(self, chain: Box, boxes: Boxes) -> Iterator[int]:
-        """The numbers of the boxes whose sum with that of a chain comes below the ceiling.
+    def reached(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
+        """Which boxes give a sum with that of a part that comes below the ceiling.
+
+        Args:
+            part: a box of a part of G_t.
+            boxes: those of D_b.
+            numbers: of the boxes that are asked about, ascending.
 
         Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
         """
-        left, right, low = chain
-        left -= self.start
-        right -= self.start
+        left, right, low = part.left - self.start, part.right - self.start, part.low
         width, tops = self.width, self.tops
+        reached: list[int] = []
         done = 0
         for first_strip, last_strip in self.windows:
             begin = max(done, bisect_left(boxes.rights, first_strip * width - right))
             done = bisect_right(boxes.lefts, (last_strip + 1) * width - left, begin)
-            for k in range(begin, done):
-                first, last, least = boxes.boxes[k]
-                strips = tops[(left + first) // width : (right + last) // width + 1]
-                if least + low < max(strips):
-                    yield k
+            for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
+                first, last, least, _, _ = boxes.boxes[k]
+                least += low
+                start, end = (left + first) // width, (right + last) // width
+                # Most are decided by the strip in the middle.
+                if least < tops[(start + end) // 2] or least < max(tops[start : end + 1]):
+                    reached.append(k)
+        return reached

@@ -74,7 +74,8 @@ def sweep_parts(
 
     The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
     """
-    pieces = (part.swept(edges, source) for source, part in enumerate(parts, first_source))
+    chain = ConvexPart(list(edges), None, None)
+    pieces = (part.swept(chain, source) for source, part in enumerate(parts, first_source))
     return reduce(lower_envelope_cm, pieces)
 
 

@@ -27,7 +27,6 @@ from exactsweep.piece import (
     height,
     joined,
     line_of,
-    min_break,
     point_on,
     precedes,
 )
@@ -72,10 +71,15 @@ class Envelope:
                     lines.append((dx, dy, py * dx - px * dy))
         return self._lines
 
-    @classmethod
-    def hole(cls, start: Break, end: Break) -> Envelope:
-        """An envelope of nothing over an x-range."""
-        return cls([start, end], [None], [-1])
+    def follows(self, other: Envelope) -> bool:
+        """Whether it starts over another one, and ends where that ends or right of it."""
+        (start, start_d), (end, end_d) = other.breaks[0], other.breaks[-1]
+        (first, first_d), (last, last_d) = self.breaks[0], self.breaks[-1]
+        return (
+            start * first_d <= first * start_d
+            and first * end_d <= end * first_d
+            and end * last_d <= last * end_d
+        )
 
     def extend_hole(self, end: Break) -> None:
         """Append a hole up to a break."""
@@ -169,7 +173,8 @@ class Envelope:
 
         The break lies on the last edge or where it starts.  Cost: O(edges appended).
         """
-        if last == len(chain.edges) or not precedes(chain.breaks[last], end):
+        (n, d), (m, e) = chain.breaks[last], end
+        if last == len(chain.edges) or n * e >= m * d:
             last -= 1
         if last >= first:
             self.lines().extend(chain.lines()[first : last + 1])
@@ -297,7 +302,7 @@ def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     """Lower envelope of sub-trajectories, by divide and conquer (Section 5.1).
 
-    Procedure LowerEnvelope_MM.  Where there is no chain, the envelope has a hole.
+    Procedure LowerEnvelope_MM.  Between chains that do not overlap the envelope has a hole.
 
     Cost: O(N log k) for k envelopes, N being the largest total size on a level of the recursion.
     The paper takes N for the size of the input; the envelope of N segments can have more than a
@@ -311,32 +316,29 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     if len(envelopes) == 1:
         return envelopes[0]
     half = len(envelopes) // 2
-    first, second = lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:])
-    if not precedes(second.breaks[0], first.breaks[-1]):
-        both = Envelope([first.breaks[0]], [], [])
-        both.extend(first)
-        both.extend(second)
-        return both
-    start, end = min_break(first.breaks[0], second.breaks[0]), first.breaks[-1]
-    if precedes(end, second.breaks[-1]):
-        end = second.breaks[-1]
-    return merge(first.padded(start, end), second.padded(start, end))
+    return merge(lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:]))
 
 
 def merge(first: Envelope, second: Envelope) -> Envelope:
-    """Lower envelope of two envelopes over one x-range, both walked in vertical sync.
+    """Lower envelope of two envelopes, both walked in vertical sync where they overlap.
 
     Cost: O(size of first + size of second).
     """
-    merged = Envelope([first.breaks[0]], [], [])
     a_breaks, b_breaks = first.breaks, second.breaks
-    a_lines, b_lines = first.lines(), second.lines()
-    last = len(a_lines) - 1
-    i = j = 0
-    a, b = a_lines[0], b_lines[0]
-    n, d = a_breaks[0]
     # The envelope has been on the first or the second chain since edge number `since` of it.
-    on_first, since = True, 0
+    on_first, since = not precedes(b_breaks[0], a_breaks[0]), 0
+    left, right = (first, second) if on_first else (second, first)
+    merged = Envelope([left.breaks[0]], [], [])
+    n, d = right.breaks[0]
+    if not precedes((n, d), left.breaks[-1]):
+        merged.extend(left)
+        merged.extend(right)
+        return merged
+    start = left.edge_after((n, d))
+    i, j = (start, 0) if on_first else (0, start)
+    a_lines, b_lines = first.lines(), second.lines()
+    last_a, last_b = len(a_lines) - 1, len(b_lines) - 1
+    a, b = a_lines[i], b_lines[j]
     while True:
         end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
         order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
@@ -345,46 +347,48 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
             if on_first != (a is not None):
                 merged.take(*((first, since, i) if on_first else (second, since, j)), (n, d))
                 on_first, since = not on_first, j if on_first else i
-            if a is None:
-                if order > 0:
-                    j = second.edge_before(end_a, j + 1)
-                    end_b = b_breaks[j + 1]
-                    order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
-            else:
-                if order < 0:
-                    i = first.edge_before(end_b, i + 1)
-                    end_a = a_breaks[i + 1]
-                    order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
+            if a is None and order > 0:
+                j = min(second.edge_before(end_a, j + 1), last_b)
+            elif a is not None and order < 0:
+                i = min(first.edge_before(end_b, i + 1), last_a)
             a, b = a_lines[i], b_lines[j]
+            end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
+            order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
             n, d = end_a if order <= 0 else end_b
         else:
             adx, ady, ac = a
             bdx, bdy, bc = b
             u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
             at_start = u * n + v * d
-            start = n, d
+            begin = n, d
             n, d = end_a if order <= 0 else end_b
             at_end = u * n + v * d
             # Where both lie on one line, the envelope stays on the chain that it is on.
             if on_first:
                 if at_start > 0 or (at_start == 0 and at_end > 0):
-                    merged.take(first, since, i, start)
+                    merged.take(first, since, i, begin)
                     on_first, since = False, j
             elif at_start < 0 or (at_start == 0 and at_end < 0):
-                merged.take(second, since, j, start)
+                merged.take(second, since, j, begin)
                 on_first, since = True, i
             if (at_start < 0 < at_end) or (at_end < 0 < at_start):
                 at = crossing(u, v)
                 merged.take(*((first, since, i) if on_first else (second, since, j)), at)
                 on_first, since = not on_first, j if on_first else i
         if order <= 0:
-            if i == last:
+            if i == last_a:
+                over, rest, following, on_over = first, second, j + (order == 0), on_first
                 break
             i += 1
             a = a_lines[i]
         if order >= 0:
+            if j == last_b:
+                over, rest, following, on_over = second, first, i, not on_first
+                break
             j += 1
             b = b_lines[j]
-    low = first if on_first else second
-    merged.take(low, since, len(low.edges), low.breaks[-1])
+    if on_over:
+        merged.take(over, since, len(over.edges), over.breaks[-1])
+        since = following
+    merged.take(rest, since, len(rest.edges), rest.breaks[-1])
     return merged

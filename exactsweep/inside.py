@@ -9,23 +9,27 @@ G's edges by its vertices, so that integer lines and breaks n/d are all that is 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
+from math import inf
 from typing import NamedTuple, cast
 
 from exactsweep.ceiling import Box
 from exactsweep.chain import Edge, Vertex
 from exactsweep.envelope import Envelope
-from exactsweep.piece import Break, Piece, cross, gap, joined, line_of, lower_bound
+from exactsweep.parts import ConvexPart
+from exactsweep.piece import Break, Line, Piece, gap, joined, line_of, lower_bound, slope_bound
 
 
 class Run(NamedTuple):
     """A convex part of the complement: edges, each whole, and the breaks between which they hold.
 
-    `sources` are those of the trajectory's edges.
+    `lines` are those of the edges, `sources` those of the trajectory's edges.
     `turns_left` and `turns_right` say whether the generatrix has to turn about that end; where it
     need not, the neighbouring part is at least as low (see `exactsweep.parts`).
     """
 
     edges: list[Edge]
+    lines: list[Line]
     breaks: list[Break]
     sources: list[int]
     turns_left: bool
@@ -33,58 +37,77 @@ class Run(NamedTuple):
 
     @property
     def box(self) -> Box:
-        """Bounds, rounded outwards to ints, of least x, greatest x and least y.
+        """Its box, x and y rounded outwards to ints.
 
         A convex part is lowest at an end or at a vertex, all of which are breaks.
         """
-        low = min(
-            min(lower_bound(line, left), lower_bound(line, right))
-            for line, left, right in zip(
-                map(line_of, self.edges), self.breaks, self.breaks[1:], strict=False
-            )
+        lines, breaks = self.lines, self.breaks
+        low = min(lower_bound(lines[0], breaks[0]), *map(lower_bound, lines, breaks[1:]))
+        (left, left_d), (right, right_d) = breaks[0], breaks[-1]
+        return Box(
+            left // left_d,
+            -(-right // right_d),
+            low,
+            -inf if self.turns_left else slope_bound(self.edges[0]),
+            inf if self.turns_right else slope_bound(self.edges[-1]),
         )
-        (left, left_d), (right, right_d) = self.breaks[0], self.breaks[-1]
-        return left // left_d, -(-right // right_d), low
 
-    def swept(self, chain: Sequence[Vertex], source: int, *, turns_left: bool = False) -> Envelope:
-        """The CC sweep of a convex chain of reversed edges along this part, as far as it matters.
+    def swept(self, chain: ConvexPart, source: int) -> Envelope:
+        """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
-        Arguments as for `ConvexPart.swept`.  Cost: O(m_i + n_t).
+        Arguments and result as for `ConvexPart.swept`.  Cost: O(m_i + n_t).
         """
-        edges: list[Piece] = []
-        breaks: list[Break] = []
-        last = len(chain) - 1
-        at = 0
-        if not (turns_left or self.turns_left):
-            while at < last and cross(chain[at], chain[at + 1], self.edges[0]) < 0:
+        points, others_left, others_right = chain
+        lines, all_breaks = self.lines, self.breaks
+        steps = [(qx - px, qy - py) for (px, py), (qx, qy) in pairwise(points)]
+        at, last = 0, len(steps)
+        first, end = 0, len(lines)
+        if not self.turns_left:
+            dx, dy, _ = lines[0]
+            while at < last and steps[at][1] * dx < steps[at][0] * dy:
                 at += 1
-        n, d = self.breaks[0]
-        breaks.append((n + chain[at][0] * d, d))
-        for k, edge in enumerate(self.edges):
+        if not self.turns_right:
+            dx, dy, _ = lines[-1]
+            while at < last and steps[last - 1][1] * dx > steps[last - 1][0] * dy:
+                last -= 1
+        if others_left is not None:
+            x, y = steps[0]
+            while first < end and lines[first][1] * x < lines[first][0] * y:
+                first += 1
+        if others_right is not None:
+            x, y = steps[-1]
+            while first < end and lines[end - 1][1] * x > lines[end - 1][0] * y:
+                end -= 1
+        n, d = all_breaks[first]
+        edges: list[Piece] = []
+        breaks: list[Break] = [(n + points[at][0] * d, d)]
+        for k in range(first, end):
+            dx, dy, _ = lines[k]
             start = at
-            while at < last and cross(chain[at], chain[at + 1], edge) < 0:
+            while at < last and steps[at][1] * dx < steps[at][0] * dy:
                 at += 1
             if at > start:
-                self._turn(chain[start : at + 1], edge, self.breaks[k], edges, breaks)
-            (px, py), (qx, qy) = edge
-            sx, sy = chain[at]
-            if at < last and cross(chain[at], chain[at + 1], edge) == 0:
+                self._turn(points[start : at + 1], lines[k], all_breaks[k], edges, breaks)
+            (px, py), (qx, qy) = self.edges[k]
+            sx, sy = points[at]
+            if at < last and steps[at][1] * dx == steps[at][0] * dy:
                 at += 1
-            ex, ey = chain[at]
+            ex, ey = points[at]
             edges.append(((px + sx, py + sy), (qx + ex, qy + ey)))
-            n, d = self.breaks[k + 1]
+            n, d = all_breaks[k + 1]
             breaks.append((n + ex * d, d))
-        if self.turns_right and at < last:
-            self._turn(chain[at:], self.edges[-1], self.breaks[-1], edges, breaks)
+        if at < last:
+            line = lines[min(end, len(lines) - 1)]
+            self._turn(points[at : last + 1], line, all_breaks[end], edges, breaks)
         return Envelope(breaks, edges, [source] * len(edges))
 
     @staticmethod
     def _turn(
-        chain: Sequence[Vertex], edge: Edge, at: Break, edges: list[Piece], breaks: list[Break]
+        chain: Sequence[Vertex], line: Line, at: Break, edges: list[Piece], breaks: list[Break]
     ) -> None:
-        """Append the edges of the generatrix while it turns about the point of an edge."""
+        """Append the edges of the generatrix while it turns about the point of a line."""
         n, d = at
-        dx, dy, c = line_of(edge)
+        dx, dy, c = line
         # The point is (x / w, y / w).
         x, y, w = n * dx, dy * n + c * d, dx * d
         px, py = chain[0]
@@ -103,6 +126,7 @@ def inside_runs(trajectory: Envelope) -> list[Run]:
     """
     trajectory_edges = cast(list[Edge], trajectory.edges)
     edges = [((-qx, -qy), (-px, -py)) for (px, py), (qx, qy) in reversed(trajectory_edges)]
+    lines = [line_of(edge) for edge in edges]
     breaks = [(-n, d) for n, d in reversed(trajectory.breaks)]
     sources = trajectory.sources[::-1]
     size = len(edges)
@@ -116,7 +140,7 @@ def inside_runs(trajectory: Envelope) -> list[Run]:
                 turns_right = turns_next = False
             else:
                 n, d = breaks[k]
-                u, v = gap(line_of(edges[k - 1]), line_of(edges[k]))
+                u, v = gap(lines[k - 1], lines[k])
                 above = u * n + v * d
                 if above == 0 and u < 0:
                     continue
@@ -124,6 +148,7 @@ def inside_runs(trajectory: Envelope) -> list[Run]:
         runs.append(
             Run(
                 edges[start:k],
+                lines[start:k],
                 breaks[start : k + 1],
                 sources[start:k],
                 turns_left,

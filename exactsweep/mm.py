@@ -14,10 +14,10 @@ every pair of a peak and a valley of G_t.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 from exactsweep.ceiling import Boxes, Ceiling
-from exactsweep.chain import Vertex, complement, convex_parts, corners, inverse
+from exactsweep.chain import Vertex, complement, corners, inverse
 from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
 from exactsweep.inside import Run, inside_runs
 from exactsweep.parts import ConvexPart, joined_parts
@@ -49,11 +49,11 @@ def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_mm([(2, 1), (1, 0), (0, 1)], [(0, 0), (1, 1), (2, 0)]))
     (-2, -1) (-1, 0) (0, -1) (1, 0) (2, -1)
     """
-    return sweep_pairs(convex_parts(inverse(generatrix)), joined_parts(directrix))
+    return sweep_pairs(joined_parts(inverse(generatrix)), joined_parts(directrix))
 
 
 def sweep_pairs(
-    chains: Sequence[Sequence[Vertex]],
+    chains: Sequence[ConvexPart],
     parts: Sequence[ConvexPart] | Sequence[Run],
     known: Envelope | None = None,
     gaps: Sequence[Span] | None = None,
@@ -61,64 +61,70 @@ def sweep_pairs(
 ) -> Envelope:
     """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
 
-    A guess goes first: the part of G_t that reaches highest, or the pairs that are given.  What
-    it gives is a ceiling, and pairs that do not come below it need not be swept; the others follow
-    in batches, each four times the last, so that the ceiling is lowered only O(log n) times.
+    What matters of a sub-trajectory is its edges between the slopes of both parts (see
+    `exactsweep.parts`); a pair without slopes in common gives nothing.  The others are swept in
+    batches, each four times the last, those parts of G_t first that reach highest.  What a batch
+    gives is a ceiling over the next, and pairs that do not come below it need not be swept.
 
-    LowerEnvelope_CM needs neighbours: what it drops it drops for the next part's sake.  So the
-    parts left are taken in runs of consecutive ones, each run a directrix of its own, about whose
-    left end G turns in any case.  To the right of its last part only what is higher than the part
-    left out is dropped or was never made, which is above the ceiling.
+    Lemma A.3 holds for any two sub-trajectories of one part of G_t, neighbours or not: on the
+    right it is the later one that is lower.  So LowerEnvelope_CM joins them, as long as the later
+    one starts over the partial trajectory and does not end before it; else a new run begins.
 
     Args:
-        chains: the convex chains of reversed edges of G_t.
+        chains: the convex parts of reversed G_t.
         parts: the convex parts of D_b.
         known: the envelope outside the gaps, with holes in them.
         gaps: the x-ranges that matter; all of it, if left out.
-        guess: for each chain the numbers of the parts with which it is likely to be lowest.
+        guess: for each chain the numbers of the parts with which it is likely to be lowest;
+            these pairs go first.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
 
-    Cost: O(m n log n), the number of pairs that are swept being at most m n.
+    Cost: O(m n log k) for k runs, one for each part of G_t at best, and at most one for each pair.
     """
     boxes = Boxes.of(parts)
-    chain_boxes = [(c[0][0], c[-1][0], min(y for _, y in c)) for c in chains]
+    chain_boxes = [chain.box for chain in chains]
+    facing = [boxes.facing(box) for box in chain_boxes]
+    order = sorted(range(len(chains)), key=lambda i: chain_boxes[i].low)
 
-    def sweep(i: int, numbers: Iterable[int]) -> Iterator[Envelope]:
-        run, following = None, -1
-        for j in numbers:
-            source = i * len(parts) + j
-            if run is not None and j == following:
-                lower_envelope_cm(run, parts[j].swept(chains[i], source))
-            else:
-                if run is not None:
-                    yield run
-                run = parts[j].swept(chains[i], source, turns_left=True)
-            following = j + 1
-        if run is not None:
-            yield run
+    start: Break = (min(box.left for box in chain_boxes) + boxes.lefts[0], 1)
+    end: Break = (max(box.right for box in chain_boxes) + boxes.rights[-1], 1)
 
-    def lowered(envelope: Envelope, batch: Iterable[int], guess: Guess | None = None) -> Envelope:
-        ceiling = Ceiling(envelope, len(chains) + len(parts), gaps)
-        swept: list[Envelope] = []
-        for i in batch:
-            reached = ceiling.reached(chain_boxes[i], boxes)
-            swept += sweep(i, (j for j in reached if guess is None or j in guess[i]))
-        return lower_envelope_mm([*swept, envelope])
+    def lowered(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
+        runs: list[Envelope] = []
+        ceiling = None
+        if envelope is not None:
+            runs.append(envelope)
+            ceiling = Ceiling(envelope.padded(start, end), len(chains) + len(parts), gaps)
+        for i, numbers in batch.items():
+            chain, first = chains[i], i * len(parts)
+            if ceiling is not None:
+                numbers = ceiling.reached(chain_boxes[i], boxes, numbers)
+            since = len(runs)
+            for j in numbers:
+                piece = parts[j].swept(chain, first + j)
+                if len(runs) > since and piece.follows(runs[-1]):
+                    lower_envelope_cm(runs[-1], piece)
+                elif piece.edges:
+                    runs.append(piece)
+        return lower_envelope_mm(runs) if runs else None
 
-    start: Break = (min(first for first, _, _ in chain_boxes) + boxes.lefts[0], 1)
-    end: Break = (max(last for _, last, _ in chain_boxes) + boxes.rights[-1], 1)
-    envelope = Envelope.hole(start, end) if known is None else known.padded(start, end)
-    order = sorted(range(len(chains)), key=lambda i: chain_boxes[i][2])
-    done, size = 0, 1
+    envelope = known
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        envelope = lowered(envelope, order, guess)
-        size = 4
-    while done < len(order):
-        envelope = lowered(envelope, order[done : done + size])
-        done, size = done + size, 4 * size
+        envelope = lowered(envelope, {i: [j for j in facing[i] if j in guess[i]] for i in order})
+    size, pairs = len(chains) + len(parts), 0
+    batch: dict[int, list[int]] = {}
+    for i in order:
+        pairs += len(facing[i])
+        if batch and pairs > size:
+            envelope = lowered(envelope, batch)
+            batch, size, pairs = {}, 4 * size, len(facing[i])
+        if facing[i]:
+            batch[i] = facing[i]
+    envelope = lowered(envelope, batch)
+    assert envelope is not None, "some pair draws the trajectory"
     return envelope
 
 
@@ -182,7 +188,7 @@ def inner_mm(
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(gaps(trajectory, parts))]
     if not open_spans:
         return corners(directrix)
-    chains = convex_parts(inverse(generatrix_top))
+    chains = joined_parts(inverse(generatrix_top))
     inside = inside_runs(trajectory)
     # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
     guess: list[set[int]] = [set() for _ in chains]

@@ -1,78 +1,98 @@
-"""Convex parts of a directrix, and what of their sub-trajectories matters (Section 4, step 1).
+"""Convex parts, and what of their sub-trajectories matters (Sections 4 and 5, step 1).
 
-Where two parts meet in a reflex vertex p, G standing on p with an edge steeper than the left
+Where two parts of D_b meet in a reflex vertex p, G standing on p with an edge steeper than the left
 part's last edge would overlap the right part, and with one flatter than the right part's first
 edge the left part.  So of each sub-trajectory T(G_t, D_i) only the edges from D_i's own first to
 its own last one can belong to the lower envelope, and the others need not be made.  At a step of
 D_b that holds for the higher part only.
+
+A sum does not know which of its two chains moves: the same holds for the convex parts of reversed
+G_t and the edges of D_b.  In an MM sweep what matters of a pair is the edges whose slopes lie
+between the ends of both parts, which for most pairs of real outlines is nothing.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Sequence
+from math import inf
+from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.cc import merge_by_slope
 from exactsweep.ceiling import Box
 from exactsweep.chain import Edge, Vertex, convex_parts
 from exactsweep.envelope import Envelope, Part
-from exactsweep.piece import Break, cross, gap, line_of
+from exactsweep.piece import Break, cross, gap, line_of, slope_bound
 
 
 class ConvexPart(NamedTuple):
-    """A convex part of D_b.
+    """A convex part of D_b, or of reversed G_t.
 
-    `left` and `right` are breaks on its first and last edge: G need not turn about that end, since
-    the neighbouring part is at least as low there; None where it must.
+    `left` and `right` are breaks on its first and last edge: the other polygon need not turn about
+    that end, since the neighbouring part is at least as low there; None where it must.
     """
 
     points: list[Vertex]
     left: Break | None
     right: Break | None
 
-    def swept(self, chain: Sequence[Vertex], source: int, *, turns_left: bool = False) -> Envelope:
-        """The CC sweep of a convex chain of reversed edges along this part, as far as it matters.
+    def swept(self, chain: ConvexPart, source: int) -> Envelope:
+        """The CC sweep of a part of reversed G_t along this part of D_b, as far as it matters.
 
         Args:
-            chain: points from left to right.
+            chain: the part of G_t, whose breaks are its ends.
             source: the number of what is swept.
-            turns_left: whether G turns about the left end in any case.  Where the part is cut
-                there, the result then begins where its edge does: above the chain, as ever.
 
-        Cost: O(m_i + n_t).
+        Returns an envelope, which has no edges if nothing matters.  Cost: O(m_i + n_t).
         """
         points, left, right = self
-        if turns_left:
-            left = None
-        first, last = 0, len(chain) - 1
-        if left is not None:
-            edge = points[0], points[1]
-            while first < last and cross(chain[first], chain[first + 1], edge) < 0:
-                first += 1
-        if right is not None:
-            edge = points[-2], points[-1]
-            while first < last and cross(chain[last - 1], chain[last], edge) > 0:
-                last -= 1
-        piece = Envelope.of_own(merge_by_slope(chain[first : last + 1], points), source)
-        if left is not None:
-            piece.breaks[0] = left[0] + chain[first][0] * left[1], left[1]
-        if right is not None:
-            piece.breaks[-1] = right[0] + chain[last][0] * right[1], right[1]
+        others, others_left, others_right = chain
+        merged = merge_by_slope(
+            others,
+            points,
+            (others_left is not None, others_right is not None),
+            (left is not None, right is not None),
+        )
+        piece = Envelope.of_own(merged, source)
+        if len(merged) == 1:
+            return piece
+        # What an edge adds to the lattice at the cut is left out, if the edge is there.
+        if left is not None and (
+            others_left is None or cross(points[0], points[1], (others[0], others[1])) >= 0
+        ):
+            piece.breaks[0] = left[0] + (merged[0][0] - points[0][0]) * left[1], left[1]
+        if right is not None and (
+            others_right is None or cross(points[-2], points[-1], (others[-2], others[-1])) <= 0
+        ):
+            piece.breaks[-1] = right[0] + (merged[-1][0] - points[-1][0]) * right[1], right[1]
         return piece
 
     @property
     def box(self) -> Box:
-        """Least x, greatest x and least y."""
-        points = self.points
-        return points[0][0], points[-1][0], min(y for _, y in points)
+        """Its box; what its ends are joined to ends at a corner, of any slope."""
+        points, left, right = self
+        return Box(
+            points[0][0],
+            points[-1][0],
+            min(points, key=itemgetter(1))[1],
+            -inf if left is None else slope_bound((points[0], points[1])),
+            inf if right is None else slope_bound((points[-2], points[-1])),
+        )
 
 
 def flatter(chain: Sequence[Vertex], edge: Edge) -> int:
     """How many edges of a convex chain are flatter than an edge.  Cost: O(log n)."""
-    return bisect_left(
-        range(len(chain) - 1), True, key=lambda k: cross(chain[k], chain[k + 1], edge) >= 0
-    )
+    (px, py), (qx, qy) = edge
+    dx, dy = qx - px, qy - py
+    low, high = 0, len(chain) - 1
+    while low < high:
+        middle = (low + high) // 2
+        (ax, ay), (bx, by) = chain[middle], chain[middle + 1]
+        if (by - ay) * dx < (bx - ax) * dy:
+            low = middle + 1
+        else:
+            high = middle
+    return low
 
 
 def joined_parts(directrix: Sequence[Vertex] | Envelope) -> list[ConvexPart]:

@@ -25,6 +25,9 @@ Piece = Edge | Line | None
 between chains, which counts as infinitely high."""
 
 
+_SLOPE_UNITS = 2**32
+
+
 def joined(before: Piece, after: Piece) -> bool:
     """Whether one edge ends in the point object that the next one starts with.
 
@@ -61,6 +64,15 @@ def cross(start: Vertex, end: Vertex, edge: Edge) -> Rational:
     """Positive when start to end is steeper than the edge, zero when parallel.  Cost: O(1)."""
     (px, py), (qx, qy) = edge
     return (qx - px) * (end[1] - start[1]) - (qy - py) * (end[0] - start[0])
+
+
+def slope_bound(edge: Edge) -> Rational:
+    """The slope of an edge in units of 2**-32, rounded down to an int.
+
+    One that is greater than another's is the slope of a steeper edge.
+    """
+    (px, py), (qx, qy) = edge
+    return (qy - py) * _SLOPE_UNITS // (qx - px)
 
 
 def gap(first: Line, second: Line) -> tuple[Rational, Rational]:
@@ -106,8 +118,3 @@ def value(at: Break) -> Fraction:
 def precedes(first: Break, second: Break) -> bool:
     """Whether a break lies left of another."""
     return first[0] * second[1] < second[0] * first[1]
-
-
-def min_break(first: Break, second: Break) -> Break:
-    """The left one of two breaks."""
-    return first if precedes(first, second) else second

@@ -13,6 +13,7 @@ touches D.  So R has to be computed over the gaps between touched points only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import cast
 
 from exactsweep.chain import Edge
@@ -42,12 +43,17 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     (Fraction(5, 2), Fraction(7, 2))
     """
     touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
+    before, v = -1, 0
     for k, piece in enumerate(trajectory.edges):
         p, q = edge = cast(Edge, piece)
-        j = trajectory.sources[k] % len(parts)
-        points, spans = parts[j].points, touched[j]
-        v = flatter(points, edge)
-        if v == len(spans) or cross(points[v], points[v + 1], edge) != 0:
+        source = trajectory.sources[k]
+        points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
+        if source != before:
+            before, v = source, flatter(points, edge)
+        # Edges from one source become steeper.
+        while v < len(spans) and (turn := cross(points[v], points[v + 1], edge)) < 0:
+            v += 1
+        if v == len(spans) or turn > 0:
             at = points[v][0], 1
             spans[min(v, len(spans) - 1)].append((at, at))
             continue
@@ -63,8 +69,10 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
         )
     found: list[Span] = []
     reach: Break = (parts[0].points[0][0], 1)
-    for of_edge in (spans for of_part in touched for spans in of_part):
-        for left, right in sorted(of_edge, key=lambda span: value(span[0])):
+    for of_edge in chain.from_iterable(touched):
+        if len(of_edge) > 1:
+            of_edge.sort(key=lambda span: value(span[0]))
+        for left, right in of_edge:
             if precedes(reach, left):
                 found.append((reach, left))
             if precedes(reach, right):
@@ -72,14 +80,14 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     return found
 
 
-def pierced(chain: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """A chain with holes for its gaps, given from left to right.  Cost: O(n log n)."""
-    left_over = Envelope([chain.breaks[0]], [], [])
-    end = chain.breaks[-1]
+def pierced(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """An envelope with holes for its gaps, given from left to right.  Cost: O(n log n)."""
+    left_over = Envelope([envelope.breaks[0]], [], [])
+    end = envelope.breaks[-1]
     for left, right in [*gaps, (end, end)]:
         since = left_over.breaks[-1]
         if precedes(since, left):
-            left_over.take(chain, chain.edge_after(since), chain.edge_before(left), left)
+            left_over.take(envelope, envelope.edge_after(since), envelope.edge_before(left), left)
         if precedes(left, right):
             left_over.extend_hole(right)
     return left_over

@@ -44,11 +44,11 @@ def unmerged(right: Procedure) -> Procedure:
 
 
 def sorted_by_insertion(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any) -> Any:
+    def merge_by_slope(first: Any, second: Any, *cuts: Any) -> Any:
         for x, _ in first:
             for other, _ in second:
                 x < other  # noqa: B015
-        return right(first, second)
+        return right(first, second, *cuts)
 
     return merge_by_slope
 

@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import strategies as own
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from exactsweep import Polygon, sweep
 from exactsweep.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
@@ -68,6 +69,26 @@ def test_merging_is_commutative_and_inverse_to_nothing(pair: Pair) -> None:
     assert merge_by_slope(one, other) == merge_by_slope(other, one)
     assert merge_by_slope(one, [(0, 0)]) == one
     assert merge_by_slope([(1, 2)], one) == [plus(v, (1, 2)) for v in one]
+
+
+@given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
+@usually
+def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
+    pair: Pair, cut: tuple[bool, bool, bool, bool]
+) -> None:
+    one, other = (split(polygon.vertices)[0] for polygon in pair)
+    found = merge_by_slope(one, other, cut[:2], cut[2:])
+    slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
+    ends = [s[k] for s in slopes for k in (0, -1)]
+    low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
+    high = min((e for e, c in zip(ends[1::2], cut[1::2], strict=True) if c), default=None)
+    kept = [
+        (x, y)
+        for x, y in steps(one, other)
+        if (low is None or y / x >= low) and (high is None or y / x <= high)
+    ]
+    assert [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)] == kept
+    assert not kept or set(found) <= set(merge_by_slope(one, other))
 
 
 @given(own.pairs("CC"))

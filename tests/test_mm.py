@@ -133,3 +133,15 @@ def test_ints_and_fractions_give_the_same(pair: Pair) -> None:
     assert shrunk(list(trajectory_mm(g_top, bottom))) == list(trajectory_mm(top, wall))
     inner, outer = map(shrunk, sweep_mm(g_top, g_bottom, bottom))
     assert (inner, outer) == sweep_mm(top, floor, wall)
+
+
+@given(own.pairs("MM"))
+@usually
+def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
+    """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
+    squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]
+    s, t = sweep(*pair, direction=(1, 0)), sweep(*squeezed, direction=(1, 0))
+    for loop, other in zip(
+        (s.trajectory, s.inner, s.outer), (t.trajectory, t.inner, t.outer), strict=True
+    ):
+        assert [(x, y / 2**99) for x, y in loop.vertices] == list(other.vertices)

@@ -30,6 +30,7 @@ from exactsweep.paper.section5_sizes import (
     sizes_from,
     whole_trajectory,
 )
+from exactsweep.parts import joined_parts
 
 MN = ("mn", lambda m, n: float(m * n))
 SUM_LOG = ("(m + n) log m", lambda m, n: (m + n) * log2(m))
@@ -173,7 +174,7 @@ def _check_corollary_5_8(run: Run) -> Evidence:
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
     """The inner boundary as Sweep_MM has it: Trajectory_MM along all of T's inside."""
     directrix = chains.directrix
-    boundary = sweep_pairs(convex_parts(inverse(chains.top)), inside_runs(trajectory))
+    boundary = sweep_pairs(joined_parts(inverse(chains.top)), inside_runs(trajectory))
     boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))
 
