@@ -16,7 +16,7 @@ from typing import NamedTuple, Protocol
 
 from exactsweep.chain import Rational
 from exactsweep.envelope import Envelope
-from exactsweep.piece import Span, upper_bound
+from exactsweep.piece import Break, Span, upper_bound
 
 
 class Box(NamedTuple):
@@ -33,8 +33,8 @@ class Box(NamedTuple):
     steepest: Rational | float
 
 
-STRIPS_PER_EDGE = 4
-STRIPS_PER_CHAIN = 8
+STRIPS_PER_EDGE = 2
+STRIPS_PER_CHAIN = 4
 
 
 class Boxed(Protocol):
@@ -92,17 +92,17 @@ class Ceiling:
         self.width = -(-width // count)
         # One strip more: the end of the x-range may lie on its border.
         tops: list[Rational | float] = [-inf] * (count + 1)
+        strips = [self._strip(at) for at in breaks]
         for k, line in enumerate(lines):
             left, right = breaks[k], breaks[k + 1]
-            first, last = self._strips((left, right))
             top = inf if line is None else max(upper_bound(line, left), upper_bound(line, right))
-            for strip in range(first, last + 1):
+            for strip in range(strips[k], strips[k + 1] + 1):
                 if top > tops[strip]:
                     tops[strip] = top
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
-        for gap in [(breaks[0], breaks[-1])] if gaps is None else gaps:
-            first, last = self._strips(gap)
+        for left, right in [(breaks[0], breaks[-1])] if gaps is None else gaps:
+            first, last = self._strip(left), self._strip(right)
             if self.windows and first <= self.windows[-1][1]:
                 first = self.windows.pop()[0]
             self.windows.append((first, last))
@@ -110,13 +110,10 @@ class Ceiling:
         for first, last in self.windows:
             self.tops[first : last + 1] = tops[first : last + 1]
 
-    def _strips(self, span: Span) -> tuple[int, int]:
-        """The strips in which a span begins and ends."""
-        (left, left_d), (right, right_d) = span
-        return (
-            int((left // left_d - self.start) // self.width),
-            int((right // right_d - self.start) // self.width),
-        )
+    def _strip(self, at: Break) -> int:
+        """The strip in which a break lies."""
+        n, d = at
+        return int((n // d - self.start) // self.width)
 
     def reached(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
         """Which boxes give a sum with that of a part that comes below the ceiling.

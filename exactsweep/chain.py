@@ -17,6 +17,8 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TypeVar
 
+from exactsweep.number import negative
+
 Rational = int | Fraction
 Vertex = tuple[Rational, Rational]
 Edge = tuple[Vertex, Vertex]
@@ -36,7 +38,10 @@ def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    return [(-x, -y) for x, y in chain]
+    return [
+        (-x, -y) if type(x) is int and type(y) is int else (negative(x), negative(y))
+        for x, y in chain
+    ]
 
 
 def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
@@ -164,13 +169,22 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
         if kept and (before or suspect) and kept[-1] == point:
             before = True
             continue
-        if before and len(kept) > 1:
-            (px, py), (qx, qy), (x, y) = kept[-2], kept[-1], point
-            if (qx - px) * (y - qy) == (qy - py) * (x - qx):
-                kept.pop()
+        if before and len(kept) > 1 and _straight(kept[-2], kept[-1], point):
+            kept.pop()
         kept.append(point)
         before = suspect
     return kept
+
+
+def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
+    """Whether three points lie on one line: a difference of Fractions would first be reduced."""
+    (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))
+    (py, pe), (qy, qe), (ry, re) = (y.as_integer_ratio() for _, y in (p, q, r))
+    first, second = (
+        (qx * pd - px * qd) * (ry * qe - qy * re),
+        (qy * pe - py * qe) * (rx * qd - qx * rd),
+    )
+    return first * pe * rd == second * pd * re
 
 
 def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:

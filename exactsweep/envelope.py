@@ -270,11 +270,13 @@ def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
     the partial trajectory is above the piece.
     """
     breaks, edges, sources = partial.breaks, partial.edges, partial.sources
+    top, (bdx, bdy, bc) = edges[-1], line_of(piece.edges[j])
+    adx, ady, ac = line_of(top)
     while True:
-        top, mine, others = edges[-1], breaks[-2], piece.breaks[j]
+        mine, others = breaks[-2], piece.breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
         n, d = others if order > 0 else mine
-        u, v = gap(line_of(top), line_of(piece.edges[j]))
+        u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
         above = u * n + v * d
         if above < 0:
             breaks[-1] = crossing(u, v)
@@ -284,19 +286,21 @@ def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
                 # They meet in a vertex; or the piece starts below: a step down.
                 breaks[-1] = others
                 return j
-            j -= 1
-            continue
-        del edges[-1], sources[-1], breaks[-1]
-        if above == 0 or not edges:
-            return j
-        # At a crossing the next edge ends as high as this one began; at a step up it may end on
-        # or below the piece, which then takes over right there.
-        if not joined(edges[-1], top) and height(edges[-1], piece.edges[j], mine) <= 0:
-            return j
-        if order == 0:
+        else:
+            del edges[-1], sources[-1], breaks[-1]
+            if above == 0 or not edges:
+                return j
+            below, top = top, edges[-1]
+            # At a crossing the next edge ends as high as this one began; at a step up it may end
+            # on or below the piece, which then takes over right there.
+            if not joined(top, below) and height(top, piece.edges[j], mine) <= 0:
+                return j
+            adx, ady, ac = line_of(top)
+        if order >= 0:
             if j == 0:
                 return j
             j -= 1
+            bdx, bdy, bc = line_of(piece.edges[j])
 
 
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:

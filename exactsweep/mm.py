@@ -63,7 +63,7 @@ def sweep_pairs(
 
     What matters of a sub-trajectory is its edges between the slopes of both parts (see
     `exactsweep.parts`); a pair without slopes in common gives nothing.  The others are swept in
-    batches, each four times the last, those parts of G_t first that reach highest.  What a batch
+    batches, each three times the last, those parts of G_t first that reach highest.  What a batch
     gives is a ceiling over the next, and pairs that do not come below it need not be swept.
 
     Lemma A.3 holds for any two sub-trajectories of one part of G_t, neighbours or not: on the
@@ -120,7 +120,7 @@ def sweep_pairs(
         pairs += len(facing[i])
         if batch and pairs > size:
             envelope = lowered(envelope, batch)
-            batch, size, pairs = {}, 4 * size, len(facing[i])
+            batch, size, pairs = {}, 3 * size, len(facing[i])
         if facing[i]:
             batch[i] = facing[i]
     envelope = lowered(envelope, batch)

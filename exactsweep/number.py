@@ -147,6 +147,19 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     return [_reduced(v, 1) if type(v) is int else v for v in values]  # type: ignore[misc]
 
 
+def negative(value: int | Fraction) -> int | Fraction:
+    """Change the sign, quickly.
+
+    Example:
+        >>> negative(Fraction(1, 2))
+        Fraction(-1, 2)
+    """
+    if type(value) is Fraction:
+        n, d = value.as_integer_ratio()
+        return _reduced(-n, d)
+    return -value
+
+
 def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
     """Add a number to each of others, quickly where those are ints.
 

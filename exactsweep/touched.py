@@ -16,10 +16,10 @@ from collections.abc import Iterable, Sequence
 from itertools import chain
 from typing import cast
 
-from exactsweep.chain import Edge
+from exactsweep.chain import Edge, Rational
 from exactsweep.envelope import Envelope
 from exactsweep.parts import ConvexPart, flatter
-from exactsweep.piece import Break, Span, cross, precedes, value
+from exactsweep.piece import Break, Span, precedes, value
 
 
 def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
@@ -43,22 +43,26 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     (Fraction(5, 2), Fraction(7, 2))
     """
     touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
-    before, v = -1, 0
+    before, v, turn = -1, 0, cast(Rational, 0)
     for k, piece in enumerate(trajectory.edges):
         p, q = edge = cast(Edge, piece)
+        dx, dy = q[0] - p[0], q[1] - p[1]
         source = trajectory.sources[k]
         points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
         if source != before:
             before, v = source, flatter(points, edge)
         # Edges from one source become steeper.
-        while v < len(spans) and (turn := cross(points[v], points[v + 1], edge)) < 0:
+        while v < len(spans):
+            (start, y), (end, z) = points[v], points[v + 1]
+            turn = (z - y) * dx - (end - start) * dy
+            if turn >= 0:
+                break
             v += 1
         if v == len(spans) or turn > 0:
             at = points[v][0], 1
             spans[min(v, len(spans) - 1)].append((at, at))
             continue
         # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
-        (start, _), (end, _) = points[v], points[v + 1]
         (n, d), g_right = trajectory.breaks[k], q[0] - end
         (m, e), g_left = trajectory.breaks[k + 1], p[0] - start
         spans[v].append(
