@@ -12,6 +12,7 @@ of G each: a vertical edge, or an end of the polygon.  All fits are segments of 
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
@@ -34,7 +35,8 @@ def exact_fits(
     Returns:
         Pairs (the end that hangs on the trajectory, the end inside the slot), by x.
 
-    Cost: O(d g) for d and g discontinuities, and O(m + n) for each x0 at which two pairs meet.
+    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m), n,
+    and the edges of D_b over G.
 
     Example:
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
@@ -70,9 +72,12 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 
 
 def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
-    """The least limit of D_b(a) - G_t(a - shift) over the open common x-range."""
+    """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
+
+    Cost: O(log m + n + edges of D_b over G).
+    """
     least: Rational | None = None
-    i = j = 0
+    i, j = 0, bisect_right(bottom, top[0][0][0] + shift, key=_right)
     while i < len(top) and j < len(bottom):
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
@@ -87,6 +92,10 @@ def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> 
     if least is None:
         raise ValueError("the polygons have no common x-range at this translation")
     return least
+
+
+def _right(edge: Edge) -> Rational:
+    return edge[1][0]
 
 
 def _value(edge: Edge, x: Rational) -> Rational:

@@ -1,9 +1,10 @@
 """Words for people: points, directions and numbers of things."""
 
 from collections.abc import Iterable
+from difflib import get_close_matches
 
 from exactsweep.chain import Vertex
-from exactsweep.number import to_fraction
+from exactsweep.number import quoted, to_fraction
 from exactsweep.polygon import abridged
 
 CLASSES = {
@@ -42,3 +43,13 @@ def heading(vector: Vertex) -> str:
     if y:
         words.append("up" if y > 0 else "down")
     return " and ".join(words)
+
+
+def suggestion(word: str, words: Iterable[str]) -> str:
+    """Ask whether a similar word is meant, if there is one.
+
+    >>> suggestion("brakcet", ["plate", "bracket"])
+    "; did you mean 'bracket'?"
+    """
+    near = get_close_matches(word, words, n=1, cutoff=0.5)
+    return f"; did you mean {quoted(near[0])}?" if near else ""

@@ -23,7 +23,7 @@ def outcome_of(case: Case, trajectory: Any) -> Outcome:
 
 def places(panel: Panel, name: str) -> list[tuple[float, float]]:
     (path,) = (shape.path for shape in panel.shapes if shape.name == name)
-    return [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+),(-?[\d.]+)", path)]
+    return [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path)]
 
 
 def in_sight(panel: Panel, name: str) -> bool:

@@ -11,11 +11,12 @@ from exactsweep.batch.record import Quantities, error_line, result_line
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
-from exactsweep.formats.outline import choose, suggestion
+from exactsweep.formats.outline import choose
 from exactsweep.formats.polygons import find_outlines
 from exactsweep.number import quoted
 from exactsweep.polygon import Polygon
 from exactsweep.sweep import Sweep, sweep
+from exactsweep.words import suggestion
 
 Names = dict[str, object]
 _OPTIONS = ("direction", "reference")

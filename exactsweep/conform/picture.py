@@ -15,6 +15,7 @@ from typing import Any
 
 from exactsweep.conform.outcome import Outcome, witnesses
 from exactsweep.conform.verdict import Verdict
+from exactsweep.draw.path import path_data
 from exactsweep.number import NumberError, to_fraction
 from exactsweep.polygon import Point
 
@@ -189,13 +190,9 @@ def _panel(scene: _Scene, box: Box, caption: str) -> Panel:
 
     shapes = []
     for name, rings, closed in scene.layers:
-        pieces = []
-        for ring in rings:
-            if ring:
-                corners = " L".join(f"{x:g},{y:g}" for x, y in map(place, ring))
-                pieces.append(f"M{corners}{'Z' if closed else ''}")
-        if pieces:
-            shapes.append(Shape(name, " ".join(pieces)))
+        data = path_data((map(place, ring) for ring in rings), closed=closed)
+        if data:
+            shapes.append(Shape(name, data))
     return Panel(caption, tuple(shapes), place(scene.witness) if scene.witness else None)
 
 
@@ -204,8 +201,8 @@ def _times(value: Fraction) -> str:
 
 
 def _float(value: Fraction) -> float:
-    """A hundredth of a pixel is enough, and far outside is outside."""
-    return round(float(max(-_FAR, min(_FAR, value))), 2)
+    """A place on the picture; far outside is outside."""
+    return float(max(-_FAR, min(_FAR, value)))
 
 
 def root(square: Fraction) -> Fraction:

@@ -1,9 +1,9 @@
 """Names that users write, and what they may have meant."""
 
 from collections.abc import Collection
-from difflib import get_close_matches
 
 from exactsweep.number import quoted
+from exactsweep.words import suggestion
 
 
 class UnknownNameError(ValueError):
@@ -23,9 +23,8 @@ def known(name: str, names: Collection[str], thing: str) -> str:
     """
     if name in names:
         return name
-    near = get_close_matches(name, names, n=1, cutoff=0.5)
-    hint = f"did you mean {quoted(near[0])}?" if near else _some(names)
-    raise UnknownNameError(f"no {thing} {quoted(name)}; {hint}")
+    near = suggestion(name, names) or f"; {_some(names)}"
+    raise UnknownNameError(f"no {thing} {quoted(name)}{near}")
 
 
 def _some(names: Collection[str]) -> str:

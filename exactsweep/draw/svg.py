@@ -11,6 +11,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.chain import Vertex
+from exactsweep.draw.path import path_data
 from exactsweep.draw.scale import Scale
 from exactsweep.draw.style import Look
 
@@ -71,9 +72,7 @@ def svg(shapes: Iterable[Shape], title: str) -> str:
 
 
 def _path(loops: list[list[tuple[float, float]]], shape: Shape) -> str:
-    data = "".join(
-        "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in loop) + "Z" * shape.closed for loop in loops
-    )
+    data = path_data(loops, closed=shape.closed)
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:

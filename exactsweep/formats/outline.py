@@ -1,12 +1,12 @@
 """The polygons of a file before they are read: which there are, and which one is meant."""
 
-from collections.abc import Callable, Iterable, Sequence
-from difflib import get_close_matches
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, NoReturn, Self
 
 from exactsweep.formats.error import FormatError
 from exactsweep.number import NumberError, quoted
 from exactsweep.polygon import Point, Polygon, PolygonError
+from exactsweep.words import suggestion
 
 _SHOWN = 4
 
@@ -104,16 +104,6 @@ def choose(outlines: Sequence[Outline], choice: str | None) -> Outline:
         f"no polygon has the name, index or layer {quoted(choice)}"
         f"{near or f'; there are {len(outlines)}'}"
     )
-
-
-def suggestion(word: str, words: Iterable[str]) -> str:
-    """Ask whether a similar word is meant, if there is one.
-
-    >>> suggestion("brakcet", ["plate", "bracket"])
-    "; did you mean 'bracket'?"
-    """
-    near = get_close_matches(word, words, 1)
-    return f"; did you mean {quoted(near[0])}?" if near else ""
 
 
 def _listed(outlines: Sequence[Outline], indices: Sequence[int]) -> str:

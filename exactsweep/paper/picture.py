@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from exactsweep import sweep
 from exactsweep.direction import DirectionError
+from exactsweep.draw.path import path_data
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
@@ -18,7 +19,7 @@ def pair_svg(pair: Pair) -> str:
     For polygons without a shared direction G stands beside D.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> pair_svg(Pair(triangle, triangle)).count("<polygon")
+    >>> pair_svg(Pair(triangle, triangle)).count("<path")
     3
     """
     directrix: XY = [(float(x), float(y)) for x, y in pair.directrix]
@@ -35,12 +36,11 @@ def pair_svg(pair: Pair) -> str:
     scale = SIZE / max(max(xs) - min(xs), max(ys) - min(ys))
     width, height = ((max(c) - min(c)) * scale + 2 * MARGIN for c in (xs, ys))
 
+    left, top = min(xs), max(ys)
+
     def shape(points: XY, kind: str) -> str:
-        placed = (
-            f"{(x - min(xs)) * scale + MARGIN:.1f},{(max(ys) - y) * scale + MARGIN:.1f}"
-            for x, y in points
-        )
-        return f'<polygon class="{kind}" points="{" ".join(placed)}"/>'
+        placed = [((x - left) * scale + MARGIN, (top - y) * scale + MARGIN) for x, y in points]
+        return f'<path class="{kind}" d="{path_data([placed], closed=True, digits=1)}"/>'
 
     shapes = [shape(directrix, "directrix"), shape(generatrix, "generatrix")]
     if path:

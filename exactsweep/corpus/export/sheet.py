@@ -9,6 +9,7 @@ from math import isqrt
 from xml.sax.saxutils import escape
 
 from exactsweep.corpus.case import Case
+from exactsweep.draw.path import path_data
 from exactsweep.polygon import Point
 
 _SIDE = 200
@@ -71,12 +72,11 @@ def _picture(case: Case) -> Iterator[str]:
     sy = side / (height if stretched else max(width, height))
     left, top = (_SIDE - width * sx) / 2, (_SIDE - height * sy) / 2
 
-    def path(name: str, points: Sequence[Point], close: str = "Z") -> str:
-        pixels = (
-            f"{float(left + (x - low.x) * sx):.2f} {float(top + (high.y - y) * sy):.2f}"
-            for x, y in points
-        )
-        return f'<path class="{name}" d="M{"L".join(pixels)}{close}"/>\n'
+    def path(name: str, points: Sequence[Point], *, closed: bool = True) -> str:
+        pixels = [
+            (float(left + (x - low.x) * sx), float(top + (high.y - y) * sy)) for x, y in points
+        ]
+        return f'<path class="{name}" d="{path_data([pixels], closed=closed)}"/>\n'
 
     def moved(points: Sequence[Point], by: Point, back: Point) -> list[Point]:
         return [Point(p.x + by.x - back.x, p.y + by.y - back.y) for p in points]
@@ -89,7 +89,7 @@ def _picture(case: Case) -> Iterator[str]:
     yield path("generatrix", moved(g, start, case.reference))
     yield path("trajectory", moved(case.trajectory.vertices, g[0], case.reference))
     for fit in case.exact_fits:
-        yield path("fit", moved(fit, g[0], case.reference), "")
+        yield path("fit", moved(fit, g[0], case.reference), closed=False)
     note = f"{case.kind}, {case.size} vertices{', axes scaled apart' if stretched else ''}"
     yield f'<text x="{_MARGIN}" y="{_SIDE + 8}">{escape(case.id)}</text>\n'
     yield f'<text x="{_MARGIN}" y="{_SIDE + 20}" class="note">{note}</text>\n'
