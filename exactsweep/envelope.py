@@ -153,20 +153,21 @@ class Envelope:
 
     def __iter__(self) -> Iterator[Vertex]:
         edges, breaks = self.edges, self.breaks
-        yield point_on(edges[0], breaks[0])
-        for k in range(1, len(edges)):
-            before, after = edges[k - 1], edges[k]
+        before = edges[0]
+        yield point_on(before, breaks[0])
+        for after, at in zip(edges[1:], breaks[1:-1], strict=True):
             if joined(before, after):
                 yield cast(Edge, before)[1]
-                continue
-            n, d = breaks[k]
-            u, v = gap(line_of(before), line_of(after))
-            step = u * n + v * d != 0
-            if step or u != 0:
-                yield point_on(before, breaks[k])
-            if step:
-                yield point_on(after, breaks[k])
-        yield point_on(edges[-1], breaks[-1])
+            else:
+                n, d = at
+                u, v = gap(line_of(before), line_of(after))
+                step = u * n + v * d != 0
+                if step or u != 0:
+                    yield point_on(before, at)
+                if step:
+                    yield point_on(after, at)
+            before = after
+        yield point_on(before, breaks[-1])
 
     def take(self, chain: Envelope, first: int, last: int, end: Break) -> None:
         """Append edges first to last of a chain, cut at the break `end`.

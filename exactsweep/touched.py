@@ -13,7 +13,7 @@ touches D.  So R has to be computed over the gaps between touched points only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from typing import cast
 
 from exactsweep.chain import Edge, Rational
@@ -43,14 +43,14 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     (Fraction(5, 2), Fraction(7, 2))
     """
     touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
-    before, v, turn = -1, 0, cast(Rational, 0)
+    last, v, turn = -1, 0, cast(Rational, 0)
     for k, piece in enumerate(trajectory.edges):
         p, q = edge = cast(Edge, piece)
         dx, dy = q[0] - p[0], q[1] - p[1]
         source = trajectory.sources[k]
         points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
-        if source != before:
-            before, v = source, flatter(points, edge)
+        if source != last:
+            last, v = source, flatter(points, edge)
         # Edges from one source become steeper.
         while v < len(spans):
             (start, y), (end, z) = points[v], points[v + 1]
@@ -74,7 +74,7 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     found: list[Span] = []
     reach: Break = (parts[0].points[0][0], 1)
     for of_edge in chain.from_iterable(touched):
-        if len(of_edge) > 1:
+        if any(precedes(after[0], before[0]) for before, after in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
         for left, right in of_edge:
             if precedes(reach, left):

@@ -14,6 +14,7 @@ from exactsweep.cc import trajectory_cc
 from exactsweep.chain import ChainError, Vertex, convex_parts, corners, split
 from exactsweep.cm import trajectory_cm
 from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
+from exactsweep.piece import point_on, value
 
 Chain = list[Vertex]
 usually = settings(deadline=None, max_examples=100)
@@ -46,6 +47,30 @@ def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
         if x not in corners:
             assert height(found, x) == min(heights, default=None)
+
+
+@st.composite
+def graphs_anywhere(draw: st.DrawFn) -> Chain:
+    """Chains without walls, on a grid, over any x-ranges."""
+    xs = draw(st.sets(own.tiny(0, 9), min_size=2, max_size=4))
+    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+
+
+@given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
+@usually
+def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
+    found = lower_envelope_mm([Envelope.of(chain) for chain in chains])
+    start, end = found.breaks[0], found.breaks[-1]
+    assert value(start) == min(chain[0][0] for chain in chains)
+    assert value(end) == max(chain[-1][0] for chain in chains)
+    for k in range(9 * 7):
+        x = Fraction(k, 7) + Fraction(1, 97)
+        if not value(start) < x < value(end):
+            continue
+        piece = found.edges[found.edge_before(x.as_integer_ratio())]
+        heights = [y for chain in chains if (y := height(chain, x)) is not None]
+        low = None if piece is None else point_on(piece, x.as_integer_ratio())[1]
+        assert low == min(heights, default=None)
 
 
 @given(st.lists(graphs(), min_size=1, max_size=6), st.randoms())
