@@ -14,7 +14,7 @@ every pair of a peak and a valley of G_t.
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from exactsweep.ceiling import Boxes, Ceiling
 from exactsweep.chain import Vertex, complement, corners, inverse
@@ -24,7 +24,7 @@ from exactsweep.parts import ConvexPart, joined_parts
 from exactsweep.piece import Break, Span
 from exactsweep.touched import gaps, pierced
 
-Guess = Sequence[Container[int]]
+Guess = Sequence[Collection[int]]
 """For each part of G_t, numbers of parts of D_b."""
 
 
@@ -85,7 +85,6 @@ def sweep_pairs(
     """
     boxes = Boxes.of(parts)
     chain_boxes = [chain.box for chain in chains]
-    facing = [boxes.facing(box) for box in chain_boxes]
     order = sorted(range(len(chains)), key=lambda i: chain_boxes[i].low)
 
     start: Break = (min(box.left for box in chain_boxes) + boxes.lefts[0], 1)
@@ -113,16 +112,16 @@ def sweep_pairs(
     envelope = known
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        envelope = lowered(envelope, {i: [j for j in facing[i] if j in guess[i]] for i in order})
+        envelope = lowered(envelope, {i: sorted(guess[i]) for i in order})
     size, pairs = len(chains) + len(parts), 0
     batch: dict[int, list[int]] = {}
     for i in order:
-        pairs += len(facing[i])
-        if batch and pairs > size:
+        facing = boxes.facing(chain_boxes[i])
+        if batch and pairs + len(facing) > size:
             envelope = lowered(envelope, batch)
-            batch, size, pairs = {}, 3 * size, len(facing[i])
-        if facing[i]:
-            batch[i] = facing[i]
+            batch, size, pairs = {}, 3 * size, 0
+        batch[i] = facing
+        pairs += len(facing)
     envelope = lowered(envelope, batch)
     assert envelope is not None, "some pair draws the trajectory"
     return envelope
