@@ -143,7 +143,7 @@ def _check_corollary_5_7(run: Run) -> Evidence:
 def _counted(growth: tuple[Growth, ...], failure: str, against: Counterexample | None) -> Evidence:
     """Flat counts, beside a size that is not what the proof takes it for.
 
-    What is swept goes in batches, each four times the last, so that the counts rise in steps.
+    What is swept goes in batches, each three times the last, so that the counts rise in steps.
     """
     return Evidence(
         f"Counts for n = {growth[0].points[0].n} to {growth[0].points[-1].n}.",
