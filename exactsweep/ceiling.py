@@ -4,7 +4,8 @@ Two parts without a slope in common give nothing that matters (see `exactsweep.p
 the other pairs never come near the envelope.  So its x-range is cut into strips of equal width,
 each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
 than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
-Bounds of heights are rounded upwards to ints, and those of slopes downwards: exact.
+Heights of the envelope are rounded upwards to ints and those of the boxes downwards; slopes are all
+rounded downwards, which keeps their order but for ties, and ties count as in common.
 """
 
 from __future__ import annotations
@@ -46,7 +47,12 @@ class Boxed(Protocol):
 
 
 class Boxes(NamedTuple):
-    """The boxes of consecutive parts, and their ends, which ascend."""
+    """The boxes of consecutive parts, and their ends.
+
+    The first left end is the least, and the last right end the greatest.  The ends of Runs ascend,
+    which `Ceiling.reached` needs where there are gaps; parts of an envelope, whose cut edges are
+    whole, may overlap.
+    """
 
     boxes: list[Box]
     lefts: list[Rational]

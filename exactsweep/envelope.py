@@ -222,8 +222,9 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
     Args:
         partial: the envelope so far; it is changed in place.
         piece: one convex chain, starting over the partial trajectory, that crosses it at most
-            once and is the lower one on the right (Lemma A.3).  If it ends first, what is left of
-            the partial trajectory beyond is dropped: the next piece will be lower there.
+            once and is the lower one on the right (Lemma A.3); if it crosses more often, only the
+            last crossing counts (see `mm.sweep_pairs`).  If it ends first, what is left of the
+            partial trajectory beyond is dropped: in a CM sweep the next piece is lower there.
 
     Returns:
         The same envelope.

@@ -66,9 +66,13 @@ def sweep_pairs(
     batches, each three times the last, those parts of G_t first that reach highest.  What a batch
     gives is a ceiling over the next, and pairs that do not come below it need not be swept.
 
-    Lemma A.3 holds for any two sub-trajectories of one part of G_t, neighbours or not: on the
-    right it is the later one that is lower.  So LowerEnvelope_CM joins them, as long as the later
-    one starts over the partial trajectory and does not end before it; else a new run begins.
+    Lemma A.3 holds for any two whole sub-trajectories of one part of G_t, neighbours or not: on
+    the right it is the later one that is lower.  So LowerEnvelope_CM joins them, as long as the
+    later one starts over the partial trajectory and does not end before it; else a new run begins.
+    Since they are cut, a run may leave out a stretch of one that is lower than the run there.
+    Invariant: where a sub-trajectory lies on the final envelope, so does its run.  For what is left
+    out is nowhere below the whole sub-trajectory that the run is on just before the later one takes
+    over; and where that is cut off, it is above the final envelope.
 
     Args:
         chains: the convex parts of reversed G_t.

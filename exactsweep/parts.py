@@ -3,8 +3,8 @@
 Where two parts of D_b meet in a reflex vertex p, G standing on p with an edge steeper than the left
 part's last edge would overlap the right part, and with one flatter than the right part's first
 edge the left part.  So of each sub-trajectory T(G_t, D_i) only the edges from D_i's own first to
-its own last one can belong to the lower envelope, and the others need not be made.  At a step of
-D_b that holds for the higher part only.
+its own last one can belong to the lower envelope, and the others need not be made: but for single
+points they are above it.  At a step of D_b that holds for the higher part only.
 
 A sum does not know which of its two chains moves: the same holds for the convex parts of reversed
 G_t and the edges of D_b.  In an MM sweep what matters of a pair is the edges whose slopes lie
@@ -40,7 +40,8 @@ class ConvexPart(NamedTuple):
         """The CC sweep of a part of reversed G_t along this part of D_b, as far as it matters.
 
         Args:
-            chain: the part of G_t, whose breaks are its ends.
+            chain: the part of G_t, its edges whole; of its breaks only whether there are any
+                counts.
             source: the number of what is swept.
 
         Returns an envelope, which has no edges if nothing matters.  Cost: O(m_i + n_t).
@@ -56,7 +57,7 @@ class ConvexPart(NamedTuple):
         piece = Envelope.of_own(merged, source)
         if len(merged) == 1:
             return piece
-        # What an edge adds to the lattice at the cut is left out, if the edge is there.
+        # Whole, an end edge goes beyond the cut; it may have been left out for its slope.
         if left is not None and (
             others_left is None or cross(points[0], points[1], (others[0], others[1])) >= 0
         ):

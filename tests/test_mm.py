@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from exactsweep import Polygon, sweep
 from exactsweep.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.chain import Vertex, complement, convex_parts, inverse, split
+from exactsweep.check.definition import reference_loops
 from exactsweep.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.envelope import Envelope, lower_envelope_mm
 from exactsweep.mm import inner_mm, outer_mm, sweep_mm, trajectory_mm
@@ -145,3 +146,17 @@ def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
         (s.trajectory, s.inner, s.outer), (t.trajectory, t.inner, t.outer), strict=True
     ):
         assert [(x, y / 2**99) for x, y in loop.vertices] == list(other.vertices)
+
+
+def test_a_run_may_be_above_a_piece_that_is_in_it() -> None:
+    """A piece starts below the run and crosses a step of it: it is not on the envelope there.
+
+    What the run is on right of the step is cut off to the left, where it would be lower still.
+    """
+    pair = (
+        Polygon([(5, 16), (3, 25), (1, 4), (0, 0)]),
+        Polygon([(30, -6), (31, -11), (32, -15), (33, -15), (21, 22)]),
+    )
+    s = sweep(*pair, direction=(1, 0))
+    loops = s.trajectory.vertices, s.inner.vertices, s.outer.vertices
+    assert loops == reference_loops(*pair)
