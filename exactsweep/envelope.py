@@ -73,12 +73,10 @@ class Envelope:
 
     def follows(self, other: Envelope) -> bool:
         """Whether it starts over another one, and ends where that ends or right of it."""
-        (start, start_d), (end, end_d) = other.breaks[0], other.breaks[-1]
-        (first, first_d), (last, last_d) = self.breaks[0], self.breaks[-1]
-        return (
-            start * first_d <= first * start_d
-            and first * end_d <= end * first_d
-            and end * last_d <= last * end_d
+        return not (
+            precedes(self.breaks[0], other.breaks[0])
+            or precedes(other.breaks[-1], self.breaks[0])
+            or precedes(self.breaks[-1], other.breaks[-1])
         )
 
     def extend_hole(self, end: Break) -> None:
@@ -174,8 +172,7 @@ class Envelope:
 
         The break lies on the last edge or where it starts.  Cost: O(edges appended).
         """
-        (n, d), (m, e) = chain.breaks[last], end
-        if last == len(chain.edges) or n * e >= m * d:
+        if last == len(chain.edges) or not precedes(chain.breaks[last], end):
             last -= 1
         if last >= first:
             self.lines().extend(chain.lines()[first : last + 1])

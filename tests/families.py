@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from strategies import hull
+from exactsweep.corpus.generator.shapes import hull
 
 IntRing = list[tuple[int, int]]
 Ring = list[tuple[Fraction, Fraction]]

@@ -5,12 +5,13 @@ small integer grid, where features meet often, and then placed: scaled, from 10*
 moved.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Literal
 
 from hypothesis import strategies as st
 
+from exactsweep.corpus.generator.shapes import hull
 from exactsweep.number import to_fraction
 from exactsweep.polygon import Point, Polygon
 
@@ -34,23 +35,6 @@ def coordinates() -> st.SearchStrategy[Fraction]:
 
 def translations() -> st.SearchStrategy[tuple[Fraction, Fraction]]:
     return st.tuples(coordinates(), coordinates())
-
-
-def hull(points: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Convex hull, counter-clockwise, corners only (Andrew's monotone chain)."""
-    ordered = sorted(set(points))
-    halves = []
-    for run in (ordered, ordered[::-1]):
-        half: list[tuple[int, int]] = []
-        for x, y in run:
-            while len(half) > 1:
-                (ax, ay), (bx, by) = half[-2:]
-                if (bx - ax) * (y - by) - (by - ay) * (x - bx) > 0:
-                    break
-                half.pop()
-            half.append((x, y))
-        halves += half[:-1]
-    return halves
 
 
 def points(*pairs: tuple[object, object]) -> tuple[Point, ...]:
