@@ -2,7 +2,7 @@
 
 Each takes (m, n, seed), m and n even, and returns (generatrix with n vertices, directrix with m
 vertices), as lists of pairs of ints, counter-clockwise; figure10 is not random and takes the seed
-for nothing.  Those that the paper's claims are counted on come from `exactsweep.paper.families`.
+for nothing. Those that the paper's claims are counted on are in `corpus.generator.growing`.
 """
 
 from __future__ import annotations
@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from random import Random
 
-from exactsweep.paper.families import cc, cm, cm_hard, cm_undercut, figure10, mm
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair, cc, cm, cm_hard, cm_undercut, figure10, mm
 
 Family = Callable[[int, int, int], tuple[list[Pair], list[Pair]]]
 

@@ -1,6 +1,6 @@
 """Outlines of parts such as are nested in sheets: 20 to 150 vertices, in thousandths of a unit.
 
-Each is monotone to the X axis.  `part_pairs` turns every other pair.
+Each is monotone to the X axis. `part_pairs` turns every other pair.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import cos, pi, sin, sqrt
 
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
 
 Outline = list[Pair]
 Corner = tuple[float, float]

@@ -1,6 +1,6 @@
 """Log-log plots: measured points beside the claimed curves, and programs beside each other.
 
-Colours are those of all pictures (`exactsweep.draw.style`); markers and dashes differ too.
+Colours are those of all pictures (`exactsweep.canvas.style`); markers and dashes differ too.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from matplotlib.ticker import NullFormatter, NullLocator
 from benchmarks.growth import Point, Series
 from benchmarks.peers.cases import TRAJECTORY
 from benchmarks.peers.measured import Comparison
-from exactsweep.draw.style import PALETTE
+from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.plots import SETTINGS
 
 STYLES = tuple(zip(PALETTE, "os^DvP", strict=False))

@@ -10,11 +10,14 @@ from collections.abc import Callable, Sequence
 from math import log2
 from typing import NamedTuple
 
-from exactsweep.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.chain import Vertex, convex_parts, inverse, split
-from exactsweep.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
-from exactsweep.envelope import Envelope, lower_envelope_cm, lower_envelope_mm
-from exactsweep.mm import inner_mm, outer_mm, trajectory_mm
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import convex_parts, inverse, split
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
+from exactsweep.procedures.mm import outer_mm, trajectory_mm
+from exactsweep.procedures.mm_inner import inner_mm
 
 
 class Chains(NamedTuple):

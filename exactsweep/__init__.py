@@ -1,8 +1,10 @@
 """Exact planar sweeps: no-fit polygons of convex and monotone polygons."""
 
-from exactsweep.direction import DirectionError
-from exactsweep.number import NumberError, limits
-from exactsweep.polygon import Point, Polygon, PolygonError
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.direction import DirectionError
+from exactsweep.geometry.number import NumberError, limits
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import Sweep, no_fit_polygon, sweep
 
 __all__ = [

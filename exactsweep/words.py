@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from fractions import Fraction
 
-from exactsweep.chain import Vertex
-from exactsweep.number import quoted, to_fraction
-from exactsweep.polygon import abridged
+from exactsweep.geometry.number import abridged, quoted, to_fraction
+from exactsweep.geometry.point import Vertex
 
 CLASSES = {
     "CC": "CC, convex generatrix and convex directrix",
@@ -30,6 +30,15 @@ def count(number: int, thing: str) -> str:
     ('no steps', '1 step', '20 steps')
     """
     return f"{number or 'no'} {thing}{'' if number == 1 else 's'}"
+
+
+def size(vertices: int, area: Fraction) -> str:
+    """Say how large a polygon is.
+
+    >>> size(3, Fraction(1, 2))
+    '3 vertices, area 1/2'
+    """
+    return f"{vertices} vertices, area {abridged(area)}"
 
 
 def heading(vector: Vertex) -> str:

@@ -27,7 +27,7 @@ from exactsweep.check import (
 )
 
 # The tests import one another by bare names, as pytest sets them up.
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).parent / "support"))
 from families import FAMILIES, Pair, Ring, random_pair
 
 Direction = tuple[int, int]

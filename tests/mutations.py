@@ -3,7 +3,7 @@
 Run `python -m tests.mutations` for all of them.
 
 Each mutation puts a wrong procedure in the place of a right one, in every module of the package
-that has it by name.  The rows that depend on the procedure have to turn red.
+that has it by name. The rows that depend on the procedure have to turn red.
 """
 
 import sys
@@ -15,11 +15,11 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from exactsweep import cc, chain, cm, contact, envelope, exact_fit, mm, undercut
-from exactsweep.paper.claim import Run
+from exactsweep.evidence import contact, exact_fit, undercut
+from exactsweep.paper.claim import Run, reproduce
 from exactsweep.paper.ledger import CLAIMS, find
-from exactsweep.paper.reproduce import reproduce
-from exactsweep.piece import precedes
+from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner, part_pairs
+from exactsweep.procedures.envelope import Envelope, precedes
 
 Procedure = Callable[..., Any]
 
@@ -92,7 +92,7 @@ def directrix_itself(right: Procedure) -> Procedure:
 def always_taken_over(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
         k = partial.edge_before(piece.breaks[0]) if len(partial.edges) > 1 else 0
-        cut = envelope.Envelope(
+        cut = Envelope(
             [*partial.breaks[: k + 1], piece.breaks[0]],
             partial.edges[: k + 1],
             partial.sources[: k + 1],
@@ -190,7 +190,7 @@ MUTATIONS = (
     ),
     Mutation(
         "Trajectory_MM, steps 2 and 3: only the first convex part of G_t",
-        mm.sweep_pairs,
+        part_pairs.sweep_pairs,
         first_chain_only,
         ("Trajectory_MM", "Lemma 5.3", "Lemma 5.2", "Corollary 5.4", "Definition 1.1"),
     ),
@@ -202,19 +202,19 @@ MUTATIONS = (
     ),
     Mutation(
         "Sweep_MM, inner loop: D_b returned",
-        mm.inner_mm,
+        mm_inner.inner_mm,
         directrix_itself,
         ("Sweep_MM", "Corollary 5.4", "Lemma 5.5", "Definition 2.1"),
     ),
     Mutation(
         "LowerEnvelope_CM: the new piece always taken from its start",
-        envelope.lower_envelope_cm,
+        lower_envelope.lower_envelope_cm,
         always_taken_over,
         ("LowerEnvelope_CM", "Lemma A.3", "Trajectory_CM"),
     ),
     Mutation(
         "LowerEnvelope_CM: right, but all of the partial trajectory is walked each time",
-        envelope.lower_envelope_cm,
+        lower_envelope.lower_envelope_cm,
         walked_as_a_whole,
         ("LowerEnvelope_CM", "Corollary 4.5"),
     ),
@@ -226,7 +226,7 @@ MUTATIONS = (
     ),
     Mutation(
         "LowerEnvelope_MM: the last sub-trajectory left out",
-        envelope.lower_envelope_mm,
+        lower_envelope.lower_envelope_mm,
         last_left_out,
         ("LowerEnvelope_MM", "Two chains in linear time", "Trajectory_MM"),
     ),

@@ -16,7 +16,7 @@ from families import random_pair
 
 from exactsweep import sweep
 from exactsweep.check import verify
-from exactsweep.number import format_fraction
+from exactsweep.geometry.number import format_fraction
 
 Certificate = dict[str, Any]
 Change = tuple[str, Certificate]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from benchmarks.families import FAMILIES
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
 
 TRAJECTORY, LOOPS = "trajectory", "three loops"
 

@@ -1,7 +1,7 @@
 """CGAL: its exact Minkowski sums by every strategy it has, from our own small program.
 
 The program (`benchmarks/cgal/minkowski.cpp`) times what is between reading exact numbers and
-having exact coordinates of the result.  The three loops are three runs: D + I(G); the result
+having exact coordinates of the result. The three loops are three runs: D + I(G); the result
 plus G; and the result eroded by I(G), each by the strategy that is fastest for it.
 """
 
@@ -19,7 +19,7 @@ from benchmarks.clock import Times
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
-from exactsweep.polygon import PolygonError
+from exactsweep.geometry.canonical import PolygonError
 
 SOURCE = Path(__file__).parent.parent / "cgal" / "minkowski.cpp"
 SECONDS = 0.5

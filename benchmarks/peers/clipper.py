@@ -8,7 +8,7 @@ from importlib.metadata import version as installed
 import pyclipper
 
 from benchmarks.peers.worker import Loop
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
 
 
 def version() -> str:

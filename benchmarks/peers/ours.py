@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import exactsweep
 from benchmarks.peers.worker import Loop
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
 
 Outline = Sequence[Pair] | exactsweep.Polygon
 

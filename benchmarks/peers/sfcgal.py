@@ -10,7 +10,7 @@ from importlib.metadata import version as installed
 from pysfcgal.geometry import Polygon
 
 from benchmarks.peers.worker import Loop
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
 
 _FIRST_RING = re.compile(r"\(([^()]*)\)")
 

@@ -1,6 +1,6 @@
 """shapely: convex pieces of both polygons, their pairwise sums, and the union of those.
 
-Floats.  The pieces are trapezoids between neighbouring x, joined as long as they stay convex.
+Floats. The pieces are trapezoids between neighbouring x, joined as long as they stay convex.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ import numpy.typing as npt
 import shapely
 
 from benchmarks.peers.worker import Loop
-from exactsweep.chain import Rational, Vertex, split
-from exactsweep.paper.figure10 import Pair
+from exactsweep.corpus.generator.growing import Pair
+from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.procedures.chain import split
 
 Array = npt.NDArray[np.float64]
 FloatPoint = tuple[float, float]

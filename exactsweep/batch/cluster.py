@@ -10,7 +10,7 @@ from typing import Any
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.error import needs
-from exactsweep.number import quoted
+from exactsweep.geometry.number import quoted
 
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""

@@ -16,7 +16,7 @@ from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.files import MAX_BYTES, file_name
 from exactsweep.formats.outline import NamedPolygon
-from exactsweep.number import format_fraction, quoted
+from exactsweep.geometry.number import format_fraction, quoted
 
 CHUNK_PAIRS = 16
 _CHUNK_BYTES = 2**20
@@ -79,7 +79,7 @@ def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "
 
     Args:
         path: a file of objects with "generatrix" and "directrix": the name of a part, or a polygon
-            as exact JSON or GeoJSON; and perhaps "id", "direction" and "reference".  Empty lines
+            as exact JSON or GeoJSON; and perhaps "id", "direction" and "reference". Empty lines
             do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops" or "areas".

@@ -1,7 +1,7 @@
 """Records on their way to a file, so that a batch that ends anywhere can go on from there.
 
 Records go, in order, to FILE.part; only when the last one is there does it become FILE, in one
-step.  FILE.job says which batch the records belong to, and is locked while a batch runs.
+step. FILE.job says which batch the records belong to, and is locked while a batch runs.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from exactsweep.formats.outline import Outline
 from exactsweep.formats.polygons import read_outlines
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.polygon import Polygon
 
 
 class Part(NamedTuple):

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Literal
 
-from exactsweep.number import format_fraction
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import Sweep
 
 Quantities = Literal["trajectory", "loops", "areas"]

@@ -66,7 +66,7 @@ def run(
     Args:
         job: of `all_pairs` or `pairs_of`.
         output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
-            ".parquet", for a table of them.  Until the last record is there, they are in
+            ".parquet", for a table of them. Until the last record is there, they are in
             `output` + ".part".
         workers: how many processes compute; as many as there are processors if left out.
         scheduler: the address of a Dask scheduler whose workers compute instead, or "local" for

@@ -13,8 +13,8 @@ from exactsweep.formats.exact_json import described, parse_certificate, parse_js
 from exactsweep.formats.files import MAX_BYTES, decode_text
 from exactsweep.formats.outline import choose
 from exactsweep.formats.polygons import find_outlines
-from exactsweep.number import quoted
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.number import quoted
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import Sweep, sweep
 from exactsweep.words import suggestion
 

@@ -12,8 +12,8 @@ from itertools import pairwise
 from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
-from exactsweep.number import NumberError, format_fraction, limits, to_fraction
-from exactsweep.polygon import Point
+from exactsweep.geometry.number import NumberError, format_fraction, limits, to_fraction
+from exactsweep.geometry.point import Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1

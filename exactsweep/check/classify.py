@@ -26,8 +26,9 @@ from exactsweep.check.meeting import (
     dot,
     meetings,
 )
-from exactsweep.number import to_fraction
-from exactsweep.polygon import Point, Polygon
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
 

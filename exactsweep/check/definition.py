@@ -20,8 +20,9 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror, piece_over
-from exactsweep.number import to_fraction
-from exactsweep.polygon import Point, Polygon
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 
 class ReferenceLoops(NamedTuple):

@@ -16,7 +16,7 @@ from itertools import pairwise
 
 from exactsweep.check.chain import Chain, Node, heights
 from exactsweep.check.loop import Frame, Loop
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 
 def exact_fits(directrix: Loop, inverse: Loop, frame: Frame) -> list[tuple[Point, Point]]:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.number import to_fraction
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.polygon import Polygon
 
 Coordinates = tuple[int | Fraction, int | Fraction]
 

@@ -8,7 +8,7 @@ from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Chain, Line, Node, heights, turn
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 
 class Frame:

@@ -7,7 +7,7 @@ from math import lcm
 
 from exactsweep.check.certificate import MAX_BITS, CertificateError
 from exactsweep.check.chain import Node
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 
 def common_scale(points: Iterable[Point]) -> int:

@@ -36,9 +36,13 @@ from exactsweep.check.fits import exact_fits
 from exactsweep.check.loop import Frame, Loop
 from exactsweep.check.size import check_size, common_scale
 from exactsweep.check.sums import check_sum_within, steps_within
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 _ORIGIN = Point(Fraction(0), Fraction(0))
+
+
+# About a microsecond each.
+_MAX_STEPS = 10**8
 
 
 class Verification(NamedTuple):
@@ -52,10 +56,6 @@ class Verification(NamedTuple):
     proved: bool
     reason: str
     witness: Point | None
-
-
-# About a microsecond each.
-_MAX_STEPS = 10**8
 
 
 def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:

@@ -11,7 +11,7 @@ import click
 from exactsweep.cli.output import takes_output, write
 from exactsweep.cli.pair import PATH
 from exactsweep.cli.reports import takes_accept
-from exactsweep.number import to_fraction
+from exactsweep.geometry.number import to_fraction
 
 
 def _to_rounding(ctx: click.Context, option: click.Parameter, value: str | None) -> Fraction | None:
@@ -63,10 +63,10 @@ def compare_command(
 
     The exit code is 0 if the verdict is not worse than --accept, and 1 otherwise.
     """  # noqa: D301
-    from exactsweep.conform.compare import compare
-    from exactsweep.conform.files import read_case, read_result
-    from exactsweep.conform.told import told
-    from exactsweep.conform.verdict import Verdict
+    from exactsweep.conform.judge.compare import compare
+    from exactsweep.conform.judge.verdict import Verdict
+    from exactsweep.conform.report.text import told
+    from exactsweep.conform.run.cases import read_case, read_result
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")

@@ -82,13 +82,13 @@ def conform_command(
     verdict is worse than --accept, the program ended well, and some case could be judged; and 1
     otherwise.
     """
-    from exactsweep.conform.journal import Journal
-    from exactsweep.conform.pool import Pool
-    from exactsweep.conform.progress import progress
-    from exactsweep.conform.run import Run
-    from exactsweep.conform.runner import conduct
-    from exactsweep.conform.selection import Selection, SelectionError, distinct, read_cases
-    from exactsweep.conform.verdict import Verdict
+    from exactsweep.conform.judge.verdict import Verdict
+    from exactsweep.conform.report.text import progress
+    from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
+    from exactsweep.conform.run.journal import Journal
+    from exactsweep.conform.run.pool import Pool
+    from exactsweep.conform.run.run import Run
+    from exactsweep.conform.run.runner import conduct
 
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")

@@ -58,7 +58,7 @@ def convert_command(
     write(text, output)
     if places is not None and changed:
         # rich takes longer to import than all the rest.
-        from exactsweep.report import approximation
+        from exactsweep.text.report import approximation
 
         click.echo(
             f"rounded: {count(changed, 'coordinate')}, the largest change about "

@@ -6,7 +6,7 @@ from exactsweep import Point, Sweep
 from exactsweep.cli.pair import PATH, takes_pair
 from exactsweep.draw import new_figure, picture_suffix, plot_sweep, save
 from exactsweep.formats import FormatError, file_name
-from exactsweep.number import to_fraction
+from exactsweep.geometry.number import to_fraction
 
 
 def _with_suffix(ctx: click.Context, option: click.Parameter, path: str) -> str:

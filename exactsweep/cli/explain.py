@@ -5,8 +5,8 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, terminal_size, write
 from exactsweep.cli.pair import takes_pair
-from exactsweep.formats import story_to_json
-from exactsweep.story import story
+from exactsweep.text.results import story_to_json
+from exactsweep.text.story import story
 
 
 @click.command("explain")

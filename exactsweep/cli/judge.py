@@ -28,10 +28,10 @@ def judge_command(path: str | None, reports: Reports) -> None:
     verdict is worse than --accept, all lines were answers, and some case could be judged; and 1
     otherwise.
     """
-    from exactsweep.conform.run import Run
-    from exactsweep.conform.selection import distinct, read_cases, standard_input
-    from exactsweep.conform.stream import Stream, finder
-    from exactsweep.conform.verdict import Verdict
+    from exactsweep.conform.judge.verdict import Verdict
+    from exactsweep.conform.run.cases import distinct, read_cases, standard_input
+    from exactsweep.conform.run.run import Run
+    from exactsweep.conform.run.stream import Stream, finder
     from exactsweep.corpus import find_case
 
     if path == "-":

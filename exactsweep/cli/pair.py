@@ -7,11 +7,17 @@ from typing import Any
 
 import click
 
-from exactsweep import Point, examples, sweep
-from exactsweep.direction import DirectionError, Vector, read_direction
+from exactsweep import Point, sweep
 from exactsweep.formats import file_name, read_polygon
 from exactsweep.formats.decimals import read_tolerance
-from exactsweep.number import to_fraction
+from exactsweep.geometry.direction import DirectionError, Vector, read_direction
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.polygon import Polygon
+
+# A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
+# loops have finite decimal coordinates, so that every output format can hold them.
+GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
+DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 # Not checked by click, for which a file that cannot be read is a mistake in the usage.
 PATH = click.Path(allow_dash=True, readable=False)
@@ -59,7 +65,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         if generatrix == directrix == "-":
             raise click.UsageError("Only one polygon can be read from standard input.")
         if generatrix is None or directrix is None:
-            g, d = examples.GENERATRIX, examples.DIRECTRIX
+            g, d = GENERATRIX, DIRECTRIX
         else:
             g, d = read_polygon(generatrix, tolerance), read_polygon(directrix, tolerance)
         try:

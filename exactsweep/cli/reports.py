@@ -17,7 +17,7 @@ from exactsweep.formats import FormatError
 from exactsweep.words import count
 
 if TYPE_CHECKING:
-    from exactsweep.conform.run import Run
+    from exactsweep.conform.run.run import Run
 
 _MOST_LISTED = 10
 
@@ -37,19 +37,19 @@ class Reports:
         Raises:
             FormatError: a file cannot be written.
         """
-        from exactsweep.conform.table import table
+        from exactsweep.conform.report.text import table
 
         if "-" not in (self.junit, self.json, self.html):
             terminal = terminal_size("-")
             write(f"{table(run.summary, terminal and terminal.columns)}\n{_closing(run)}", "-")
         if self.junit is not None:
-            from exactsweep.conform.junit import junit
+            from exactsweep.conform.report.junit import junit
 
             write(junit(run), self.junit)
         if self.json is not None:
             write(json.dumps(run.to_json(), indent=1) + "\n", self.json)
         if self.html is not None:
-            from exactsweep.conform.html import html
+            from exactsweep.conform.report.html import html
 
             write(html(run), self.html)
         sys.exit(0 if run.passed else 1)
@@ -97,7 +97,7 @@ def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
 
 def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> str:
     """Refuse what is no verdict, or says nothing on an answer."""
-    from exactsweep.conform.verdict import Verdict
+    from exactsweep.conform.judge.verdict import Verdict
 
     allowed = [verdict.value for verdict in Verdict if verdict is not Verdict.UNSUPPORTED]
     if name not in allowed:
@@ -107,7 +107,7 @@ def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> st
 
 def _closing(run: Run) -> str:
     """The last lines of a run: what failed, and how it ended."""
-    from exactsweep.conform.summary import fails
+    from exactsweep.conform.run.run import fails
 
     lines = []
     failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]

@@ -36,11 +36,9 @@ def reproduce_command(
     1 if the evidence for a row fails.
     """
     # All of this is needed by no other command.
-    from exactsweep.paper.cite import citation
-    from exactsweep.paper.claim import Run
+    from exactsweep.paper.claim import Run, reproduce
     from exactsweep.paper.ledger import CLAIMS, find
-    from exactsweep.paper.report import render_row, write
-    from exactsweep.paper.reproduce import reproduce
+    from exactsweep.paper.report import citation, render_row, write
 
     if cite:
         click.echo(citation(), nl=False)

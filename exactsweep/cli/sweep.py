@@ -5,7 +5,8 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, terminal_size, write
 from exactsweep.cli.pair import takes_pair
-from exactsweep.formats import FormatError, certificate_to_json, sweep_to_json, sweep_to_wkt
+from exactsweep.formats import FormatError
+from exactsweep.text.results import certificate_to_json, sweep_to_json, sweep_to_wkt
 
 
 @click.command("sweep")
@@ -47,7 +48,7 @@ def sweep_command(
             raise FormatError(f"{error}; use --json") from None
     else:
         # rich takes longer to import than all the rest.
-        from exactsweep.report import report
+        from exactsweep.text.report import report
 
         terminal = terminal_size(output)
         text = report(result, terminal and terminal.columns)

@@ -6,7 +6,8 @@ import click
 
 from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH
-from exactsweep.formats import read_certificate, verification_to_json
+from exactsweep.formats import read_certificate
+from exactsweep.text.results import verification_to_json
 from exactsweep.words import pair
 
 

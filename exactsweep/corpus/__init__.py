@@ -2,11 +2,9 @@
 
 from exactsweep.corpus.case import Case, CaseError
 from exactsweep.corpus.case_json import case_from_json, case_to_json
-from exactsweep.corpus.find import find_case
 from exactsweep.corpus.generator import FAMILIES, Family, generate
 from exactsweep.corpus.names import UnknownNameError
-from exactsweep.corpus.notes import Note, notes
-from exactsweep.corpus.shipped import cases, themes
+from exactsweep.corpus.shipped import Note, cases, find_case, notes, themes
 
 __all__ = [
     "FAMILIES",

@@ -11,7 +11,8 @@ from typing import Literal, get_args
 
 from exactsweep.corpus.facts import facts
 from exactsweep.corpus.representable import types_holding
-from exactsweep.polygon import Point, Polygon, read_point
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon, read_point
 from exactsweep.sweep import sweep
 
 Kind = Literal["CC", "CM", "MM"]

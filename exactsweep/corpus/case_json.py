@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
@@ -10,8 +11,10 @@ from typing import Any
 from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import described
-from exactsweep.number import NumberError, format_fraction, to_fraction
-from exactsweep.polygon import Point, Polygon, PolygonError
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.number import NumberError, format_fraction, to_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 _RATIONAL = re.compile(r"0|-?[1-9][0-9]*(/[1-9][0-9]*)?")
 
@@ -226,3 +229,8 @@ def _read_number(value: object, path: str) -> Fraction:
     if "/" in value and format_fraction(number) != value:
         raise CaseError(f"{path} is {described(value)}, not reduced")
     return number
+
+
+def case_to_line(case: Case) -> str:
+    """Write a case as one line of JSON, its end of line included."""
+    return json.dumps(case_to_json(case), separators=(",", ":")) + "\n"

@@ -4,14 +4,12 @@ from collections.abc import Iterator, Sequence
 from textwrap import fill
 
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.find import find_case
 from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import known
-from exactsweep.corpus.notes import notes
 from exactsweep.corpus.representable import NUMBER_TYPES
-from exactsweep.corpus.shipped import case_ids
-from exactsweep.number import format_fraction
-from exactsweep.polygon import Point
+from exactsweep.corpus.shipped import case_ids, find_case, notes
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point
 from exactsweep.words import CLASSES
 
 _WIDTH = 100

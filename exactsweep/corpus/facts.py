@@ -6,7 +6,8 @@ from math import lcm
 
 from exactsweep.check import classify
 from exactsweep.corpus.representable import INTEGER_BITS, in_range, types_holding
-from exactsweep.polygon import Point, Polygon
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import Sweep
 
 Ring = Sequence[Point]

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 
-from exactsweep.number import quoted
+from exactsweep.geometry.number import quoted
 from exactsweep.words import suggestion
 
 

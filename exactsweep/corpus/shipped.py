@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import KINDS, Case
 from exactsweep.corpus.case_json import case_from_json
+from exactsweep.corpus.generator import generated_case
 from exactsweep.corpus.names import known
-from exactsweep.corpus.notes import notes
 
 
 def themes() -> dict[str, str]:
@@ -140,3 +140,35 @@ def _names() -> tuple[str, ...]:
 def _theme(name: str) -> Any:
     text = files("exactsweep.corpus").joinpath("data", f"{name}.json").read_text(encoding="utf-8")
     return json.loads(text)
+
+
+def find_case(id: str) -> Case:
+    """Return the case of this id: a shipped one, or a generated one, made again.
+
+    Raises:
+        UnknownNameError: there is none; the message suggests one whose id is similar.
+
+    Example:
+        >>> find_case("gen-convex-1-0").kind
+        'CC'
+    """
+    return generated_case(id) if id.startswith("gen-") else shipped_case(id)
+
+
+class Note(NamedTuple):
+    """What a flag says about a case, and which kind of bug such cases catch."""
+
+    meaning: str
+    catches: str
+
+
+@cache
+def notes() -> dict[str, Note]:
+    """Return the note on each flag there is, by name.
+
+    Example:
+        >>> notes()["rounded-answer"].meaning
+        'At the integer scale, some coordinate of the answer is not an integer.'
+    """
+    text = files("exactsweep.corpus").joinpath("notes.json").read_text(encoding="utf-8")
+    return {flag: Note(**note) for flag, note in json.loads(text).items()}

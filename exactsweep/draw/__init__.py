@@ -1,6 +1,6 @@
 """Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws all of a sweep.  For other pictures make a `Picture` on an Axes, with the
+`plot_sweep` draws all of a sweep. For other pictures make a `Picture` on an Axes, with the
 `Scale` of what it is to hold, and draw on it:
 
     figure = new_figure()
@@ -11,15 +11,15 @@
     save(figure, "out.svg")
 
 `Picture` takes points with int or Fraction coordinates; `draw_...` draw the parts of a sweep, and
-`style` says how each looks.  Nothing here needs matplotlib before it draws.
+`style` says how each looks. Nothing here needs matplotlib before it draws.
 """
 
-from exactsweep.draw import style
+from exactsweep.canvas import style
+from exactsweep.canvas.error import DrawError
+from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
-from exactsweep.draw.error import DrawError
 from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.scale import AxisScale, Scale
 from exactsweep.draw.stretches import Stretch, stretches
 from exactsweep.draw.sweeps import (
     draw_contacts,

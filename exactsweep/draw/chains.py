@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from exactsweep.draw import style
+from exactsweep.canvas import style
 from exactsweep.draw.picture import Picture, Points
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from exactsweep.contact import Contact
-from exactsweep.polygon import Point, Polygon
+from exactsweep.evidence.contact import Contact
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 if TYPE_CHECKING:
-    from exactsweep.sweep import Sweep
+    from exactsweep.evidence.swept import Swept
 
 Span = tuple[Point, Point]
 
@@ -20,7 +21,7 @@ class Features:
         s: a Sweep.
     """
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(self, s: Swept) -> None:
         self._reference = s.reference
         self.g_vertices, self._g_ends = _numbered(s.generatrix)
         self.d_vertices, self._d_ends = _numbered(s.directrix)

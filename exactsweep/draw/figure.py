@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from exactsweep.draw.error import DrawError
-from exactsweep.draw.style import in_style
+from exactsweep.canvas.error import DrawError
+from exactsweep.canvas.style import in_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from math import nan
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex
-from exactsweep.draw.scale import Scale
-from exactsweep.draw.style import Look, in_style
+from exactsweep.canvas.scale import Scale
+from exactsweep.canvas.style import Look, in_style
+from exactsweep.geometry.point import Vertex
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,10 +7,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.contact import Contact
 from exactsweep.draw.features import Features
-from exactsweep.polygon import Point
-from exactsweep.sweep import Sweep
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.point import Point
 
 
 class Stretch(NamedTuple):
@@ -34,7 +34,7 @@ class Stretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-def stretches(s: Sweep) -> list[Stretch]:
+def stretches(s: Swept) -> list[Stretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Returns:

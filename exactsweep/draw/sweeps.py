@@ -5,26 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from exactsweep.draw import style
+from exactsweep.canvas import style
+from exactsweep.canvas.scale import Scale
 from exactsweep.draw.features import Features, Span
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.scale import Scale
 from exactsweep.draw.stretches import stretches
-from exactsweep.polygon import Point, Polygon, read_point
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon, read_point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.sweep import Sweep
-    from exactsweep.undercut import Undercut
+    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.undercut import Undercut
 
 _MOST_SHOWN = 4
 _MANY = 60
 
 
 def plot_sweep(
-    s: Sweep, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    s: Swept, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
 ) -> Axes:
     """Draw a sweep: both polygons, the loops, undercuts, exact fits, the trajectory by event.
 
@@ -35,7 +36,7 @@ def plot_sweep(
             out, those of `telling_positions`.
 
     Returns:
-        The Axes.  Where the reference point is far from G, the path that is drawn is that of the
+        The Axes. Where the reference point is far from G, the path that is drawn is that of the
         first vertex of G, and the legend says so.
 
     Raises:
@@ -74,7 +75,7 @@ def plot_sweep(
     return axes
 
 
-def anchor(s: Sweep) -> Point:
+def anchor(s: Swept) -> Point:
     """Return the point of G whose path is drawn: the reference point, or a vertex of G.
 
     A vertex where the reference point is off G by more than the sizes of G and D together: its
@@ -93,30 +94,30 @@ def anchor(s: Sweep) -> Point:
     return s.reference if near else s.generatrix.vertices[0]
 
 
-def anchor_name(s: Sweep) -> str:
+def anchor_name(s: Swept) -> str:
     """Return what the anchor is, in words."""
     if anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
 
 
-def shift(s: Sweep) -> Point:
+def shift(s: Swept) -> Point:
     """Return the vector from a position of the reference point to that of the anchor."""
     x, y = anchor(s)
     return Point(x - s.reference.x, y - s.reference.y)
 
 
-def path(s: Sweep) -> Polygon:
+def path(s: Swept) -> Polygon:
     """Return the trajectory of the anchor."""
     return s.trajectory.translated(shift(s))
 
 
-def placed_generatrix(s: Sweep, position: Point) -> Polygon:
+def placed_generatrix(s: Swept, position: Point) -> Polygon:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
 
-def telling_positions(s: Sweep) -> list[Point]:
+def telling_positions(s: Swept) -> list[Point]:
     """Choose positions worth drawing: in undercuts and exact fits, and at a corner.
 
     Returns:
@@ -128,7 +129,7 @@ def telling_positions(s: Sweep) -> list[Point]:
     return list(dict.fromkeys([*found, s.trajectory.vertices[0]]))
 
 
-def draw_loops(picture: Picture, s: Sweep) -> None:
+def draw_loops(picture: Picture, s: Swept) -> None:
     """Draw the swept area between the inner and the outer loop, and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
     picture.ring(outer, inner, style.SWEPT, "swept area")
@@ -143,7 +144,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
         picture.area(undercut.polygon.vertices, style.UNDERCUT, "undercut")
 
 
-def draw_trajectory(picture: Picture, s: Sweep) -> None:
+def draw_trajectory(picture: Picture, s: Swept) -> None:
     """Draw the path of the anchor, each stretch as its contact event has it."""
     dx, dy = shift(s)
     of = "trajectory" if anchor(s) == s.reference else f"path of {anchor_name(s)}"
@@ -162,7 +163,7 @@ def draw_trajectory(picture: Picture, s: Sweep) -> None:
         picture.lines(chains["several"], style.SEVERAL_EVENTS, f"{of}, several events")
 
 
-def draw_exact_fits(picture: Picture, s: Sweep) -> None:
+def draw_exact_fits(picture: Picture, s: Swept) -> None:
     """Mark exact fits as positions of the anchor, hollow where they hang on the trajectory.
 
     Many are thin lines without marks, so that they do not hide each other.
@@ -176,7 +177,7 @@ def draw_exact_fits(picture: Picture, s: Sweep) -> None:
         picture.lines([[hanging] for hanging, _ in fits], style.HANGING_END)
 
 
-def draw_generatrix(picture: Picture, s: Sweep, positions: Iterable[Point]) -> None:
+def draw_generatrix(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
     """Draw G with its reference point at each of some positions, and dots where the anchor is."""
     dx, dy = shift(s)
     dots = []
@@ -188,7 +189,7 @@ def draw_generatrix(picture: Picture, s: Sweep, positions: Iterable[Point]) -> N
         picture.lines(dots, style.REFERENCE, anchor_name(s))
 
 
-def draw_contacts(picture: Picture, s: Sweep, positions: Iterable[Point]) -> None:
+def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
     """Mark where G touches D when its reference point is at each of some positions."""
     features = Features(s)
     spots: dict[str, list[Span]] = {}

@@ -1,15 +1,9 @@
 """Formats: polygons in and out, as JSON, GeoJSON, WKT, SVG, DXF and objects; results as text."""
 
-from exactsweep.formats.certificates import read_certificate
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import read_certificate
 from exactsweep.formats.files import MAX_BYTES, file_name, read_text
 from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
-from exactsweep.formats.json_text import (
-    certificate_to_json,
-    story_to_json,
-    sweep_to_json,
-    verification_to_json,
-)
 from exactsweep.formats.outline import NamedPolygon
 from exactsweep.formats.polygons import (
     parse_polygon,
@@ -17,14 +11,13 @@ from exactsweep.formats.polygons import (
     read_polygon,
     read_polygons,
 )
-from exactsweep.formats.writing import FORMATS, format_polygons, rounded_polygons, sweep_to_wkt
+from exactsweep.formats.writing import FORMATS, format_polygons, rounded_polygons
 
 __all__ = [
     "FORMATS",
     "MAX_BYTES",
     "FormatError",
     "NamedPolygon",
-    "certificate_to_json",
     "file_name",
     "format_polygons",
     "from_numpy",
@@ -36,10 +29,6 @@ __all__ = [
     "read_polygons",
     "read_text",
     "rounded_polygons",
-    "story_to_json",
-    "sweep_to_json",
-    "sweep_to_wkt",
     "to_numpy",
     "to_shapely",
-    "verification_to_json",
 ]

@@ -4,8 +4,7 @@ import re
 from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
-from exactsweep.number import NumberError, format_fraction, quoted, to_fraction
-from exactsweep.polygon import abridged
+from exactsweep.geometry.number import NumberError, abridged, format_fraction, quoted, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"

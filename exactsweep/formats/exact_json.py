@@ -5,9 +5,10 @@ from collections.abc import Callable
 from functools import partial
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.files import file_name, read_text
 from exactsweep.formats.outline import Outline
-from exactsweep.number import NumberError, quoted, to_fraction
-from exactsweep.polygon import Point
+from exactsweep.geometry.number import NumberError, quoted, to_fraction
+from exactsweep.geometry.point import Point
 
 
 def parse_json(text: str) -> object:
@@ -87,7 +88,7 @@ def read_exact(document: object) -> list[Outline]:
         list of Outline.
 
     Raises:
-        FormatError: anything else; the message starts with the JSON path.  The vertices are looked
+        FormatError: anything else; the message starts with the JSON path. The vertices are looked
             at by the Outlines.
 
     Example:
@@ -185,3 +186,21 @@ def _read_point(pair: object, path: str) -> Point:
         except NumberError as error:
             raise FormatError(f"{path}[{j}]: {error}") from None
     return Point(*coordinates)
+
+
+def read_certificate(path: str) -> object:
+    """Read a certificate from a file, or from standard input, as `parse_certificate` does.
+
+    Args:
+        path: a path, or "-" for standard input.
+
+    Returns:
+        What `exactsweep.check.verify` takes; what is in it is not looked at.
+
+    Raises:
+        FormatError: not to be read, or not JSON; the message names the file.
+    """
+    try:
+        return parse_certificate(read_text(path))
+    except ValueError as error:
+        raise FormatError(f"{file_name(path)}: {error}") from None

@@ -8,7 +8,7 @@ from functools import partial
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, read_name, read_vertices
 from exactsweep.formats.outline import Outline
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 _MAX_DEPTH = 100
 
@@ -20,7 +20,7 @@ def read_geojson(document: Mapping[str, object]) -> Iterator[Outline]:
         document: an object with a "type", as `parse_json` returns it.
 
     Yields:
-        Outline, for each Polygon, the name being the id of its Feature.  That of another geometry
+        Outline, for each Polygon, the name being the id of its Feature. That of another geometry
         refuses, and so does that of a Polygon with holes, more than two coordinates or a ring that
         is not closed.
 

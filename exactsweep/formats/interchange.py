@@ -6,7 +6,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError, needs
-from exactsweep.polygon import Polygon, abridged
+from exactsweep.geometry.number import abridged
+from exactsweep.geometry.polygon import Polygon
 
 if TYPE_CHECKING:
     import numpy

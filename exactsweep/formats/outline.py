@@ -4,8 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple, NoReturn, Self
 
 from exactsweep.formats.error import FormatError
-from exactsweep.number import NumberError, quoted
-from exactsweep.polygon import Point, Polygon, PolygonError
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.words import suggestion
 
 _SHOWN = 4

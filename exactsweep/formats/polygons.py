@@ -11,7 +11,7 @@ from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.outline import NamedPolygon, Outline, choose
 from exactsweep.formats.wkt import parse_wkt
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.polygon import Polygon
 
 
 def parse_polygon(text: str, choice: str | None = None, tolerance: object = None) -> Polygon:
@@ -50,7 +50,7 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
     Args:
         text: a JSON list of pairs, an object with such a list as "vertices", or an object with a
             list of these as "polygons"; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; an SVG document;
-            an ASCII DXF file.  Numbers are decimals, exactly as they are written; in JSON, strings
+            an ASCII DXF file. Numbers are decimals, exactly as they are written; in JSON, strings
             such as "-7/2" are numbers, too.
         tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
             positive number as `to_fraction` reads it; None to refuse curves.
@@ -127,13 +127,13 @@ def parse_outlines(text: str, tolerance: object = None) -> Sequence[Outline]:
     if first.isalpha():
         return parse_wkt(text)
     if first == "<":
-        from exactsweep.formats.svg import parse_svg
+        from exactsweep.formats.curved.svg import parse_svg
 
         return parse_svg(text, allowed)
     if first in "[{":
         return find_outlines(parse_json(text))
     if DXF_SIGN.match(text):
-        from exactsweep.formats.dxf import parse_dxf
+        from exactsweep.formats.curved.dxf import parse_dxf
 
         return parse_dxf(text, allowed)
     raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, SVG nor DXF")

@@ -9,8 +9,8 @@ from typing import NamedTuple, NoReturn
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.outline import Outline
-from exactsweep.number import NumberError, quoted
-from exactsweep.polygon import Point
+from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.point import Point
 
 _TOKEN = re.compile(
     r"(?P<mark>[(),])|(?:(?P<word>[A-Za-z]++)"

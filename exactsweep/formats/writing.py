@@ -9,9 +9,9 @@ from itertools import chain
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.outline import NamedPolygon
-from exactsweep.number import format_fraction, quoted
-from exactsweep.polygon import Point, Polygon
-from exactsweep.sweep import Sweep
+from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 _Row = list[tuple[str, str]]
 
@@ -72,24 +72,6 @@ def rounded_polygons(
         changes += [abs(old - new) for old, new in pairs if old != new]
         found.append(NamedPolygon(Polygon(points), name, layer))
     return found, len(changes), max(changes, default=Fraction(0))
-
-
-def sweep_to_wkt(sweep: Sweep) -> str:
-    """Write the loops of a sweep as three lines of WKT: trajectory, inner loop, outer loop.
-
-    Args:
-        sweep: a Sweep.
-
-    Returns:
-        Three POLYGONs, a line each, in exact decimals.
-
-    Raises:
-        FormatError: a coordinate is not a finite decimal, such as 1/3, which WKT cannot hold.
-
-    Cost: linear in the length of the result, times the cost of a division of that length.
-    """
-    loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
-    return _wkt([NamedPolygon(loop, name) for name, loop in loops.items()])
 
 
 def _json(polygons: Sequence[NamedPolygon]) -> str:

@@ -1,16 +1,17 @@
 """Claims of the paper, what a check finds about one, and whether the two agree.
 
 A check looks for counterexamples twice: to the statement as it stands in the paper, and to the
-statement as the ledger has it.  The first kind makes a row "with a condition" or "refuted"; one
+statement as the ledger has it. The first kind makes a row "with a condition" or "refuted"; one
 of the second kind, or the lack of an announced one of the first, makes the row fail.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from random import Random
+from time import process_time
 from typing import NamedTuple
 
 from exactsweep.paper.growth import Growth
@@ -141,3 +142,28 @@ def first_failure(failures: Iterator[str]) -> str:
     'wrong'
     """
     return next(filter(None, failures), "")
+
+
+def reproduce(claims: Iterable[Claim], run: Run) -> Iterator[Row]:
+    """Check claims one by one.
+
+    Args:
+        claims: rows of the ledger.
+        run: the seed and the effort.
+
+    Yields:
+        A Row for each claim. A check that breaks off counts as one that fails.
+
+    Example:
+        >>> from exactsweep.paper.ledger import find
+        >>> row, = reproduce([find("Slope")], Run(quick=True))
+        >>> row.claim.status.value, row.disagreement
+        ('refuted as stated', '')
+    """
+    for claim in claims:
+        start = process_time()
+        try:
+            evidence = claim.check(run)
+        except Exception as error:
+            evidence = Evidence("broken off", f"{type(error).__name__}: {error}")
+        yield Row(claim, evidence, process_time() - start)

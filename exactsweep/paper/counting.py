@@ -1,15 +1,18 @@
 """Integers that count what is done with them, so that nothing in the kernel has to.
 
-The kernel takes any exact rationals.  Fed with these, it multiplies, divides and compares
+The kernel takes any exact rationals. Fed with these, it multiplies, divides and compares
 coordinates as always, and the counts are the same on every run and every machine.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
+
+from exactsweep.paper.growth import Growth, grow
+from exactsweep.paper.pairs import Chains, Pair, Ring
 
 
 @dataclass
@@ -113,3 +116,61 @@ def counting() -> Iterator[Tally]:
         yield _tally
     finally:
         _tally = outer
+
+
+class Family(Protocol):
+    """A named function of m and n that returns a generatrix and a directrix."""
+
+    __name__: str
+
+    def __call__(self, m: int, n: int) -> tuple[Ring, Ring]:
+        """Return the pair."""
+
+
+def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
+    """Multiplications and comparisons of coordinates, and vertices that come out.
+
+    >>> from exactsweep.paper.pairs import Chains
+    >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
+    2
+    """
+    fed = Chains(*(counted(chain) for chain in chains))  # type: ignore[arg-type]
+    with counting() as tally:
+        out = sum(1 for _ in run(fed))
+    return tally.total + out
+
+
+def operations_grow(
+    procedure: str,
+    run: Callable[[Chains], Iterable[Any]],
+    family: Family,
+    bound: tuple[str, Callable[[int, int], float]],
+    sizes: Iterable[tuple[int, int]],
+) -> Growth:
+    """Count the operations of a procedure beside a bound in m and n."""
+    what = f"operations of {procedure}"
+    return _grow(what, lambda chains: operations(run, chains), family, bound, sizes)
+
+
+def vertices_grow(
+    what: str,
+    run: Callable[[Chains], Iterable[Any]],
+    family: Family,
+    bound: tuple[str, Callable[[int, int], float]],
+    sizes: Iterable[tuple[int, int]],
+) -> Growth:
+    """Count the vertices that come out beside a bound in m and n."""
+    return _grow(f"vertices of {what}", lambda c: sum(1 for _ in run(c)), family, bound, sizes)
+
+
+def _grow(
+    what: str,
+    count: Callable[[Chains], int],
+    family: Family,
+    bound: tuple[str, Callable[[int, int], float]],
+    sizes: Iterable[tuple[int, int]],
+) -> Growth:
+    def beside(m: int, n: int) -> tuple[int, float]:
+        return count(Pair(*family(m, n)).chains), bound[1](m, n)
+
+    return grow(what, family.__name__, bound[0], sizes, beside)

@@ -7,9 +7,10 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from exactsweep.chain import Vertex, corners, split
 from exactsweep.check import ReferenceLoops, reference_loops
+from exactsweep.geometry.point import Vertex
 from exactsweep.paper.pairs import Pair
+from exactsweep.procedures.chain import corners, split
 
 Points = Sequence[Vertex]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from exactsweep.chain import split
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Run
 from exactsweep.paper.pairs import Kind, Pair, Ring, random_pairs
-from exactsweep.polygon import Polygon
+from exactsweep.procedures.chain import split
 
 Law = Callable[[Pair], str]
 """What is wrong with a pair; empty if nothing is."""

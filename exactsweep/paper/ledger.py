@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 
-from exactsweep.paper import (
+from exactsweep.paper import figures
+from exactsweep.paper.checks import (
     appendix,
-    figures,
     section1,
     section2,
     section3,

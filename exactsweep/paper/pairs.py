@@ -1,6 +1,6 @@
 """Seeded random pairs for the checks: small integer grids, where features meet often.
 
-"CC", "CM" and "MM" are the paper's classes.  Strict polygons have no vertical edge, as the paper
+"CC", "CM" and "MM" are the paper's classes. Strict polygons have no vertical edge, as the paper
 takes for granted; weak ones have vertical edges, at the ends and inside their chains.
 """
 
@@ -10,12 +10,16 @@ from collections.abc import Callable, Iterator, Sequence
 from random import Random
 from typing import Any, Literal, NamedTuple, TypeVar
 
-from exactsweep.chain import Vertex, inverse, split
+from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Run
-from exactsweep.polygon import Polygon
+from exactsweep.procedures.chain import inverse, split
 
 Ring = list[tuple[int, int]]
 Kind = Literal["CC", "CM", "MM"]
+
+
+P = TypeVar("P", bound=tuple[Any, Any])
 
 
 class Chains(NamedTuple):
@@ -46,9 +50,6 @@ class Pair(NamedTuple):
             for ring in (self.generatrix, self.directrix)
         )
         return Pair(g, d)
-
-
-P = TypeVar("P", bound=tuple[Any, Any])
 
 
 def hull(points: Sequence[P]) -> list[P]:

@@ -1,6 +1,6 @@
 """Plots of counts divided by claimed bounds; for these matplotlib is needed.
 
-Colours are those of all pictures (`exactsweep.draw.style`); markers differ too.
+Colours are those of all pictures (`exactsweep.canvas.style`); markers differ too.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from io import BytesIO
 from itertools import cycle
 from typing import Any
 
-from exactsweep.draw.style import PALETTE
+from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
 
 STYLES = tuple(zip(PALETTE, "os^D", strict=False))

@@ -8,19 +8,27 @@ from base64 import b64encode
 from collections import Counter
 from collections.abc import Sequence
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from exactsweep import __version__
+from exactsweep import __version__, sweep
+from exactsweep.canvas.svg import path_data
+from exactsweep.draw import save
+from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
-from exactsweep.paper.cite import bibtex
 from exactsweep.paper.claim import Counterexample, Row, Run, Status
-from exactsweep.paper.figures.files import write_figures
+from exactsweep.paper.figures import FIGURES
 from exactsweep.paper.pairs import Pair
-from exactsweep.paper.picture import pair_svg
+
+SIZE, MARGIN = 200, 6
+
+XY = Sequence[tuple[float, float]]
+
+SUFFIXES = (".svg", ".pdf")
 
 
 def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
@@ -151,3 +159,84 @@ def _picture(case: Counterexample) -> Markup:
     if not case.generatrix:
         return Markup("")
     return Markup(pair_svg(Pair(list(case.generatrix), list(case.directrix))))
+
+
+def citation() -> str:
+    """The citation data: CITATION.cff, and BibTeX for the paper and the works that correct it.
+
+    >>> citation().count("@article{")
+    3
+    """
+    folder = files("exactsweep.paper")
+    texts = (
+        folder.joinpath(name).read_text(encoding="utf-8")
+        for name in ("CITATION.cff", "references.bib")
+    )
+    return "\n".join(texts)
+
+
+def bibtex() -> str:
+    """The BibTeX entries alone."""
+    return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
+
+
+def pair_svg(pair: Pair) -> str:
+    """An SVG with D filled grey, G blue at one end of its path, and the path of its origin dashed.
+
+    For polygons without a shared direction G stands beside D.
+
+    >>> triangle = [(0, 0), (1, 0), (0, 1)]
+    >>> pair_svg(Pair(triangle, triangle)).count("<path")
+    3
+    """
+    directrix: XY = [(float(x), float(y)) for x, y in pair.directrix]
+    path: XY = []
+    try:
+        corners = sweep(*pair).trajectory.vertices
+        t = (float(corners[0].x), float(corners[0].y))
+        path = [(float(x), float(y)) for x, y in corners]
+    except DirectionError:
+        right = max(x for x, _ in directrix) - min(x for x, _ in pair.generatrix)
+        t = (right + 1.0, min(y for _, y in directrix))
+    generatrix: XY = [(x + t[0], y + t[1]) for x, y in pair.generatrix]
+    xs, ys = zip(*directrix, *generatrix, *path, strict=True)
+    scale = SIZE / max(max(xs) - min(xs), max(ys) - min(ys))
+    width, height = ((max(c) - min(c)) * scale + 2 * MARGIN for c in (xs, ys))
+
+    left, top = min(xs), max(ys)
+
+    def shape(points: XY, kind: str) -> str:
+        placed = [((x - left) * scale + MARGIN, (top - y) * scale + MARGIN) for x, y in points]
+        return f'<path class="{kind}" d="{path_data([placed], closed=True, digits=1)}"/>'
+
+    shapes = [shape(directrix, "directrix"), shape(generatrix, "generatrix")]
+    if path:
+        shapes.append(shape(path, "path"))
+    return (
+        f'<svg role="img" aria-label="D grey, G blue" width="{width:.0f}" height="{height:.0f}">'
+        f"{''.join(shapes)}</svg>"
+    )
+
+
+def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
+    """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
+
+    A figure whose evidence fails is not drawn, nor is any without matplotlib.
+
+    Returns:
+        The SVG of each figure that is drawn, by the name of its row.
+
+    Raises:
+        OSError: a file cannot be written.
+    """
+    if not plots.available():
+        return {}
+    holding = {row.claim.name for row in rows if not row.disagreement}
+    drawn = {}
+    for figure in FIGURES:
+        if figure.name in holding:
+            picture = figure.draw()
+            for suffix in SUFFIXES:
+                save(picture, str(folder / f"figure-{figure.number}{suffix}"))
+            drawn[figure.name] = (folder / f"figure-{figure.number}.svg").read_bytes()
+    return drawn

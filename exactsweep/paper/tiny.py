@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, permutations, product
 
-from exactsweep.chain import ChainError, split
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.pairs import Pair, Ring
-from exactsweep.polygon import Polygon, PolygonError
+from exactsweep.procedures.chain import ChainError, split
 
 Shape = Callable[[Ring], bool]
 

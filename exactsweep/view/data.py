@@ -2,7 +2,7 @@
 
 A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
 two vertices meet or where an undercut is closed; from each stop to the next the same features
-touch.  In large sweeps, what touches for an instant only is not looked for.
+touch. In large sweeps, what touches for an instant only is not looked for.
 """
 
 from __future__ import annotations
@@ -11,13 +11,14 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from exactsweep.contact import Contact
 from exactsweep.draw import Scale, Stretch, stretches
 from exactsweep.draw.features import Features
 from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
-from exactsweep.number import format_fraction
-from exactsweep.polygon import Point, Polygon
-from exactsweep.sweep import Sweep
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.view.touches import brief_contacts, can_be_found, meetings_on_edges
 from exactsweep.words import CLASSES
 
@@ -31,7 +32,7 @@ class Stop(NamedTuple):
     contacts: tuple[Contact, ...]
 
 
-def stops(s: Sweep) -> list[Stop]:
+def stops(s: Swept) -> list[Stop]:
     """Find all stops, once round from the first vertex of the trajectory.
 
     Returns:
@@ -63,7 +64,7 @@ def stops(s: Sweep) -> list[Stop]:
     return found
 
 
-def page_data(s: Sweep) -> dict[str, Any]:
+def page_data(s: Swept) -> dict[str, Any]:
     """Gather what the page shows, as plain JSON data.
 
     Returns:
@@ -123,7 +124,7 @@ def page_data(s: Sweep) -> dict[str, Any]:
     }
 
 
-def _landmarks(s: Sweep) -> set[Point]:
+def _landmarks(s: Swept) -> set[Point]:
     hanging = {fit[0] for fit in s.exact_fits}
     return hanging.union(*(undercut.positions for undercut in s.undercuts))
 
@@ -148,7 +149,7 @@ def _on_line(p: Point, a: Point, b: Point) -> bool:
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x)
 
 
-def _around_anchor(s: Sweep, scale: Scale) -> dict[str, Any]:
+def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
     x, y = anchor(s)
     corners = s.generatrix.vertices
     return {

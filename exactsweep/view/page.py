@@ -11,7 +11,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from exactsweep.sweep import Sweep
+    from exactsweep.evidence.swept import Swept
 
 # d3-zoom and what it needs, each before those that need it; vendor/README.md says more.
 _LIBRARIES = (
@@ -29,14 +29,14 @@ _SCRIPTS = ("rational.js", "shapes.js", "scene.js", "page.js", "pointing.js", "c
 _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 
-def page(s: Sweep) -> str:
+def page(s: Swept) -> str:
     """Make a page on which G can be moved around D.
 
     Args:
         s: a Sweep.
 
     Returns:
-        An HTML document that needs nothing else: no network, no other file.  A policy in it lets
+        An HTML document that needs nothing else: no network, no other file. A policy in it lets
         a browser run its own scripts only and load nothing.
 
     Cost: that of the loops, contacts and undercuts, and linear in the length of the result.

@@ -9,25 +9,23 @@ from collections import defaultdict
 from collections.abc import Iterable
 from math import lcm
 
-from exactsweep.chain import Vertex
-from exactsweep.contact import Boundary, Contact, edges_of, minus
 from exactsweep.draw.features import Features
-from exactsweep.facing import facing
-from exactsweep.frame import Frame
-from exactsweep.polygon import Point
-from exactsweep.sweep import Sweep
+from exactsweep.evidence.contact import Boundary, Contact, edges_of, facing, minus
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.point import Point, Vertex
 
 # The numbers below which it takes some seconds at most to find them.
 _MOST = 10**6
 
 
-def can_be_found(s: Sweep) -> bool:
+def can_be_found(s: Swept) -> bool:
     """Whether a sweep is small enough: t (m + n) and m n are at most a million each."""
     m, n = len(s.directrix), len(s.generatrix)
     return len(s.trajectory) * (m + n) <= _MOST and m * n <= _MOST
 
 
-def meetings_on_edges(s: Sweep) -> dict[Point, list[Contact]]:
+def meetings_on_edges(s: Swept) -> dict[Point, list[Contact]]:
     """Find where two vertices meet while the reference point is inside an edge of the trajectory.
 
     Nothing else touches there for an instant only: two features that touch at positions on a
@@ -78,7 +76,7 @@ def brief_contacts(
         lasting: the contacts that last up to it or from it.
 
     Returns:
-        Contacts, VV among them.  An EV or VE that is part of an EE contact is not listed beside it.
+        Contacts, VV among them. An EV or VE that is part of an EE contact is not listed beside it.
 
     Cost: linear in the number of contacts.
     """

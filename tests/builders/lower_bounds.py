@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 
 from builders.entry import UNIT, Entry, Ring, box, turned, under
-from exactsweep.paper.families import comb
-from exactsweep.paper.figure10 import bumps
+from exactsweep.corpus.generator.growing import bumps, comb
 
 TITLE = "Answers as large as they can get"
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from builders.entry import UNIT, Entry, Ring, box, mirrored, under
-from exactsweep.paper.families import comb
+from exactsweep.corpus.generator.growing import comb
 
 TITLE = "Pieces of the trajectory that touch, or meet in one point"
 

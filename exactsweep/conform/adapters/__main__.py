@@ -10,8 +10,8 @@ import click
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring
 from exactsweep.conform.adapters.names import NAMES, load
-from exactsweep.conform.protocol import read_object
-from exactsweep.number import format_fraction, quoted, to_fraction
+from exactsweep.conform.run.protocol import read_object
+from exactsweep.geometry.number import format_fraction, quoted, to_fraction
 
 
 @click.command()

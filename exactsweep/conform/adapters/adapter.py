@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from exactsweep.conform.protocol import Hello, Numbers
-from exactsweep.number import to_fraction
-from exactsweep.polygon import Point
-from exactsweep.ring import doubled_area
+from exactsweep.conform.run.protocol import Hello, Numbers
+from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.point import Point
 
 Number = Any
 Ring = list[tuple[Number, Number]]

@@ -3,7 +3,7 @@
 What it promises: exact sums of simple polygons, by the kernel with exact constructions.
 
 What it is asked: `minkowski_sum_2(D, -G)`, or `minkowski_sum_by_full_convolution_2`, on exact
-rationals, nothing being rounded on the way.  The program is `cgal_sums.cpp` beside this module; it
+rationals, nothing being rounded on the way. The program is `cgal_sums.cpp` beside this module; it
 has to be compiled and to be found as `exactsweep-cgal`:
 
     g++ -std=c++17 -O2 -DNDEBUG -o exactsweep-cgal cgal_sums.cpp -lgmp -lmpfr
@@ -21,7 +21,7 @@ from pathlib import Path
 from shutil import which
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring, peer_hello
-from exactsweep.number import format_fraction
+from exactsweep.geometry.number import format_fraction
 
 PROGRAM = "exactsweep-cgal"
 SOURCE = Path(__file__).with_name("cgal_sums.cpp")

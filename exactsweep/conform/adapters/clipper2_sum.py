@@ -1,12 +1,12 @@
 """Clipper2: its Minkowski sum, through the package clipper2-py.
 
 What it promises: integers of up to 61 bits in magnitude; vertices of the result are integers, so
-crossings are rounded.  `MinkowskiSum` moves a pattern along a path, so it is the sum of two
+crossings are rounded. `MinkowskiSum` moves a pattern along a path, so it is the sum of two
 boundaries.
 
 What it is asked: the sum of -G, as the pattern, and D, as a closed path, times the scale that
-makes the case integer.  Rings that run clockwise are holes, which the sum of two boundaries may
-have where that of the polygons has none, and are left out.  A ring that touches itself may have
+makes the case integer. Rings that run clockwise are holes, which the sum of two boundaries may
+have where that of the polygons has none, and are left out. A ring that touches itself may have
 such a hole, too; it is united with `fillings`, by the rule nonzero.
 """
 

@@ -3,8 +3,8 @@
 What it promises: coordinates are integers of 32 bits; vertices of the result are rounded to them.
 
 What it is asked: `Polygon.minkowski_sum` of D and -G, without resolving holes, times the scale that
-makes the case integer.  Cases whose result, or its width or height, needs more than 32 bits are not
-asked.  Polygons are made raw, so that collinear vertices stay.
+makes the case integer. Cases whose result, or its width or height, needs more than 32 bits are not
+asked. Polygons are made raw, so that collinear vertices stay.
 """
 
 from __future__ import annotations

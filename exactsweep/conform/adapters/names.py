@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
-from exactsweep.number import quoted
+from exactsweep.geometry.number import quoted
 
 CGAL_STRATEGIES = (
     "reduced",

@@ -14,7 +14,7 @@ from fractions import Fraction
 from importlib.metadata import version
 
 from exactsweep.conform.adapters.adapter import Adapter, Ring, peer_hello
-from exactsweep.number import format_fraction
+from exactsweep.geometry.number import format_fraction
 
 _RING = re.compile(r"\(([^()]+)\)")
 

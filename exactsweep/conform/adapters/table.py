@@ -16,8 +16,8 @@ from pathlib import Path
 
 import click
 
-from exactsweep.conform.outcome import outcome_from_json
-from exactsweep.conform.verdict import Verdict
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.outcome import outcome_from_json
 
 _COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),

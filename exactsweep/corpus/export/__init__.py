@@ -1,7 +1,7 @@
 """Cases for other programs: JSON lines, WKT, GeoJSON, and a sheet to look at."""
 
+from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.export.geojson import cases_to_geojson
-from exactsweep.corpus.export.jsonl import case_to_line
 from exactsweep.corpus.export.sheet import cases_to_svg
 from exactsweep.corpus.export.wkt import cases_to_wkt
 

@@ -7,13 +7,37 @@ nearest doubles, or is null beyond their range, and its "vertices" are the exact
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.export.drawn import Figure, figures
 from exactsweep.corpus.representable import types_holding
-from exactsweep.number import format_fraction
-from exactsweep.polygon import Point
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point
+
+
+class Figure(NamedTuple):
+    """A ring or a segment of a case.
+
+    Attributes:
+        name: "directrix", "generatrix", "trajectory", "inner", "outer" or "exact fit".
+        closed: whether it is a ring; a segment has two points.
+        points: tuple of Point, a ring's first one not repeated.
+    """
+
+    name: str
+    closed: bool
+    points: Sequence[Point]
+
+
+def figures(case: Case) -> Iterator[Figure]:
+    """Yield the rings and segments of a case: its input, and the expected answer."""
+    yield Figure("directrix", True, case.directrix_ring)
+    yield Figure("generatrix", True, case.generatrix_ring)
+    yield Figure("trajectory", True, case.trajectory.vertices)
+    yield Figure("inner", True, case.inner.vertices)
+    yield Figure("outer", True, case.outer.vertices)
+    for fit in case.exact_fits:
+        yield Figure("exact fit", False, fit)
 
 
 def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
@@ -23,7 +47,7 @@ def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
         cases: the cases.
 
     Returns:
-        An iterator of lines, a feature a line.  Polygons are counter-clockwise and closed, as RFC
+        An iterator of lines, a feature a line. Polygons are counter-clockwise and closed, as RFC
         7946 wants them; the rings of D and G are else as given.
 
     Cost: linear in the length of the result.

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import isqrt
 from xml.sax.saxutils import escape
 
+from exactsweep.canvas.svg import path_data
 from exactsweep.corpus.case import Case
-from exactsweep.draw.path import path_data
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point
 
 _SIDE = 200
 _MARGIN = 12
@@ -38,7 +38,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
         cases: the cases.
 
     Returns:
-        An iterator of parts of the text.  D is blue; G, orange, stands where the trajectory begins.
+        An iterator of parts of the text. D is blue; G, orange, stands where the trajectory begins.
         The trajectory is green, as the path of G's leftmost vertex wherever the reference point is;
         exact fits are magenta; the outer loop is grey, the inner one a dashed line in red.
 

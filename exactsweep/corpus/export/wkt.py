@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from io import StringIO
 
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.export.drawn import Figure, figures
+from exactsweep.corpus.export.geojson import Figure, figures
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 

@@ -13,8 +13,8 @@ from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, known
-from exactsweep.number import quoted
-from exactsweep.polygon import Polygon
+from exactsweep.geometry.number import quoted
+from exactsweep.geometry.polygon import Polygon
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
 

@@ -2,12 +2,11 @@
 
 from fractions import Fraction
 
+from exactsweep.corpus.generator.growing import bumps, comb
 from exactsweep.corpus.generator.numeric import RationalRings
 from exactsweep.corpus.generator.plain import Rings, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import Grid, Pair, Ring, convex, monotone
-from exactsweep.paper.families import comb
-from exactsweep.paper.figure10 import bumps
 
 
 def lower_bound_pair(random: Prng) -> Rings:

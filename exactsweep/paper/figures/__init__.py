@@ -1,7 +1,7 @@
 """The thirteen figures of the paper, redrawn from computed sweeps of polygons of our own.
 
-`FIGURES` has them in order.  Each is a row of the ledger, too: what it states is computed, and its
-check holds that against the definition.  Drawing needs matplotlib, the `plot` extra.
+`FIGURES` has them in order. Each is a row of the ledger, too: what it states is computed, and its
+check holds that against the definition. Drawing needs matplotlib, the `plot` extra.
 """
 
 from __future__ import annotations

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex, complement, inverse, split
-from exactsweep.draw import draw_undercuts, style
-from exactsweep.lower import LowerSweep
-from exactsweep.mm import trajectory_mm
+from exactsweep.canvas import style
+from exactsweep.draw import draw_undercuts
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.minkowski import example
 from exactsweep.paper.figures.sheet import (
@@ -23,7 +22,9 @@ from exactsweep.paper.figures.sheet import (
     moved,
 )
 from exactsweep.paper.functions import bottom_of, clipped, exact
-from exactsweep.polygon import Point
+from exactsweep.procedures.chain import complement, inverse, split
+from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.mm import trajectory_mm
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -116,7 +117,10 @@ FIGURE = PaperFigure(
     "and stops when the other two ends meet, having moved right by the widths of both polygons. "
     "The bottom chain of what it passes over is the outer boundary (dashed), and the part of the "
     "top chain between the ends of D_b the inner boundary (bold).",
-    ("exactsweep.lower.LowerSweep.inner", "exactsweep.lower.LowerSweep.outer"),
+    (
+        "exactsweep.procedures.lower_sweep.LowerSweep.inner",
+        "exactsweep.procedures.lower_sweep.LowerSweep.outer",
+    ),
     _facts,
     _failures,
     "Both loops against the definition; the inner boundary against the top chain of the area "

@@ -1,7 +1,7 @@
 """Which functions of the package use which, read from its source with `ast`.
 
 A function uses another one if its body names it: as a call, or as an argument such as that of
-`reduce`.  A method is known by its name alone; those of one name count as one.
+`reduce`. A method is known by its name alone; those of one name count as one.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def uses(modules: tuple[str, ...]) -> Uses:
 
 
 def _source(module: str) -> str:
-    return files(PACKAGE).joinpath(f"{module}.py").read_text(encoding="utf-8")
+    return files(PACKAGE).joinpath("procedures", f"{module}.py").read_text(encoding="utf-8")
 
 
 def _named(

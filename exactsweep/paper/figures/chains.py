@@ -8,9 +8,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex, split
-from exactsweep.draw import style
-from exactsweep.draw.style import Look
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import (
@@ -23,7 +24,7 @@ from exactsweep.paper.figures.sheet import (
     middle,
 )
 from exactsweep.paper.functions import between
-from exactsweep.polygon import Polygon
+from exactsweep.procedures.chain import split
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -97,7 +98,7 @@ FIGURE = PaperFigure(
     "A polygon that is monotone to the X axis falls apart at its leftmost and its rightmost vertex "
     "into a bottom chain (solid) and a top chain (dashed), both directed counter-clockwise: D_b "
     "and D_t, G_b and G_t. A vertical line meets each chain once at most.",
-    ("exactsweep.chain.split",),
+    ("exactsweep.procedures.chain.split",),
     _facts,
     _failures,
     "Between any two vertices a vertical line meets two edges of each polygon.",

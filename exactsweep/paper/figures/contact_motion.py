@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from exactsweep.chain import Rational, Vertex, split
-from exactsweep.draw import Stretch, placed_generatrix, stretches, style
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.draw import Stretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
-from exactsweep.draw.style import Look
+from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
@@ -22,7 +23,7 @@ from exactsweep.paper.figures.sheet import (
     middle,
 )
 from exactsweep.paper.figures.undercuts import examples, undercut
-from exactsweep.polygon import Point
+from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
 
 if TYPE_CHECKING:
@@ -155,7 +156,7 @@ FIGURE = PaperFigure(
     "chain of G_t from there to its left end v_l, and a ray down from v_l part the plane: left "
     "of it (tinted) G never touches D again. (b) As G travels to the right, so do p_l and "
     "p_r.",
-    ("exactsweep.sweep.Sweep.contacts_at", "exactsweep.draw.stretches.stretches"),
+    ("exactsweep.evidence.swept.Swept.contacts_at", "exactsweep.draw.stretches.stretches"),
     _facts,
     _failures,
     "The contact at both ends of every stretch of the lower trajectory.",

@@ -6,12 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from exactsweep.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.chain import Vertex, convex_parts, split
-from exactsweep.cm import sweep_outer_cm, trajectory_cm
-from exactsweep.draw import draw_undercuts, style
-from exactsweep.draw.style import Look
-from exactsweep.lower import LowerSweep
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.draw import draw_undercuts
+from exactsweep.geometry.point import Vertex
+from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
@@ -25,7 +24,10 @@ from exactsweep.paper.figures.sheet import (
     moved,
 )
 from exactsweep.paper.functions import bottom_of, exact
-from exactsweep.paper.section4 import lowest
+from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -156,7 +158,7 @@ FIGURE = PaperFigure(
     "(dashed). (b) The sub-trajectories and the sub-outer chains of the two CC sweeps. (c) Their "
     "lower envelopes, the trajectory and the outer boundary (bold). Where the sub-trajectories "
     "meet, G touches D in two places and leaves an undercut (hatched) between them.",
-    ("exactsweep.cm.trajectory_cm", "exactsweep.cm.sweep_outer_cm"),
+    ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
     _facts,
     _failures,
     "The loops and both envelopes against the definition, and the envelopes against the least of "

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex
 from exactsweep.check import classify, reference_loops
+from exactsweep.geometry.point import Vertex
 from exactsweep.paper.claim import Claim, Evidence, Run, Status, Table, first_failure
 from exactsweep.sweep import Sweep
 

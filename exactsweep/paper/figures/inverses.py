@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Rational, Vertex, complement, split
-from exactsweep.draw import style
-from exactsweep.draw.style import Look
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
 from exactsweep.paper.figures.minkowski import example, inverse_generatrix
 from exactsweep.paper.figures.sheet import (
@@ -24,7 +25,7 @@ from exactsweep.paper.figures.sheet import (
     moved,
 )
 from exactsweep.paper.functions import value
-from exactsweep.polygon import Point, Polygon
+from exactsweep.procedures.chain import complement, split
 from exactsweep.sweep import no_fit_polygon
 
 if TYPE_CHECKING:
@@ -118,9 +119,9 @@ FIGURE = PaperFigure(
     "its marked point, slides along the trajectory. Inside it (a), the marked point draws the "
     "inner loop; outside (b), the outer loop.",
     (
-        "exactsweep.mm.inner_mm",
-        "exactsweep.mm.outer_mm",
-        "exactsweep.polygon.Polygon.reflected",
+        "exactsweep.procedures.mm_inner.inner_mm",
+        "exactsweep.procedures.mm.outer_mm",
+        "exactsweep.geometry.polygon.Polygon.reflected",
     ),
     _facts,
     _failures,

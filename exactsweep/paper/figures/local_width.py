@@ -8,9 +8,9 @@ from itertools import pairwise
 from math import isqrt
 from typing import TYPE_CHECKING, NamedTuple
 
-from exactsweep.chain import Vertex
-from exactsweep.draw import style
-from exactsweep.number import format_fraction
+from exactsweep.canvas import style
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
 from exactsweep.paper.figures.inverses import INVERSE, inverse_at
 from exactsweep.paper.figures.minkowski import example, inverse_generatrix
@@ -24,7 +24,6 @@ from exactsweep.paper.figures.sheet import (
     middle,
 )
 from exactsweep.paper.functions import bottom_of, value
-from exactsweep.polygon import Point
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -166,7 +165,7 @@ FIGURE = PaperFigure(
     "A part of the swept area of Figure 1. I(G) touches the edge e of the trajectory in one "
     "point from both sides. The marked points are d' and d'' away from e, on the two loops, "
     "and d' + d'' is the width d of G across e.",
-    ("exactsweep.mm.sweep_mm", "exactsweep.polygon.Polygon.reflected"),
+    ("exactsweep.procedures.mm.sweep_mm", "exactsweep.geometry.polygon.Polygon.reflected"),
     _facts,
     _failures,
     "Both loops against the definition; around the marked points they are parallel to e. All "

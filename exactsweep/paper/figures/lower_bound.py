@@ -8,10 +8,11 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Edge, split
-from exactsweep.draw import placed_generatrix, style
-from exactsweep.lower import LowerSweep
-from exactsweep.paper.figure10 import bumps, edges_of_bumps, printed_count
+from exactsweep.canvas import style
+from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
+from exactsweep.draw import placed_generatrix
+from exactsweep.geometry.point import Edge
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     OUTER,
@@ -27,7 +28,8 @@ from exactsweep.paper.figures.sheet import (
     middle,
 )
 from exactsweep.paper.functions import bottom_of
-from exactsweep.polygon import Polygon
+from exactsweep.procedures.chain import split
+from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -147,7 +149,7 @@ FIGURE = PaperFigure(
     "Outer boundaries of order mn². (a) With (m_b, n_t, n_b) = (2, 4, 6) there are 16 edges, as in "
     "the paper. (b) With a second tooth in D, each peak of G passes under both. (c) The family "
     "with more bumps: edges by the formula of the paper, and edges found.",
-    ("exactsweep.mm.outer_mm", "exactsweep.paper.figure10.bumps"),
+    ("exactsweep.procedures.mm.outer_mm", "exactsweep.corpus.generator.growing.bumps"),
     _facts,
     _failures,
     "The loops of (a) and (b) against the definition; the counts of the family against a formula "

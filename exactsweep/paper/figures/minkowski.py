@@ -8,17 +8,19 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex, complement, inverse, split
+from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
-from exactsweep.draw import Picture, draw_undercuts, placed_generatrix, style
-from exactsweep.envelope import lower_envelope_mm
-from exactsweep.mm import trajectory_mm
+from exactsweep.draw import Picture, draw_undercuts, placed_generatrix
+from exactsweep.evidence.undercut import pockets
+from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Box, Margins, Sheet
-from exactsweep.paper.planar import free_parts, swept_polygons
-from exactsweep.polygon import Point, Polygon
+from exactsweep.procedures.chain import complement, inverse, split
+from exactsweep.procedures.lower_envelope import lower_envelope_mm
+from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.sweep import Sweep, no_fit_polygon, sweep
-from exactsweep.undercut import pockets
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,7 +44,7 @@ def inverse_generatrix(s: Sweep) -> Polygon:
 def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     """The outer boundary, and the holes, of the Minkowski sum of D's boundary and G.
 
-    The sum of D and G is the no-fit polygon of D and I(G).  What is missing of it are the points p
+    The sum of D and G is the no-fit polygon of D and I(G). What is missing of it are the points p
     for which p + I(G) lies inside D, off its boundary: between the greatest and the least height
     at which I(G) touches D_b and D_t from inside.
     """

@@ -7,10 +7,9 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from exactsweep.cc import sweep_outer_cc
-from exactsweep.chain import Rational, Vertex, split
-from exactsweep.draw import style
-from exactsweep.draw.style import Look
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     SMALL,
@@ -32,7 +31,8 @@ from exactsweep.paper.figures.slopes import (
     slope_text,
     stations,
 )
-from exactsweep.polygon import Point
+from exactsweep.procedures.cc import sweep_outer_cc
+from exactsweep.procedures.chain import split
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -130,7 +130,7 @@ FIGURE = PaperFigure(
     "(thin) and of G_b (dashed). At a vertex of the trajectory, between its edges t_i and t_(i+1), "
     "G adds the edges of G_b whose slopes lie between theirs. (b) The same edges one by one, with "
     "their slopes.",
-    ("exactsweep.cc.sweep_outer_cc",),
+    ("exactsweep.procedures.cc.sweep_outer_cc",),
     _facts,
     _failures,
     "Both loops against the definition; the edges sorted here against the merge of the procedure.",

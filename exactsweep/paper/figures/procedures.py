@@ -7,9 +7,9 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex
-from exactsweep.draw import style
-from exactsweep.draw.style import Look
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.geometry.point import Vertex
 from exactsweep.paper.figures.calls import between, reached, uses
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ
 from exactsweep.paper.figures.sheet import PAGE, Box, Sheet
@@ -17,7 +17,17 @@ from exactsweep.paper.figures.sheet import PAGE, Box, Sheet
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MODULES = ("cc", "cm", "mm", "envelope", "parts", "inside", "touched", "ceiling", "chain")
+MODULES = (
+    "chain",
+    "cc",
+    "convex_part",
+    "cm",
+    "envelope",
+    "lower_envelope",
+    "part_pairs",
+    "mm_inner",
+    "mm",
+)
 PROCEDURES = {
     "Trajectory_CC": "trajectory_cc",
     "SweepI_CC": "sweep_inner_cc",

@@ -1,7 +1,7 @@
 """Sheets of panels at the size of print, on which shapes are exact and labels keep clear of them.
 
-A panel is a `Picture` without axes.  Its shapes come from exact points; its labels are so many
-points away from where they belong.  All panels of a sheet are drawn at one scale.
+A panel is a `Picture` without axes. Its shapes come from exact points; its labels are so many
+points away from where they belong. All panels of a sheet are drawn at one scale.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from fractions import Fraction
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
-from exactsweep.chain import Vertex
-from exactsweep.draw import Picture, Scale, placed_generatrix, style
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.draw import Picture, Scale, placed_generatrix
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.draw.style import Look
-from exactsweep.polygon import Point
+from exactsweep.geometry.point import Point, Vertex
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

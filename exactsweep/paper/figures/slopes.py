@@ -7,10 +7,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from exactsweep.cc import trajectory_cc
-from exactsweep.chain import Rational, Vertex, inverse, split
-from exactsweep.draw import placed_generatrix, style
-from exactsweep.number import format_fraction
+from exactsweep.canvas import style
+from exactsweep.draw import placed_generatrix
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
@@ -26,7 +26,8 @@ from exactsweep.paper.figures.sheet import (
     middle,
     moved,
 )
-from exactsweep.polygon import Point
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import inverse, split
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -178,7 +179,7 @@ FIGURE = PaperFigure(
     "The first moves of a CC sweep. Before each, a vertex of G is on a vertex of D, and two "
     "edges are ahead, one of either polygon, with the slopes written beside them. G slides "
     "along the one with the smaller slope (bold), until two vertices meet again (thin).",
-    ("exactsweep.cc.trajectory_cc",),
+    ("exactsweep.procedures.cc.trajectory_cc",),
     _facts,
     _failures,
     "The trajectory against the definition; at each position drawn, a vertex of G is "

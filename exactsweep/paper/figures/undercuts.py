@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.cc import trajectory_cc
-from exactsweep.chain import Vertex, convex_parts, split
-from exactsweep.draw import draw_undercuts, placed_generatrix, style
+from exactsweep.canvas import style
+from exactsweep.draw import draw_undercuts, placed_generatrix
+from exactsweep.evidence.swept import Vertices
+from exactsweep.evidence.undercut import Undercut
+from exactsweep.geometry.point import Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
@@ -23,8 +25,9 @@ from exactsweep.paper.figures.sheet import (
     moved,
 )
 from exactsweep.paper.functions import bottom_of
-from exactsweep.sweep import Sweep, Vertices, sweep
-from exactsweep.undercut import Undercut
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -117,7 +120,7 @@ FIGURE = PaperFigure(
     "sub-trajectories meet in one point (hollow): G closes the undercut in one position, and the "
     "bottom chain is a piece of G_t. (b) They share a segment of an edge l, with hollow ends: one "
     "edge of G slides along both contact points, and the bottom chain is parallel to l.",
-    ("exactsweep.sweep.Sweep.undercuts", "exactsweep.undercut.closing_positions"),
+    ("exactsweep.evidence.swept.Swept.undercuts", "exactsweep.evidence.undercut.closing_positions"),
     _facts,
     _failures,
     "Both sweeps against the definition; the area between D and the inner loop is that of the "

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.chain import Vertex
-from exactsweep.draw import Stretch, placed_generatrix, stretches, style
+from exactsweep.canvas import style
+from exactsweep.canvas.style import Look
+from exactsweep.draw import Stretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
-from exactsweep.draw.style import Look
+from exactsweep.geometry.point import Vertex
 from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     PLACED,
@@ -107,7 +108,7 @@ FIGURE = PaperFigure(
     "(a) While a vertex of a convex G slides along an edge of D, a VE event, there is no other "
     "contact: the line of the edge (dashed) meets G in that vertex alone. (b) Several events "
     "last at once only if they are EV or EE, and of the same edge of G.",
-    ("exactsweep.contact.edge_contacts", "exactsweep.draw.stretches.stretches"),
+    ("exactsweep.evidence.contact.edge_contacts", "exactsweep.draw.stretches.stretches"),
     _facts,
     _failures,
     "All events that last along the whole trajectory of Figure 7b; in the middle of each "

@@ -1,0 +1,1 @@
+"""Exact places to pixels, and the one writer of SVG."""

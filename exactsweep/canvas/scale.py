@@ -1,0 +1,185 @@
+"""The exact scale of a picture: from coordinates of any size to floats near 1.
+
+A coordinate is moved and divided as a Fraction and only then becomes a float, so that a picture of
+coordinates around 10^30, or of two shapes that differ in the last of 500 digits, is as true as one
+of small integers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from math import ceil, floor
+from typing import NamedTuple, Self
+
+from exactsweep.canvas.error import DrawError
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Rational, Vertex
+
+# Axes are left as they are while their numbers have few digits: these powers of ten, and an origin
+# that is no further off than so many times the size of the picture.
+_PLAIN = range(-2, 4)
+_NEAR = 1000
+# Both axes have one unit unless the picture would be a mere line.
+_MOST_STRETCHED = 12
+_SHOWN_DIGITS = 12
+_SHOWN_DECIMALS = 5
+
+
+class AxisScale(NamedTuple):
+    """One axis: a coordinate v is drawn at (v - origin) / 10**exponent.
+
+    Attributes:
+        origin: Fraction, the coordinate that is drawn at 0.
+        exponent: int, the power of ten that is drawn as 1.
+    """
+
+    origin: Fraction
+    exponent: int
+
+    @property
+    def unit(self) -> Fraction:
+        """The length that is drawn as 1, a power of ten."""
+        return Fraction(10) ** self.exponent
+
+    def place(self, value: Rational) -> float:
+        """Return where a coordinate is drawn, correctly rounded.
+
+        Raises DrawError for one so far outside that a float cannot hold its place.
+        """
+        # Ints by hand: a division of them is rounded once, and Fractions would be reduced between.
+        (n, d), (a, b), (p, q) = (
+            number.as_integer_ratio() for number in (value, self.origin, self.unit)
+        )
+        try:
+            return (n * b - a * d) * q / (d * b * p)
+        except OverflowError:
+            raise DrawError("a point is too far outside the picture") from None
+
+    def label(self, name: str) -> str:
+        r"""Say what the numbers along the axis are, for matplotlib.
+
+        >>> AxisScale(Fraction(0), 30).label("x")
+        '$x\\,/\\,10^{30}$'
+        >>> AxisScale(Fraction(7000), 0).label("y")
+        '$y - 7000$'
+        """
+        shifted = name
+        if self.origin:
+            sign, size = ("-", self.origin) if self.origin > 0 else ("+", -self.origin)
+            shifted = f"{name} {sign} {_size(size)}"
+        if not self.exponent:
+            return f"${shifted}$"
+        moved = f"({shifted})" if self.origin else shifted
+        return f"${moved}\\,/\\,10^{{{self.exponent}}}$"
+
+
+class Scale(NamedTuple):
+    """The scale of a picture, made by `Scale.of`.
+
+    Attributes:
+        x, y: an AxisScale each.
+        is_true: whether a length is drawn alike in all directions.
+    """
+
+    x: AxisScale
+    y: AxisScale
+    is_true: bool
+
+    @classmethod
+    def of(cls, *shapes: Iterable[Vertex]) -> Self:
+        """Find the scale of a picture that is to hold all of some points.
+
+        Args:
+            shapes: iterables of points with Fraction (or int) coordinates: vertices, chains.
+
+        Returns:
+            A Scale. Both axes have one unit, unless the points are over 12 times as wide as high,
+            or as high as wide: then each axis has its own. Coordinates of a few digits are drawn
+            as they are.
+
+        Raises:
+            DrawError: no points.
+
+        Cost: linear in the number of points.
+
+        Example:
+            >>> Scale.of([(0, 0), (8, 5)]).x
+            AxisScale(origin=Fraction(0, 1), exponent=0)
+            >>> scale = Scale.of([(0, 0), (8 * 10**30, 5 * 10**30)])
+            >>> scale.x
+            AxisScale(origin=Fraction(0, 1), exponent=30)
+            >>> scale.place((2 * 10**30, 10**30 // 2))
+            (2.0, 0.5)
+        """
+        points = [point for shape in shapes for point in shape]
+        if not points:
+            raise DrawError("there is nothing to draw")
+        boxes = [
+            (Fraction(min(values)), Fraction(max(values))) for values in zip(*points, strict=True)
+        ]
+        sizes = [high - low for low, high in boxes]
+        is_true = max(sizes) <= _MOST_STRETCHED * min(sizes) or min(sizes) == 0
+        if is_true:
+            sizes = [max(sizes)] * 2
+        x, y = (_axis(*box, size) for box, size in zip(boxes, sizes, strict=True))
+        return cls(x, y, is_true)
+
+    def place(self, point: Vertex) -> tuple[float, float]:
+        """Return where a point is drawn, as `AxisScale.place` does."""
+        x, y = point
+        return self.x.place(x), self.y.place(y)
+
+    def places(self, points: Iterable[Vertex]) -> list[tuple[float, float]]:
+        """Return where each of some points is drawn, as `place` does."""
+        return [self.place(point) for point in points]
+
+
+def _axis(low: Fraction, high: Fraction, size: Fraction) -> AxisScale:
+    if not size:
+        size = max(abs(high), Fraction(1))
+    exponent = _magnitude(size)
+    origin = Fraction(0)
+    if max(abs(low), abs(high)) > _NEAR * size:
+        origin = _round_number(low, high, Fraction(10) ** exponent)
+    return AxisScale(origin, 0 if exponent in _PLAIN else exponent - exponent % 3)
+
+
+def _round_number(low: Fraction, high: Fraction, step: Fraction) -> Fraction:
+    """The multiple of a power of ten next below `low`, or a rounder one from low to high.
+
+    0 is not from low to high.
+    """
+    found = floor(low / step) * step
+    while (rounder := ceil(low / step) * step) <= high:
+        found = rounder
+        step *= 10
+    return found
+
+
+def _magnitude(value: Fraction) -> int:
+    """The power of ten at or next below a positive number."""
+    bits = value.numerator.bit_length() - value.denominator.bit_length()
+    # log10(2) is a little more than 3/10; the loops make up for the rest.
+    exponent = bits * 30103 // 100000
+    while Fraction(10) ** exponent > value:
+        exponent -= 1
+    while Fraction(10) ** (exponent + 1) <= value:
+        exponent += 1
+    return exponent
+
+
+def _size(value: Fraction) -> str:
+    """A positive number in few characters, for mathtext; dots say where digits are left out."""
+    text = format_fraction(value)
+    if len(text) <= _SHOWN_DIGITS:
+        return text
+    exponent = _magnitude(value)
+    shown = value / Fraction(10) ** (exponent - _SHOWN_DECIMALS)
+    digits = str(floor(shown)).rstrip("0")
+    mantissa = f"{digits[0]}.{digits[1:]}".rstrip(".")
+    if floor(shown) != shown:
+        mantissa += "\\ldots"
+    elif mantissa == "1":
+        return f"10^{{{exponent}}}"
+    return f"{mantissa} \\cdot 10^{{{exponent}}}"

@@ -1,0 +1,1 @@
+"""Judging one answer: comparison, verdict, witness, shrinking."""

@@ -1,0 +1,201 @@
+"""Regions bounded by any rings, compared exactly: where they differ, and the area of that.
+
+A point belongs to a region if an odd number of its rings' windings separate it from infinity: a
+ray from it crosses the edges of all rings an odd number of times. So rings may cross themselves
+and each other, run either way, and enclose holes.
+
+Method: vertical slabs. The x of all vertices cut the plane into slabs, in each of which the edges
+across it are whole straight lines. Two of them cross inside the slab exactly when their order at
+its left side is the opposite of that at its right side; the x of such crossings cut it further.
+Between two neighbouring cuts no two edges cross, so their order at the left side, and at the right
+side where that is equal, holds all the way, and two neighbours bound a trapezoid that holds no part
+of any edge. Going up from below, each edge changes the parity of its own region. Vertical edges
+lie on cuts and bound no more than those. The trapezoids in exactly one region make up the
+difference, but for a set without area.
+
+Libraries with exact rational polygons exist (rene; SFCGAL by pysfcgal). They are not used here:
+they take simple polygons, and of random pairs of rings that cross themselves rene 0.3 hangs on one
+in twenty; and the trapezoids are needed besides the area: their inner points are the witnesses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from exactsweep.geometry.point import Point
+
+Rings = Iterable[Sequence[Point]]
+Height = tuple[Fraction, Fraction]
+
+MAX_WORK = 1_000_000
+"""The most edges across slabs, summed over all slabs, that are looked at: some seconds."""
+
+_PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
+
+
+class Cell(NamedTuple):
+    """An open trapezoid in exactly one of two regions, with two vertical sides.
+
+    Attributes:
+        first: whether it is in the first region, and not in the second.
+        left: x of the left side.
+        right: x of the right side.
+        low: y of the lower edge at the left and at the right.
+        high: y of the upper edge at the left and at the right.
+    """
+
+    first: bool
+    left: Fraction
+    right: Fraction
+    low: Height
+    high: Height
+
+    @property
+    def area(self) -> Fraction:
+        """The area, positive."""
+        gaps = self.high[0] - self.low[0] + self.high[1] - self.low[1]
+        return gaps * (self.right - self.left) / 2
+
+    def points(self) -> Iterator[Point]:
+        """Yield nine points inside with short coordinates."""
+        width = self.right - self.left
+        for a, b in _PARTS:
+            x = simplest(self.left + a * width, self.left + b * width)
+            share = (x - self.left) / width
+            low, high = (y[0] + share * (y[1] - y[0]) for y in (self.low, self.high))
+            for c, d in _PARTS:
+                yield Point(x, simplest(low + c * (high - low), low + d * (high - low)))
+
+
+class _Edge(NamedTuple):
+    left: Point
+    right: Point
+    slope: Fraction
+    region: int
+
+    def at(self, x: Fraction) -> Fraction:
+        return self.left.y + (x - self.left.x) * self.slope if x != self.left.x else self.left.y
+
+
+Ordered = Sequence[tuple[Height, _Edge]]
+
+
+class RegionError(ValueError):
+    """Rings with too many edges above each other, or that cross too often."""
+
+
+def differences(first: Rings, second: Rings) -> Iterator[Cell]:
+    """Yield the trapezoids in exactly one of two regions, from left to right.
+
+    Args:
+        first: rings of the first region, each a sequence of Point, not closed.
+        second: rings of the second region.
+
+    Yields:
+        Cells with disjoint interiors. There are none exactly when the regions are the same but
+        for a set without area.
+
+    Raises:
+        RegionError: more than MAX_WORK would have to be done; nothing is wrong with the rings.
+
+    Cost: O((n + k) w log w) operations on rationals for n edges that cross k times, of which
+    w at most are above each other.
+
+    Example:
+        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
+        >>> bow_tie = [square[k] for k in (0, 2, 1, 3)]
+        >>> sum(cell.area for cell in differences([square], [bow_tie]))
+        Fraction(2, 1)
+    """
+    edges = sorted([*_edges(first, 0), *_edges(second, 1)])
+    cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
+    active: list[_Edge] = []
+    started = work = 0
+    for left, right in pairwise(cuts):
+        active = [edge for edge in active if edge.right.x > left]
+        while started < len(edges) and edges[started].left.x == left:
+            active.append(edges[started])
+            started += 1
+        ordered = _ordered(left, right, active)
+        inner: set[Fraction] = set()
+        work += len(active)
+        for share in _crossings(ordered):
+            inner.add(left + share * (right - left))
+            if work + len(inner) * len(active) > MAX_WORK:
+                break
+        work += len(inner) * len(active)
+        if work > MAX_WORK:
+            raise RegionError("too many edges above each other, or crossings, to be measured")
+        for a, b in pairwise([left, *sorted(inner), right]):
+            yield from _slab(a, b, _ordered(a, b, active) if inner else ordered)
+
+
+def area(cells: Iterable[Cell]) -> Fraction:
+    """Return the sum of areas, added in pairs so that numbers of equal length meet."""
+    terms = [cell.area for cell in cells]
+    while len(terms) > 1:
+        odd = terms[len(terms) & ~1 :]
+        terms = [p + q for p, q in zip(terms[::2], terms[1::2], strict=False)] + odd
+    return terms[0] if terms else Fraction(0)
+
+
+def simplest(low: Fraction, high: Fraction) -> Fraction:
+    """Return the rational of the least denominator between two others, both allowed.
+
+    Of integers it is the one nearest to zero. By continued fractions.
+
+    Example:
+        >>> simplest(Fraction(31, 100), Fraction(36, 100))
+        Fraction(1, 3)
+    """
+    if low <= 0 <= high:
+        return Fraction(0)
+    if high < 0:
+        return -simplest(-high, -low)
+    # The partial quotients in common, then the least integer that is not below the lower end.
+    quotients = []
+    while (whole := -(-low.numerator // low.denominator)) > high:
+        quotients.append(whole - 1)
+        low, high = 1 / (high - (whole - 1)), 1 / (low - (whole - 1))
+    value = Fraction(whole)
+    for quotient in reversed(quotients):
+        value = quotient + 1 / value
+    return value
+
+
+def _edges(rings: Rings, region: int) -> Iterator[_Edge]:
+    for ring in rings:
+        for k, p in enumerate(ring):
+            left, right = sorted((ring[k - 1], p))
+            if left.x < right.x:
+                yield _Edge(left, right, (right.y - left.y) / (right.x - left.x), region)
+
+
+def _slab(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Cell]:
+    """Yield the cells between two cuts, between which no edge ends or crosses another one."""
+    inside = [False, False]
+    for (bottom, edge), (top, _) in pairwise(ordered):
+        inside[edge.region] = not inside[edge.region]
+        if inside[0] != inside[1] and bottom != top:
+            yield Cell(inside[0], left, right, bottom, top)
+
+
+def _crossings(ordered: Ordered) -> Iterator[Fraction]:
+    """Yield the shares of a slab's width at which edges cross, while sorting them for its end."""
+    below: list[Height] = []
+    for heights, _ in ordered:
+        low, high = heights
+        k = len(below)
+        while k and below[k - 1][1] > high:
+            k -= 1
+            if below[k][0] < low:
+                yield (low - below[k][0]) / (low - below[k][0] + below[k][1] - high)
+        below.insert(k, heights)
+
+
+def _ordered(left: Fraction, right: Fraction, edges: Sequence[_Edge]) -> Ordered:
+    """The edges with their heights at two cuts, from below to above."""
+    return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

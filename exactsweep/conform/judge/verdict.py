@@ -1,0 +1,200 @@
+"""Verdicts on other implementations, and what is said along with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any
+
+from exactsweep.check.classify import Verdict as Classified
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point
+
+
+class Verdict(StrEnum):
+    """What an answer is worth, from best to worst. The worst part of an answer decides.
+
+    E is the closed region inside the exact loop, T the one inside theirs; of several rings, T is
+    what an odd number of them enclose. One loop gets the first of these that holds, malformed
+    before all others:
+
+    - malformed: no loop, though what there is may still be measured. A number is nan, infinite or
+      unreadable; a vertex has not two coordinates; a ring encloses nothing (fewer than three
+      distinct vertices, or zero area), or has a spike, or touches or crosses itself; two rings
+      overlap, neither inside the other; a loop that was promised is missing or empty; it is too
+      large to be measured (`answer.MAX_VERTICES`, `region.MAX_WORK`).
+    - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come
+      first, and may be repeated at the end.
+    - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, or
+      in several rings.
+    - within: theirs is the exact loop but for rounding. It is one ring, and two points can travel
+      once round theirs and the exact loop, neither ever turning back, and never be `rounding` or
+      more apart in x or in y. (So the Fréchet distance of the loops, by the larger of the two
+      coordinate differences, is below `rounding`.) Vertices may fall together or appear on
+      edges so, but nothing that is wider than `rounding` is lost. A rounded answer may permit
+      overlap, or lose free space: the witnesses say whether it does.
+    - conservative: T holds E. For the trajectory, theirs permits no overlap, and forbids free
+      positions.
+    - unsound: E holds T. For the trajectory, theirs permits overlap.
+    - wrong: neither. For the trajectory, theirs permits overlap and forbids free positions.
+
+    `rounding` is what the answer or the caller declares. Otherwise it is, for a loop with floats,
+    2^-32 of the largest absolute coordinate of the exact loop, and at least 2^-1073; for one of
+    integers 1, or 0 if the exact loop is one of integers, too, and needs no rounding; and 0 for
+    other rationals, which claim to be exact.
+
+    Exact fits, where the trajectory is answered, are a part of their own. They are exact if they
+    are the same segments; unsound if a position on one of theirs overlaps; else the part is
+    "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
+    or equivalent.
+
+    The runner adds timeout, crash, and unsupported: no answer that could be judged.
+
+    Example:
+        >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
+        'within'
+    """
+
+    EXACT = "exact"
+    EQUIVALENT = "equivalent"
+    EQUIVALENT_BUT_FOR_EXACT_FITS = "equivalent but for exact fits"
+    WITHIN = "within"
+    CONSERVATIVE = "conservative"
+    UNSOUND = "unsound"
+    WRONG = "wrong"
+    MALFORMED = "malformed"
+    TIMEOUT = "timeout"
+    CRASH = "crash"
+    UNSUPPORTED = "unsupported"
+
+    @property
+    def severity(self) -> int:
+        """The place in the order above, 0 for exact."""
+        return _SEVERITY[self]
+
+
+_SEVERITY = {verdict: k for k, verdict in enumerate(Verdict)}
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A place where theirs is wrong, checked again before it is handed out.
+
+    Attributes:
+        says: one sentence, what is to be seen there.
+        translation: Point, where G's origin is to be put, or None if the witness is no position.
+        classified: what `classify` says of that translation: FREE, CONTACT, OVERLAP; or None.
+        point: Point of the plane: in both interiors, for an OVERLAP; for the inner and the outer
+            loop the point that G can or cannot cover; or None.
+    """
+
+    says: str
+    translation: Point | None = None
+    classified: Classified | None = None
+    point: Point | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as strings."""
+        return {
+            "says": self.says,
+            "translation": _pair(self.translation),
+            "classified": self.classified,
+            "point": _pair(self.point),
+        }
+
+
+@dataclass(frozen=True)
+class PartComparison:
+    """One part of an answer beside the exact one.
+
+    Attributes:
+        name: "trajectory", "inner", "outer" or "exact_fits".
+        verdict: of this part alone.
+        reason: one line.
+        distance_squared: bounds (low, high) of the square of the Hausdorff distance between the
+            two loops, both equal where it is rational; None where it is not defined.
+        permitted: area of E without T: overlap permitted, for the trajectory.
+        forbidden: area of T without E: free space lost, for the trajectory.
+        unsound: Witness in E without T, or None.
+        conservative: Witness in T without E, or None.
+    """
+
+    name: str
+    verdict: Verdict
+    reason: str = ""
+    distance_squared: tuple[Fraction, Fraction] | None = None
+    permitted: Fraction | None = None
+    forbidden: Fraction | None = None
+    unsound: Witness | None = None
+    conservative: Witness | None = None
+
+    @property
+    def area(self) -> Fraction | None:
+        """Area of the symmetric difference of E and T; None where it is not defined."""
+        if self.permitted is None or self.forbidden is None:
+            return None
+        return self.permitted + self.forbidden
+
+    @property
+    def witnesses(self) -> tuple[Witness, ...]:
+        """All witnesses there are, the one of overlap first."""
+        found = (self.unsound, self.conservative)
+        return tuple(witness for witness in found if witness is not None)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as strings."""
+        squares, area = self.distance_squared, self.area
+        return {
+            "name": self.name,
+            "verdict": self.verdict.value,
+            "reason": self.reason,
+            "distance_squared": squares and [format_fraction(value) for value in squares],
+            "area": None if area is None else format_fraction(area),
+            "permitted": None if self.permitted is None else format_fraction(self.permitted),
+            "forbidden": None if self.forbidden is None else format_fraction(self.forbidden),
+            "unsound": self.unsound and self.unsound.to_json(),
+            "conservative": self.conservative and self.conservative.to_json(),
+        }
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """An answer beside the exact one; by `compare`, or by the runner where there is no answer.
+
+    Attributes:
+        id: of the case.
+        verdict: the worst of the parts.
+        reason: one line, that of the worst part.
+        parts: tuple of PartComparison: the parts that were answered, trajectory, inner, outer,
+            exact fits in this order.
+    """
+
+    id: str
+    verdict: Verdict
+    reason: str = ""
+    parts: tuple[PartComparison, ...] = ()
+
+    @property
+    def worst(self) -> PartComparison | None:
+        """The first of the worst parts; None without parts."""
+        return max(self.parts, key=lambda part: part.verdict.severity, default=None)
+
+    @property
+    def witness(self) -> Witness | None:
+        """The first witness of the worst part, or None if it has none."""
+        part = self.worst
+        return part.witnesses[0] if part is not None and part.witnesses else None
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data, numbers as strings."""
+        return {
+            "id": self.id,
+            "verdict": self.verdict.value,
+            "reason": self.reason,
+            "parts": [part.to_json() for part in self.parts],
+        }
+
+
+def _pair(point: Point | None) -> list[str] | None:
+    return None if point is None else [format_fraction(point.x), format_fraction(point.y)]

@@ -1,0 +1,175 @@
+"""Witnesses: positions and points at which an answer is wrong, each checked before it is shown.
+
+Let P be the region inside the exact trajectory of G's origin: the translations t at which G + t
+overlaps D, but for exact fits, and their limits. The translations that put G onto a point p are
+the polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
+
+- p is inside the outer loop if and only if H(p) overlaps P: some of the positions that put G onto p
+  are passed, or closed in, by the sweep;
+- p is inside the inner loop if and only if P holds H(p): every position that puts G onto p overlaps
+  D, and G can reach p from no side.
+
+So the witness for a point of an inner or outer loop is a translation t in H(p), on the trajectory
+or outside; or the point itself, when there is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from exactsweep.check import classify, point_in_polygon
+from exactsweep.check.location import locate
+from exactsweep.conform.judge.region import Cell, differences
+from exactsweep.conform.judge.verdict import Witness
+from exactsweep.corpus import Case
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.words import pair
+
+Rings = Sequence[Sequence[Point]]
+
+
+LOOP_NAMES = {"trajectory": "trajectory", "inner": "inner loop", "outer": "outer loop"}
+
+_DOES = {
+    "FREE": "does not touch D",
+    "CONTACT": "touches D and does not overlap it",
+    "OVERLAP": "overlaps D",
+}
+
+
+class WitnessError(ValueError):
+    """A case whose expected answer is refuted by the definition; the message names the place."""
+
+
+def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witness:
+    """Show that an answered loop is wrong.
+
+    Args:
+        case: the case.
+        name: "trajectory", "inner" or "outer".
+        theirs: rings of the loop as answered.
+        cells: from `differences` of the exact region and theirs; at least one, and all of them
+            in the exact region or all of them in theirs.
+
+    Returns:
+        A Witness in the largest cell, with short coordinates.
+
+    Raises:
+        WitnessError: the definition agrees with the answer, and not with the case.
+
+    Cost: that of `classify`, and for inner and outer loops that of `differences` for the exact
+        trajectory and G.
+    """
+    cell = max(cells, key=lambda cell: cell.area)
+    for point in cell.points():
+        if is_inside(point, theirs) != cell.first and (
+            found := _SHOW[name](case, point, cell.first)
+        ):
+            side = "outside" if cell.first else "inside"
+            return replace(found, says=f"{found.says}; that is {side} their {LOOP_NAMES[name]}")
+    raise WitnessError(f"case {case.id}: its {name} is refuted near {pair(point)}")
+
+
+def is_inside(point: Point, rings: Rings) -> bool:
+    """Whether an odd number of rings' windings are around a point on none of their edges."""
+    return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
+
+
+def at_position(case: Case, position: Point) -> Witness:
+    """Say what the definition says of a position of the reference point."""
+    translation = minus(position, case.reference)
+    verdict, point = classify(case.directrix, case.generatrix, translation)
+    return Witness(f"at {pair(position)} G {_DOES[verdict]}", translation, verdict, point)
+
+
+def _of_trajectory(case: Case, position: Point, permitted: bool) -> Witness | None:
+    found = at_position(case, position)
+    return found if found.classified == ("OVERLAP" if permitted else "FREE") else None
+
+
+def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
+    """Of a point that G cannot reach, or else can."""
+    onto = _onto(case, point)
+    escapes = [c for c in differences([onto.vertices], [_positions(case).vertices]) if c.first]
+    if not permitted:
+        if not escapes:
+            return None
+        t = next(max(escapes, key=lambda cell: cell.area).points())
+        return _over(case, point, t)
+    if escapes:
+        return None
+    # No position is better than another one; to show one of them, one well inside.
+    t = next(max(differences([onto.vertices], []), key=lambda cell: cell.area).points())
+    found = _over(case, point, t)
+    return found and replace(found, says=f"{found.says}, as at all positions over that point")
+
+
+def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
+    """Of a point that G covers on its way, or that is closed in by it, or else is neither."""
+    onto, positions = _onto(case, point), _positions(case)
+    if not permitted:
+        if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
+            return None
+        return Witness(f"at all positions over {pair(point)} G {_DOES['FREE']}", point=point)
+    for t in _on_boundary(positions, onto):
+        return _over(case, point, t)
+    for polygon, name in ((case.directrix, "D"), (case.inner, "the inner loop")):
+        if point_in_polygon(point, polygon) >= 0:
+            return Witness(f"{pair(point)} is in {name}", point=point)
+    return None
+
+
+def _over(case: Case, point: Point, t: Point) -> Witness | None:
+    """Say that G + t covers a point, and what it does there."""
+    if point_in_polygon(point, case.generatrix.translated(t)) < 0:
+        return None
+    verdict, _ = classify(case.directrix, case.generatrix, t)
+    at = pair(plus(t, case.reference))
+    return Witness(f"at {at} G covers {pair(point)} and {_DOES[verdict]}", t, verdict, point)
+
+
+_SHOW = {"trajectory": _of_trajectory, "inner": _of_inner, "outer": _of_outer}
+
+
+def _onto(case: Case, point: Point) -> Polygon:
+    """The translations that put G onto a point."""
+    return case.generatrix.reflected((point.x / 2, point.y / 2))
+
+
+def _positions(case: Case) -> Polygon:
+    """The region inside the exact trajectory of G's origin."""
+    return case.trajectory.translated((-case.reference.x, -case.reference.y))
+
+
+def _on_boundary(positions: Polygon, onto: Polygon) -> Iterator[Point]:
+    """Points of one polygon's boundary in the other polygon: vertices first, then crossings."""
+    vertices, corners = positions.vertices, onto.vertices
+    yield from (vertex for vertex in vertices if point_in_polygon(vertex, onto) >= 0)
+    for k, b in enumerate(vertices):
+        for j, d in enumerate(corners):
+            if crossing := crossing_of(vertices[k - 1], b, corners[j - 1], d):
+                yield crossing
+
+
+def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
+    """The common point of two segments that are not parallel, ends included."""
+    u, v, w = minus(b, a), minus(d, c), minus(c, a)
+    turn = u.x * v.y - u.y * v.x
+    if turn == 0:
+        return None
+    s, t = (w.x * v.y - w.y * v.x) / turn, (w.x * u.y - w.y * u.x) / turn
+    if not (0 <= s <= 1 and 0 <= t <= 1):
+        return None
+    return Point(a.x + s * u.x, a.y + s * u.y)
+
+
+def plus(p: Point, q: Point) -> Point:
+    """Sum of two points."""
+    return Point(p.x + q.x, p.y + q.y)
+
+
+def minus(p: Point, q: Point) -> Point:
+    """Difference of two points."""
+    return Point(p.x - q.x, p.y - q.y)

@@ -1,0 +1,328 @@
+"""A run as one HTML page that needs nothing else.
+
+The pictures of failures show the exact answer and theirs, one over the other, and the witness.
+Everything is scaled exactly and becomes a float last, so that the picture shows an error of 1 part
+in 10^15, too, in a panel that is zoomed in on the witness.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from importlib.resources import files
+from math import isqrt
+from typing import Any, NamedTuple
+
+from exactsweep import __version__
+from exactsweep.canvas import style
+from exactsweep.canvas.svg import path_data
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.report.text import witness_lines
+from exactsweep.conform.run.outcome import Outcome, witnesses
+from exactsweep.conform.run.run import SHOWN, Run, fails
+from exactsweep.geometry.number import NumberError, to_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.text.report import approximation
+
+_MOST_LISTED = 2000
+_KEY = (
+    ("directrix", "D"),
+    ("generatrix", "G, at the witness if it is a position"),
+    ("exact", "exact"),
+    ("theirs", "theirs"),
+)
+
+
+SIDE = 320
+
+_MARGIN = Fraction(1, 12)
+
+_FAR = Fraction(10**5)
+
+_MOST_STRETCHED = 12
+
+_ZOOM = 4
+
+_WORTH_ZOOMING = 20
+
+Ring = Sequence[Point]
+
+Layer = tuple[str, tuple[Ring, ...], bool]
+
+Box = tuple[Fraction, Fraction, Fraction, Fraction]
+
+
+class Failure(NamedTuple):
+    """One failure as the page shows it."""
+
+    outcome: Outcome
+    title: str
+    panels: list[Panel]
+    parts: list[dict[str, Any]]
+    case: str
+    result: str
+    smaller: Failure | None
+
+
+def html(run: Run) -> str:
+    """Write a run as an HTML page, pictures and all within it.
+
+    Args:
+        run: a Run.
+
+    Returns:
+        The page. What the implementation said is in it as text, never as markup.
+
+    Cost: linear; pictures are made of those failures that the run keeps whole.
+    """
+    from jinja2 import Environment, StrictUndefined
+
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    template = (
+        files("exactsweep.conform.report").joinpath("report.html.j2").read_text(encoding="utf-8")
+    )
+    failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
+    summary = run.summary
+    return environment.from_string(template).render(
+        run=run,
+        summary=summary,
+        version=__version__,
+        style=style,
+        side=SIDE,
+        bad={verdict for verdict in Verdict if fails(verdict, run.accepted)},
+        key=_KEY,
+        most_shown=SHOWN,
+        worst={
+            name: [
+                (_about(root(worst.distance_squared[0])), worst.distance_squared[1]),
+                (_about(worst.area[0]), worst.area[1]),
+            ]
+            for name, worst in summary.worst.items()
+        },
+        judged=summary.total() - summary.total(Verdict.UNSUPPORTED),
+        failed=failed[:_MOST_LISTED],
+        more=len(failed[_MOST_LISTED:]),
+        failures=[_failure(outcome, run.shrunk.get(outcome.id)) for outcome in run.shown()],
+    )
+
+
+def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
+    case = outcome.case
+    return Failure(
+        outcome,
+        case["title"] if case else "",
+        panels(outcome) if case else [],
+        [_part(part) for part in outcome.parts],
+        json.dumps(case, indent=1) if case else "",
+        json.dumps(outcome.result, indent=1) if outcome.result else "",
+        _failure(smaller) if smaller else None,
+    )
+
+
+def _part(part: Mapping[str, Any]) -> dict[str, Any]:
+    said = [line for witness in witnesses(part) for line in witness_lines(witness)]
+    squares = part["distance_squared"]
+    return {
+        "name": part["name"].replace("_", " "),
+        "verdict": part["verdict"],
+        "reason": part["reason"],
+        "distance": _about(root(to_fraction(squares[0]))) if squares else "",
+        "permitted": _area(part["permitted"]),
+        "forbidden": _area(part["forbidden"]),
+        "said": said or [part["reason"]],
+    }
+
+
+def _area(text: str | None) -> str:
+    return "" if text is None else _about(to_fraction(text))
+
+
+def _about(value: Fraction) -> str:
+    rounded = approximation(value)
+    return rounded if to_fraction(rounded) == value else f"about {rounded}"
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One thing to draw: a class of the style sheet, and the data of an SVG path."""
+
+    name: str
+    path: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A square picture, SIDE pixels wide.
+
+    Attributes:
+        caption: what part is shown, and how large the window is.
+        shapes: from back to front.
+        witness: where the witness is, in pixels; or None.
+    """
+
+    caption: str
+    shapes: tuple[Shape, ...]
+    witness: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """What is to be seen, in the coordinates of the case: layers by name, closed or not."""
+
+    layers: tuple[Layer, ...]
+    witness: Point | None
+    error: Fraction | None
+
+    def points(self, *names: str) -> list[Point]:
+        """The vertices of some layers."""
+        return [
+            p for name, rings, _ in self.layers if name in names for ring in rings for p in ring
+        ]
+
+
+def panels(outcome: Outcome) -> list[Panel]:
+    """Draw the worst part of an outcome.
+
+    Args:
+        outcome: one that has its case.
+
+    Returns:
+        list of Panel: all of it; all but what is far off, if anything is; and the place of the
+        witness, if the error is too small to be seen before. Without a part, the exact trajectory
+        is shown.
+
+    Cost: linear in the vertices of the case and the answer.
+    """
+    assert outcome.case is not None
+    part = max(outcome.parts, key=_severity, default=None)
+    name = part["name"] if part else "trajectory"
+    scene = _scene(outcome.case, outcome.result or {}, name, part)
+    box = _window(scene)
+    drawn = [_panel(scene, box, name.replace("_", " "))]
+    near = _around(scene.points("directrix", "exact"))
+    if _longest(box) > _WORTH_ZOOMING * _longest(near):
+        drawn.append(_panel(scene, near, f"{_times(_longest(box) / _longest(near))} larger, at D"))
+    error = scene.error
+    if error and scene.witness and _longest(box) > _WORTH_ZOOMING * error:
+        x, y = scene.witness
+        half = _ZOOM * error
+        zoomed = (x - half, y - half, x + half, y + half)
+        times = _longest(box) / (2 * half)
+        drawn.append(_panel(scene, zoomed, f"{_times(times)} larger, at the witness"))
+    return drawn
+
+
+def _scene(
+    case: Mapping[str, Any], result: Mapping[str, Any], name: str, part: Mapping[str, Any] | None
+) -> _Scene:
+    witness = next(iter(witnesses(part)), {}) if part else {}
+    placed = witness.get("translation")
+    seen = None
+    layers: list[Layer] = [("directrix", (_ring(case["directrix"]),), True)]
+    if placed is not None:
+        (t,) = _ring([placed])
+        (r,) = _ring([case["reference"]])
+        moved = tuple(Point(x + t.x, y + t.y) for x, y in _ring(case["generatrix"]))
+        layers.append(("generatrix", (moved,), True))
+        if name in ("trajectory", "exact_fits"):
+            seen = Point(r.x + t.x, r.y + t.y)
+    else:
+        layers.append(("generatrix", (_ring(case["generatrix"]),), True))
+    if seen is None and witness.get("point") is not None:
+        (seen,) = _ring([witness["point"]])
+    closed = name != "exact_fits"
+    exact, theirs = case["expected"][name], result.get(name)
+    if not closed:
+        loop = _ring(case["expected"]["trajectory"])
+        layers.append(("faint", (loop,), True))
+    layers.append(("exact", tuple(_rings(exact)), closed))
+    layers.append(("theirs", tuple(_rings(theirs)), closed))
+    squares = part and part["distance_squared"]
+    return _Scene(tuple(layers), seen, root(to_fraction(squares[1])) if squares else None)
+
+
+def _severity(part: Mapping[str, Any]) -> int:
+    return Verdict(part["verdict"]).severity
+
+
+def _rings(value: object) -> list[Ring]:
+    """Read one ring or several, as far as they can be read."""
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        return []
+    first = value[0] if value else None
+    nested = isinstance(first, list) and bool(first) and isinstance(first[0], list)
+    return [_ring(ring) for ring in (value if nested else [value]) if isinstance(ring, list)]
+
+
+def _ring(points: Iterable[object]) -> Ring:
+    """Read points, leaving out what is none."""
+    found = []
+    for pair in points:
+        if isinstance(pair, Sequence) and len(pair) == 2:
+            with suppress(NumberError):
+                found.append(Point(to_fraction(pair[0]), to_fraction(pair[1])))
+    return found
+
+
+def _window(scene: _Scene) -> Box:
+    """A box that holds everything, but not theirs where that is far off."""
+    own = scene.points("directrix", "generatrix", "exact", "faint")
+    if scene.witness:
+        own.append(scene.witness)
+    box = _around(own)
+    everything = _around([*own, *scene.points("theirs")])
+    return everything if _longest(everything) <= 3 * _longest(box) else box
+
+
+def _around(points: Iterable[Point]) -> Box:
+    """The box around points; a square, unless that would show a mere line."""
+    xs, ys = zip(*points, strict=True)
+    across, up = max(xs) - min(xs), max(ys) - min(ys)
+    if max(across, up) <= _MOST_STRETCHED * min(across, up):
+        across = up = max(across, up)
+    x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
+    half_x, half_y = (length * (1 + 2 * _MARGIN) / 2 for length in (across, up))
+    return x - half_x, y - half_y, x + half_x, y + half_y
+
+
+def _longest(box: Box) -> Fraction:
+    left, bottom, right, top = box
+    return max(right - left, top - bottom)
+
+
+def _panel(scene: _Scene, box: Box, caption: str) -> Panel:
+    left, bottom, right, top = box
+    x_unit, y_unit = SIDE / (right - left), SIDE / (top - bottom)
+    if x_unit != y_unit:
+        caption += "; not to scale: each axis has a unit of its own"
+
+    def place(point: Point) -> tuple[float, float]:
+        return _float((point.x - left) * x_unit), _float((top - point.y) * y_unit)
+
+    shapes = []
+    for name, rings, closed in scene.layers:
+        data = path_data((map(place, ring) for ring in rings), closed=closed)
+        if data:
+            shapes.append(Shape(name, data))
+    return Panel(caption, tuple(shapes), place(scene.witness) if scene.witness else None)
+
+
+def _times(value: Fraction) -> str:
+    return f"{float(value):,.0f} times" if value < 10**6 else f"{float(value):.0e} times"
+
+
+def _float(value: Fraction) -> float:
+    """A place on the picture; far outside is outside."""
+    return float(max(-_FAR, min(_FAR, value)))
+
+
+def root(square: Fraction) -> Fraction:
+    """Return about the square root, to 60 bits or so, of a number of any size."""
+    n, d = square.as_integer_ratio()
+    bits = max(0, 120 + d.bit_length() - n.bit_length())
+    return Fraction(isqrt((n << 2 * bits) // d), 1 << bits)

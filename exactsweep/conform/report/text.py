@@ -1,0 +1,170 @@
+"""A comparison, for people to read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from fractions import Fraction
+from typing import Any
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from exactsweep.conform.judge.verdict import Comparison, PartComparison
+from exactsweep.conform.judge.witness import LOOP_NAMES
+from exactsweep.conform.run.outcome import Outcome
+from exactsweep.conform.run.run import Run, Summary
+from exactsweep.text.report import laid_out
+from exactsweep.words import count
+
+_APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
+
+
+def told(comparison: Comparison) -> str:
+    """Say what came of a comparison.
+
+    Args:
+        comparison: a Comparison.
+
+    Returns:
+        Lines of text: the verdict; then, for each part, its verdict, how far it is off, and its
+        witnesses. Distances and areas are rounded to six digits, up for distances.
+
+    Example:
+        >>> from exactsweep.conform.judge.compare import compare
+        >>> from exactsweep.corpus import Case
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> case = Case.of("a", "", square, square)
+        >>> print(told(compare(case, {"trajectory": [[-1, -1], [1, -1], [1, 1]]})), end="")
+        a: unsound
+        trajectory: unsound, part of the exact trajectory is missing
+          off by at most 1.41422, area 2
+          at (0,1/2) G overlaps D; that is outside their trajectory
+          translation (0,1/2): OVERLAP, point (1/4,3/4)
+        exact fits: exact
+    """
+    lines = [f"{comparison.id}: {comparison.verdict}"]
+    if not comparison.parts:
+        lines[0] += f", {comparison.reason}"
+    for part in comparison.parts:
+        lines += _part(part)
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _part(part: PartComparison) -> list[str]:
+    name = LOOP_NAMES.get(part.name, "exact fits")
+    lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
+    if part.distance_squared is not None and part.area:
+        distance = _root_above(part.distance_squared[1])
+        lines.append(f"  off by at most {distance}, area {_about(part.area)}")
+    for witness in part.witnesses:
+        lines += (f"  {line}" for line in witness_lines(witness.to_json()))
+    return lines
+
+
+def witness_lines(witness: Mapping[str, Any]) -> list[str]:
+    """Say what a witness shows, and what `classify` says of it, in full, to be tried elsewhere.
+
+    Args:
+        witness: what `Witness.to_json` gives.
+
+    Returns:
+        One line or two.
+    """
+    lines = [witness["says"]]
+    if witness["translation"] is not None:
+        point = f", point ({','.join(witness['point'])})" if witness["point"] is not None else ""
+        place = ",".join(witness["translation"])
+        lines.append(f"translation ({place}): {witness['classified']}{point}")
+    return lines
+
+
+def _about(value: Fraction) -> str:
+    exact = _APPROXIMATE.divide(Decimal(value.numerator), Decimal(value.denominator))
+    return f"{exact.normalize(_APPROXIMATE):g}"
+
+
+def _root_above(square: Fraction) -> str:
+    """The square root, rounded up."""
+    above = Context(prec=6, rounding="ROUND_CEILING", Emax=MAX_EMAX, Emin=MIN_EMIN)
+    quotient = Context(prec=20, rounding="ROUND_CEILING", Emax=MAX_EMAX, Emin=MIN_EMIN).divide(
+        Decimal(square.numerator), Decimal(square.denominator)
+    )
+    # Decimal's square root rounds half-even, whatever the context says.
+    root = quotient.sqrt(Context(prec=20, Emax=MAX_EMAX, Emin=MIN_EMIN))
+    return f"{above.plus(root):g}"
+
+
+def table(summary: Summary, terminal_width: int | None = None) -> str:
+    """Write how many cases of each class and flag got which verdict.
+
+    Args:
+        summary: of a run.
+        terminal_width: columns of the terminal to be filled; None for plain text.
+
+    Returns:
+        Lines of text; for a terminal also its control sequences.
+
+    Example:
+        >>> from exactsweep.conform.run.outcome import Outcome
+        >>> from exactsweep.conform.judge.verdict import Verdict
+        >>> outcomes = [Outcome("a", "CC", ("undercut",), Verdict.EXACT),
+        ...             Outcome("b", "CC", (), Verdict.WRONG)]
+        >>> print(table(Summary(outcomes)), end="")
+                  cases  exact  wrong
+        all           2      1      1
+        CC            2      1      1
+        undercut      1      1
+    """
+    grid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    grid.add_column(style="bold")
+    verdicts = summary.verdicts()
+    for name in ("cases", *verdicts):
+        grid.add_column(name, justify="right")
+    for group in summary.groups():
+        counts = (summary.total(verdict, group) for verdict in verdicts)
+        grid.add_row(group, str(summary.total(group=group)), *_shown(counts))
+    return laid_out([grid], terminal_width)
+
+
+def _shown(counts: Iterable[int]) -> Iterable[str]:
+    return (str(count) if count else "" for count in counts)
+
+
+@contextmanager
+def progress(run: Run, total: int | None) -> Iterator[Callable[[Outcome], None]]:
+    """Show how far a run is and the counts so far, on standard error, if that is a terminal.
+
+    Args:
+        run: the run.
+        total: how many cases there will be, or None.
+
+    Yields:
+        A function to be told each outcome.
+    """
+    console = Console(stderr=True)
+    bar = Progress(
+        BarColumn(bar_width=24),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[counts]}", markup=False),
+        TimeRemainingColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+    with bar:
+        task = bar.add_task("", total=total, counts="")
+
+        def tell(outcome: Outcome) -> None:
+            bar.update(task, advance=1, counts=counts(run))
+
+        yield tell
+
+
+def counts(run: Run) -> str:
+    """Say how many cases got which verdict so far."""
+    summary = run.summary
+    said = (f"{summary.total(verdict)} {verdict}" for verdict in summary.verdicts())
+    return ", ".join(said) or count(0, "case")

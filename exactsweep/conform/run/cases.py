@@ -1,0 +1,211 @@
+"""Which cases are put to an implementation: of the corpus, or of a stream."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO, Self
+
+from exactsweep.conform.run.protocol import read_object
+from exactsweep.corpus import Case, case_from_json, cases, find_case
+from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
+from exactsweep.formats.exact_json import described, parse_certificate, parse_json, read_vertices
+from exactsweep.geometry.number import quoted
+
+
+class SelectionError(ValueError):
+    """A filter that is none, or cases that cannot be told apart."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What a case must be like; the default is any case.
+
+    Attributes:
+        prefix: how its id starts.
+        flags: flags that it must all have.
+        kind: its class, or None.
+        max_size: the most vertices of D and G together, or None.
+    """
+
+    prefix: str = ""
+    flags: tuple[str, ...] = ()
+    kind: str | None = None
+    max_size: int | None = None
+
+    @classmethod
+    def of(cls, filters: Iterable[str]) -> Self:
+        """Read filters: id=PREFIX, flag=FLAG, class=CC, size=MOST; flags may be several.
+
+        Raises:
+            SelectionError: anything else.
+
+        Example:
+            >>> Selection.of(["flag=exact-fit", "size=20"])
+            Selection(prefix='', flags=('exact-fit',), kind=None, max_size=20)
+        """
+        found: dict[str, list[str]] = {"id": [], "flag": [], "class": [], "size": []}
+        for text in filters:
+            name, equals, value = text.partition("=")
+            if name not in found or not equals:
+                raise SelectionError(
+                    f"{quoted(text)} is not id=..., flag=..., class=... or size=..."
+                )
+            found[name].append(value)
+        for name in ("id", "class", "size"):
+            if len(found[name]) > 1:
+                raise SelectionError(f"more than one filter {name}=...")
+        try:
+            size = int(found["size"][0]) if found["size"] else None
+        except ValueError:
+            raise SelectionError(
+                f"{quoted(found['size'][0])} is not a number of vertices"
+            ) from None
+        return cls(
+            "".join(found["id"]), tuple(found["flag"]), next(iter(found["class"]), None), size
+        )
+
+    def shipped(self) -> Iterator[Case]:
+        """Yield the cases of the corpus that are like that.
+
+        Raises:
+            UnknownNameError: there is no such flag or class.
+        """
+        return cases(prefix=self.prefix, flags=self.flags, kind=self.kind, max_size=self.max_size)
+
+    def among(self, cases: Iterable[Case]) -> Iterator[Case]:
+        """Yield those of some cases that are like that."""
+        wanted = set(self.flags)
+        for case in cases:
+            if (
+                case.id.startswith(self.prefix)
+                and wanted <= set(case.flags)
+                and self.kind in (None, case.kind)
+                and (self.max_size is None or case.size <= self.max_size)
+            ):
+                yield case
+
+
+def distinct(cases: Iterable[Case]) -> Iterator[Case]:
+    """Yield cases as long as no id comes twice.
+
+    Raises:
+        SelectionError: one does.
+    """
+    seen = set()
+    for case in cases:
+        if case.id in seen:
+            raise SelectionError(f"two cases have the id {quoted(case.id)}")
+        seen.add(case.id)
+        yield case
+
+
+def read_cases(path: str) -> Iterator[Case]:
+    """Read cases from a file of JSON lines, or from standard input, one by one.
+
+    Args:
+        path: a path, or "-" for standard input.
+
+    Returns:
+        An iterator of Case.
+
+    Raises:
+        FormatError: not to be read, or a line that is no case; the message names the file and line.
+    """
+    name = file_name(path)
+    try:
+        if path == "-":
+            yield from _read(standard_input(), name)
+        else:
+            with open(path, "rb") as file:
+                yield from _read(file, name)
+    except OSError as error:
+        raise FormatError(f"{name}: {error.strerror or error}") from None
+
+
+def standard_input() -> BinaryIO:
+    """Return standard input, in bytes.
+
+    Raises:
+        FormatError: it is closed.
+    """
+    if sys.stdin is None:
+        raise FormatError("standard input: closed")
+    return sys.stdin.buffer
+
+
+def _read(file: BinaryIO, name: str) -> Iterator[Case]:
+    number = 0
+    while line := file.readline(MAX_BYTES + 1):
+        number += 1
+        if len(line) > MAX_BYTES:
+            raise FormatError(f"{name}, line {number}: more than {MAX_BYTES} bytes")
+        if line.isspace():
+            continue
+        try:
+            yield case_from_json(read_object(line.decode("utf-8-sig").strip()))
+        except ValueError as error:
+            raise FormatError(f"{name}, line {number}: {error}") from None
+
+
+def read_case(name: str) -> Case:
+    """Read a case.
+
+    Args:
+        name: the path of a file, "-" for standard input, or the id of a case of the corpus or of
+            a generated one. The file holds a case as `case_from_json` reads it; or just a pair, an
+            object with "directrix" and "generatrix" and, if wanted, "reference", such as
+            `exactsweep sweep --json` writes.
+
+    Returns:
+        The Case; of a pair without "id", the name of the file is the id.
+
+    Raises:
+        ValueError: none of these; the message names the file.
+    """
+    if name != "-" and not Path(name).exists():
+        return find_case(name)
+    try:
+        text = read_text(name)
+        document = parse_json(text)
+        if not isinstance(document, dict):
+            raise FormatError(f"$ is {described(document)}, not an object")
+        if "expected" in document:
+            return case_from_json(parse_certificate(text))
+        return _pair(document, name)
+    except ValueError as error:
+        raise FormatError(f"{file_name(name)}: {error}") from None
+
+
+def read_result(path: str) -> object:
+    """Read an answer: JSON, in which integers are ints and other numbers binary64.
+
+    Args:
+        path: of a file, or "-" for standard input.
+
+    Returns:
+        What `compare` takes, whatever it may be.
+
+    Raises:
+        FormatError: not to be read, or not JSON.
+    """
+    try:
+        return parse_certificate(read_text(path))
+    except ValueError as error:
+        raise FormatError(f"{file_name(path)}: {error}") from None
+
+
+def _pair(document: dict[str, object], name: str) -> Case:
+    for part in ("directrix", "generatrix"):
+        if part not in document:
+            raise FormatError(f'$ has neither "expected", as a case has, nor "{part}"')
+    (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
+    return Case.of(
+        str(document.get("id", file_name(name))),
+        "",
+        read_vertices(document["directrix"], "$.directrix"),
+        read_vertices(document["generatrix"], "$.generatrix"),
+        reference,
+    )

@@ -1,0 +1,203 @@
+"""Lines to and from a process that may do anything: with limits on time and memory."""
+
+from __future__ import annotations
+
+import os
+import selectors
+import signal
+import time
+from collections.abc import Sequence
+from contextlib import suppress
+from typing import IO
+
+from exactsweep.conform.run.protocol import MAX_LINE
+from exactsweep.processes import Started
+
+_CHUNK = 65536
+_MAX_STDERR = 4096
+_LAST_CHUNKS = 16
+_LOOKING = 0.2
+"""Seconds after which to look whether the process has ended."""
+_TO_EXIT = 1.0
+"""Seconds for a process that has closed its output to end, so that its exit code is known."""
+
+
+class SilentError(Exception):
+    """No line came in time."""
+
+
+class ClosedError(Exception):
+    """The process ended, or closed its output; the message says how."""
+
+
+class LongLineError(Exception):
+    """A line has more than MAX_LINE bytes."""
+
+
+class Channel:
+    """A process, spoken to in lines.
+
+    Memory is bounded: by MAX_LINE for what it writes and is not read, and some KiB of what it
+    writes to standard error, the last of it.
+
+    Args:
+        command: the program and its arguments.
+
+    Raises:
+        OSError: it cannot be started.
+    """
+
+    def __init__(self, command: Sequence[str]) -> None:
+        self._started = Started(command)
+        process = self._started.process
+        self._selector = selectors.DefaultSelector()
+        self._incoming, self._searched = bytearray(), 0
+        self._outgoing, self._closing = bytearray(), False
+        self._stderr = b""
+        self._stdin = self._watched(process.stdin, None)
+        self._stdout = self._watched(process.stdout, selectors.EVENT_READ)
+        self._errors = self._watched(process.stderr, selectors.EVENT_READ)
+
+    @property
+    def stderr(self) -> str:
+        """The last of what it wrote to standard error."""
+        return self._stderr.decode("utf-8", "replace")
+
+    def send(self, line: str) -> None:
+        """Leave a line to be written while the next one is waited for."""
+        self._outgoing += line.encode() + b"\n"
+
+    def receive(self, seconds: float) -> str:
+        """Wait for a line.
+
+        Returns:
+            The line without its end; what is not UTF-8 in it is replaced.
+
+        Raises:
+            SilentError: no line came within these seconds.
+            ClosedError: the output ended before a line did.
+            LongLineError: the line is too long.
+        """
+        deadline = time.monotonic() + seconds
+        while True:
+            line = self._taken()
+            if line is not None:
+                return line.decode("utf-8", "replace")
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise SilentError
+            self._transfer(left)
+
+    def finish(self, seconds: float) -> str | None:
+        """Close its input, after what is still to be sent, wait for its end, kill what is left.
+
+        Returns:
+            None if it wrote nothing more and ended by itself with exit code 0, or what it did.
+        """
+        self._closing = True
+        if not self._outgoing:
+            self._close_input()
+        try:
+            line = self.receive(seconds)
+        except SilentError:
+            return f"did not end within {seconds:g} s after bye"
+        except LongLineError:
+            return "wrote on after bye"
+        except ClosedError:
+            code = self._started.wait(seconds)
+            if code is None:
+                return f"closed its output, but did not end within {seconds:g} s after bye"
+            return None if code == 0 else f"after bye, {exit_words(code)}"
+        finally:
+            self.kill()
+        return f"wrote on after bye: {line[:40]!r}"
+
+    def kill(self) -> None:
+        """End the process and all that it started."""
+        self._selector.close()
+        self._started.end()
+
+    def _watched(self, pipe: IO[bytes] | None, event: int | None) -> int:
+        assert pipe is not None
+        os.set_blocking(pipe.fileno(), False)
+        if event is not None:
+            self._selector.register(pipe.fileno(), event)
+        return pipe.fileno()
+
+    def _taken(self) -> bytes | None:
+        """The next whole line, if there is one."""
+        end = self._incoming.find(b"\n", self._searched)
+        if (end if end >= 0 else len(self._incoming)) > MAX_LINE:
+            raise LongLineError
+        if end < 0:
+            self._searched = len(self._incoming)
+            return None
+        line = bytes(self._incoming[:end])
+        del self._incoming[: end + 1]
+        self._searched = 0
+        return line
+
+    def _transfer(self, seconds: float) -> None:
+        """Read and write what can be."""
+        if self._outgoing:
+            with suppress(KeyError):
+                self._selector.register(self._stdin, selectors.EVENT_WRITE)
+        had_ended = self._started.process.poll() is not None
+        ready = self._selector.select(min(seconds, _LOOKING))
+        if had_ended and not ready:
+            # What it started still holds its output open.
+            raise ClosedError(self._end())
+        for key, _ in ready:
+            if key.fd == self._stdin:
+                self._write()
+            elif key.fd == self._errors:
+                self._stderr = (self._stderr + self._read(key.fd))[-_MAX_STDERR:]
+            else:
+                chunk = self._read(key.fd)
+                if not chunk:
+                    raise ClosedError(self._end())
+                self._incoming += chunk
+
+    def _write(self) -> None:
+        try:
+            del self._outgoing[: os.write(self._stdin, self._outgoing[:_CHUNK])]
+        except BrokenPipeError:
+            # It may still answer what it has read.
+            self._outgoing.clear()
+        if not self._outgoing:
+            self._selector.unregister(self._stdin)
+            if self._closing:
+                self._close_input()
+
+    def _close_input(self) -> None:
+        assert self._started.process.stdin is not None
+        self._started.process.stdin.close()
+
+    def _read(self, fd: int) -> bytes:
+        chunk = os.read(fd, _CHUNK)
+        if not chunk:
+            self._selector.unregister(fd)
+        return chunk
+
+    def _end(self) -> str:
+        code = self._started.wait(_TO_EXIT)
+        # What it said last is in the pipe; one that it started may still be writing.
+        with suppress(OSError, KeyError):
+            for _ in range(_LAST_CHUNKS):
+                self._stderr = (self._stderr + self._read(self._errors))[-_MAX_STDERR:]
+        return "closed its output" if code is None else exit_words(code)
+
+
+def exit_words(code: int) -> str:
+    """Say how a process ended.
+
+    >>> exit_words(3), exit_words(-11)
+    ('exited with code 3', 'was ended by signal 11, SIGSEGV')
+    """
+    if code >= 0:
+        return f"exited with code {code}"
+    try:
+        name = f", {signal.Signals(-code).name}"
+    except ValueError:
+        name = ""
+    return f"was ended by signal {-code}{name}"

@@ -1,0 +1,140 @@
+"""The journal of a run: JSON lines, one an outcome, written as they come."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, BinaryIO, Self
+
+from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.formats import MAX_BYTES
+
+FORMAT = "exactsweep conform"
+VERSION = 1
+_WORDS = {"hello": "implementation", "seconds": "timeout"}
+
+
+class JournalError(ValueError):
+    """A journal that cannot be begun, gone on with or read; the message says why."""
+
+
+class Journal:
+    """A journal that is written; a context manager.
+
+    Every line is handed to the system at once, so what is in it outlives this process, however
+    that ends. Only the last line can be a part of one; going on drops it.
+
+    Args:
+        path: the file.
+        command: what is judged; a journal of another command is not gone on with.
+        hello: what the implementation says of itself, likewise.
+        seconds: that an answer may take, likewise.
+        resume: whether the file may be there and is gone on with.
+
+    Attributes:
+        done: dict from the digest of a case to its outcome: those of before.
+
+    Raises:
+        JournalError: the file is there and `resume` is false; it is no journal, or one of
+            something else; it cannot be read or written.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        *,
+        command: Sequence[str],
+        hello: Hello,
+        seconds: float,
+        resume: bool = False,
+    ) -> None:
+        self._path = path
+        self._file: BinaryIO
+        self.done: dict[str, Outcome] = {}
+        head = {
+            "format": FORMAT,
+            "version": VERSION,
+            "command": list(command),
+            "hello": hello.to_json(),
+            "seconds": seconds,
+        }
+        try:
+            if resume and path.exists():
+                self._go_on(head)
+                return
+            self._file = path.open("xb")
+        except FileExistsError:
+            raise JournalError(
+                f"{path} is there already; go on with it by --resume, or remove it"
+            ) from None
+        except OSError as error:
+            raise JournalError(f"{path}: {error.strerror or error}") from None
+        self._write(head)
+
+    def add(self, outcome: Outcome) -> None:
+        """Write an outcome.
+
+        Raises:
+            JournalError: it cannot be written.
+        """
+        self._write(outcome.to_json())
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._file.close()
+
+    def _go_on(self, head: Mapping[str, Any]) -> None:
+        file = self._path.open("r+b")
+        try:
+            whole = self._read(file, head)
+            file.truncate(whole)
+            file.seek(whole)
+        except BaseException:
+            file.close()
+            raise
+        self._file = file
+        if whole == 0:
+            self._write(head)
+
+    def _read(self, file: BinaryIO, head: Mapping[str, Any]) -> int:
+        """Read the outcomes of before; return where the last whole line ends."""
+        whole = 0
+        for number, line in enumerate(iter(lambda: file.readline(MAX_BYTES), b""), start=1):
+            is_cut = not line.endswith(b"\n") and len(line) < MAX_BYTES
+            # Without a whole line, this may be any file, which must not be lost.
+            if is_cut and (number > 1 or _line(head).startswith(line)):
+                break
+            try:
+                data = json.loads(line)
+                if number == 1:
+                    self._require_same(data, head)
+                else:
+                    outcome = outcome_from_json(data)
+                    self.done[outcome.digest] = outcome
+            except (ValueError, AttributeError) as error:
+                if isinstance(error, JournalError):
+                    raise
+                raise JournalError(f"{self._path}, line {number}: not of a journal") from None
+            whole += len(line)
+        return whole
+
+    def _require_same(self, found: Mapping[str, Any], head: Mapping[str, Any]) -> None:
+        for name, value in head.items():
+            if found.get(name) != value:
+                what = _WORDS.get(name, name)
+                raise JournalError(f"{self._path} is the journal of another {what}")
+
+    def _write(self, data: Mapping[str, Any]) -> None:
+        try:
+            self._file.write(_line(data))
+            self._file.flush()
+        except OSError as error:
+            raise JournalError(f"{self._path}: {error.strerror or error}") from None
+
+
+def _line(data: Mapping[str, Any]) -> bytes:
+    return json.dumps(data).encode() + b"\n"

@@ -1,0 +1,169 @@
+"""Outcomes: what became of one case, as it is kept in a journal and shown in a report."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.shrink import shrink
+from exactsweep.conform.judge.verdict import Comparison, Verdict
+from exactsweep.conform.run.peer import Answer, Peer
+from exactsweep.conform.run.protocol import UnsupportedError, asked
+from exactsweep.corpus import Case, case_from_json, case_to_json
+from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
+
+Judge = Callable[[Peer, Case], "Outcome"]
+_MAX_RESULT = 65536
+"""The most characters of a result that are kept."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one case.
+
+    Attributes:
+        id: of the case.
+        kind: its class.
+        flags: its flags.
+        verdict: the verdict.
+        reason: one line.
+        seconds: that the answer took.
+        digest: of the case as it was given; the same only for the same case.
+        parts: what `PartComparison.to_json` gives, for each part; empty for exact and
+            equivalent answers.
+        case: the case as it was put to the implementation, as by `case_to_json`; None where the
+            answer is exact or equivalent, or nothing was asked.
+        result: the answer, likewise, if it is not too long to be kept.
+        stderr: the last of what the implementation wrote to standard error, where it failed.
+    """
+
+    id: str
+    kind: str
+    flags: tuple[str, ...]
+    verdict: Verdict
+    reason: str = ""
+    seconds: float = 0.0
+    digest: str = ""
+    parts: tuple[Mapping[str, Any], ...] = ()
+    case: Mapping[str, Any] | None = None
+    result: Mapping[str, Any] | None = None
+    stderr: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data; what is empty is left out."""
+        return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
+
+
+def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
+    """Read what `Outcome.to_json` gave.
+
+    Raises:
+        ValueError: anything else.
+    """
+    try:
+        parts = {**data, "verdict": Verdict(data["verdict"])}
+        for name in ("flags", "parts"):
+            parts[name] = tuple(data.get(name, ()))
+        return Outcome(**parts)
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"no outcome: {error}") from None
+
+
+def witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """Return the witnesses of a part of an outcome, the one of overlap first."""
+    return [part[name] for name in ("unsound", "conservative") if part[name]]
+
+
+def judged(peer: Peer, case: Case) -> Outcome:
+    """Put a case to an implementation and judge its answer.
+
+    Args:
+        peer: the implementation.
+        case: a Case.
+
+    Returns:
+        The Outcome.
+    """
+    answer, put = put_to(peer, case)
+    return outcome_of(case, put, answer, peer.hello.loops)
+
+
+def put_to(peer: Peer, case: Case) -> tuple[Answer, Case]:
+    """Put a case to an implementation, in its terms; return the answer and the case as put."""
+    try:
+        put = asked(case, peer.hello)
+    except UnsupportedError as error:
+        return Answer(verdict=Verdict.UNSUPPORTED, reason=str(error)), case
+    return peer.ask(put), put
+
+
+def outcome_of(case: Case, put: Case, answer: Answer, promised: Collection[str]) -> Outcome:
+    """Judge an answer.
+
+    Args:
+        case: a Case.
+        put: the same as it was put to the implementation.
+        answer: what came of that.
+        promised: the loops that an answer must have.
+
+    Returns:
+        The Outcome.
+    """
+    if answer.result is not None:
+        comparison = compare(put, answer.result, promised=promised)
+    else:
+        assert answer.verdict is not None
+        comparison = Comparison(case.id, answer.verdict, answer.reason)
+    verdict = comparison.verdict
+    kept = verdict not in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED)
+    return Outcome(
+        id=case.id,
+        kind=case.kind,
+        flags=case.flags,
+        digest=digest(case),
+        verdict=verdict,
+        reason=comparison.reason,
+        seconds=round(answer.seconds, 6),
+        parts=tuple(part.to_json() for part in comparison.parts) if kept else (),
+        case=case_to_json(put) if kept else None,
+        result=_plain(answer.result) if kept and answer.result is not None else None,
+        stderr=answer.stderr,
+    )
+
+
+def smaller(peer: Peer, outcome: Outcome, seconds: float, judge: Judge = judged) -> Outcome:
+    """Find a smaller case that an implementation fails in the same way.
+
+    Args:
+        peer: the implementation.
+        outcome: of a case that it failed; with the case.
+        seconds: after which no smaller one is looked for.
+        judge: as `judged`.
+
+    Returns:
+        The Outcome of the smallest case that was found.
+    """
+    case = case_from_json(outcome.case)
+    return judge(peer, shrink(case, lambda case: judge(peer, case).verdict, seconds=seconds))
+
+
+def digest(case: Case) -> str:
+    """Return a short hash of a case."""
+    text = json.dumps(case_to_json(case), sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _plain(result: Mapping[str, Any]) -> Mapping[str, Any] | None:
+    text = json.dumps(result, default=_written)
+    return json.loads(text) if len(text) <= _MAX_RESULT else None
+
+
+def _written(value: object) -> str:
+    try:
+        return format_fraction(to_fraction(value))
+    except NumberError:
+        return quoted(value)

@@ -1,0 +1,116 @@
+"""What an implementation is to the runner: something that can be asked."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple, Protocol
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.protocol import Hello, as_numbers
+from exactsweep.corpus import Case
+from exactsweep.formats.exact_json import described
+from exactsweep.geometry.point import Point
+
+SECONDS = 10.0
+"""Seconds that an answer may take, unless the caller says otherwise."""
+_MAX_REASON = 200
+
+
+Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
+
+
+class Answer(NamedTuple):
+    """What came of asking: a result to be compared, or a verdict and its reason."""
+
+    result: Mapping[str, Any] | None = None
+    verdict: Verdict | None = None
+    reason: str = ""
+    seconds: float = 0.0
+    stderr: str = ""
+
+
+class Peer(Protocol):
+    """An implementation that can be asked."""
+
+    hello: Hello
+
+    def ask(self, case: Case) -> Answer:
+        """Put a case to it, as `asked` has it."""
+
+    def close(self) -> str | None:
+        """Say bye; return what went wrong then, or None."""
+
+
+def answered(result: Mapping[str, Any]) -> Answer:
+    """Tell an answer from the reason why there is none."""
+    for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
+        if name in result:
+            said = result[name]
+            reason = said if isinstance(said, str) else described(said)
+            return Answer(verdict=verdict, reason=f"says: {cut(reason)}")
+    return Answer(result=result)
+
+
+def cut(reason: str) -> str:
+    """Put a foreign message on one line, cut short, without what terminals take for orders.
+
+    >>> cut("first   second ") + cut(chr(27))
+    'first second�'
+    """
+    words = " ".join(reason[:_MAX_REASON].split())
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in words)
+
+
+class CallablePeer:
+    """A function in this process.
+
+    It cannot be stopped: an answer that comes too late gets the verdict timeout when it comes.
+
+    Args:
+        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
+            integer numbers of the hello, float for "binary64", else Fraction. It returns what an
+            answer of the protocol holds, without the id; coordinates may be any numbers that
+            `to_fraction` reads. What it raises is a crash, and NotImplementedError is unsupported.
+        hello: what it can do.
+        seconds: that an answer may take.
+    """
+
+    def __init__(
+        self,
+        function: Function,
+        hello: Hello,
+        seconds: float = SECONDS,
+    ) -> None:
+        self._function, self._seconds = function, seconds
+        self.hello = hello
+
+    def ask(self, case: Case) -> Answer:
+        """Call the function on a case."""
+        arguments = self._points(case.directrix_ring), self._points(case.generatrix_ring)
+        (reference,) = self._points([case.reference])
+        began = time.monotonic()
+        try:
+            result = self._function(*arguments, reference)
+        except NotImplementedError as error:
+            return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
+        except Exception as error:  # it may fail in any way, and that is its answer
+            reason = cut(f"{type(error).__name__}: {error}")
+            seconds = time.monotonic() - began
+            return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds)
+        seconds = time.monotonic() - began
+        if seconds > self._seconds:
+            reason = f"no answer within {self._seconds:g} s"
+            return Answer(verdict=Verdict.TIMEOUT, reason=reason, seconds=seconds)
+        if not isinstance(result, Mapping):
+            reason = f"returns {type(result).__name__}, not a mapping"
+            return Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=seconds)
+        return answered({**result, "id": case.id})._replace(seconds=seconds)
+
+    def close(self) -> str | None:
+        """Do nothing."""
+        return None
+
+    def _points(self, points: Sequence[Point]) -> list[Any]:
+        numbers = self.hello.numbers
+        return [(as_numbers(x, numbers), as_numbers(y, numbers)) for x, y in points]

@@ -1,0 +1,127 @@
+"""An implementation that is a process and speaks the protocol."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.channel import Channel, ClosedError, LongLineError, SilentError
+from exactsweep.conform.run.peer import SECONDS, Answer, answered, cut
+from exactsweep.conform.run.protocol import (
+    BYE,
+    MAX_LINE,
+    Hello,
+    ProtocolError,
+    case_line,
+    read_hello,
+    read_object,
+)
+from exactsweep.corpus import Case
+from exactsweep.formats.exact_json import described
+from exactsweep.geometry.number import quoted
+
+TO_START = 30.0
+"""Seconds that an implementation may take to say hello."""
+TO_END = 2.0
+"""Seconds that it may take to end after bye."""
+
+
+class ProcessPeer:
+    """A process that speaks the protocol; started anew after everything that goes wrong.
+
+    Args:
+        command: the program and its arguments.
+        seconds: that an answer may take.
+        to_start: seconds that it may take to say hello.
+
+    Raises:
+        ProtocolError: it cannot be started, or says no hello.
+    """
+
+    def __init__(
+        self, command: Sequence[str], seconds: float = SECONDS, to_start: float = TO_START
+    ) -> None:
+        self._command, self._seconds, self._to_start = command, seconds, to_start
+        self._channel: Channel | None = None
+        self.hello = self._start()
+
+    def ask(self, case: Case) -> Answer:
+        """Put a case to it."""
+        try:
+            self._restart()
+        except ProtocolError as error:
+            return Answer(verdict=Verdict.CRASH, reason=f"did not start again: {error}")
+        assert self._channel is not None
+        began = time.monotonic()
+        answer = self._asked(self._channel, case)
+        return answer._replace(seconds=time.monotonic() - began)
+
+    def close(self) -> str | None:
+        """Say bye, wait for its end, kill it if need be."""
+        channel, self._channel = self._channel, None
+        if channel is None:
+            return None
+        channel.send(BYE)
+        complaint = channel.finish(TO_END)
+        return complaint and _with_last_words(complaint, channel)
+
+    def kill(self) -> None:
+        """End it and all that it started, at once."""
+        if self._channel is not None:
+            self._channel.kill()
+            self._channel = None
+
+    def _asked(self, channel: Channel, case: Case) -> Answer:
+        rings = case.directrix_ring, case.generatrix_ring
+        channel.send(case_line(case.id, case.kind, *rings, case.reference, self.hello.numbers))
+        try:
+            result = read_object(channel.receive(self._seconds))
+            if result.get("id") != case.id:
+                raise ProtocolError(f"answers {described(result.get('id'))}, which was not asked")
+            return answered(result)
+        except SilentError:
+            verdict, reason = Verdict.TIMEOUT, f"no answer within {self._seconds:g} s"
+        except ClosedError as error:
+            verdict, reason = Verdict.CRASH, str(error)
+        except LongLineError:
+            verdict, reason = Verdict.MALFORMED, f"a line of more than {MAX_LINE} bytes"
+        except ProtocolError as error:
+            verdict, reason = Verdict.MALFORMED, str(error)
+        self.kill()
+        return Answer(verdict=verdict, reason=reason, stderr=channel.stderr)
+
+    def _restart(self) -> None:
+        if self._channel is None:
+            hello = self._start()
+            if hello != self.hello:
+                self.kill()
+                raise ProtocolError("its hello is another one than before")
+
+    def _start(self) -> Hello:
+        try:
+            channel = self._channel = Channel(self._command)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or error
+            raise ProtocolError(f"{quoted(self._command[0])} does not start: {reason}") from None
+        try:
+            return read_hello(channel.receive(self._to_start))
+        except (KeyboardInterrupt, SystemExit):
+            self.kill()
+            raise
+        except SilentError:
+            reason = f"no hello within {self._to_start:g} s"
+        except ClosedError as error:
+            reason = f"no hello: {error}"
+        except LongLineError:
+            reason = f"no hello, but a line of more than {MAX_LINE} bytes"
+        except ProtocolError as error:
+            reason = str(error)
+        self.kill()
+        raise ProtocolError(_with_last_words(reason, channel))
+
+
+def _with_last_words(reason: str, channel: Channel) -> str:
+    """A reason, and the last line that the process wrote to standard error, if any."""
+    said = channel.stderr.strip().splitlines()
+    return f"{reason}; it says: {cut(said[-1])}" if said else reason

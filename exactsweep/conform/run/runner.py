@@ -1,0 +1,126 @@
+"""The runner: cases in, outcomes out, kept as they come."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.cases import distinct
+from exactsweep.conform.run.journal import Journal
+from exactsweep.conform.run.outcome import Outcome, digest, judged, smaller
+from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
+from exactsweep.conform.run.pool import JudgeError, Pool
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.run import ACCEPTED, Run
+from exactsweep.corpus import Case
+
+TO_MAKE_SMALLER = 20.0
+"""Seconds that may be spent on one failure to find a smaller one like it."""
+
+
+def conduct(
+    run: Run,
+    pool: Pool,
+    cases: Iterable[Case],
+    *,
+    journal: Journal | None = None,
+    tell: Callable[[Outcome], None] = lambda outcome: None,
+    made_smaller: int = 0,
+) -> None:
+    """Put cases to an implementation and collect the outcomes.
+
+    What is in the journal already is not asked again. Ctrl-C ends the run early, and so does a
+    case that cannot be judged; the outcomes so far are kept.
+
+    Args:
+        run: where the outcomes go.
+        pool: the implementation.
+        cases: the cases.
+        journal: where each outcome is written as it comes.
+        tell: is told each outcome.
+        made_smaller: of how many failures with each verdict a smaller one is looked for.
+    """
+
+    def new(cases: Iterable[Case]) -> Iterator[Case]:
+        for case in cases:
+            old = journal and journal.done.get(digest(case))
+            if old:
+                run.add(old)
+                tell(old)
+            else:
+                yield case
+
+    try:
+        for outcome in pool.judge(new(cases)):
+            if journal:
+                journal.add(outcome)
+            run.add(outcome)
+            tell(outcome)
+        for id, smallest in pool.smaller(run.to_be_smaller(made_smaller), TO_MAKE_SMALLER):
+            run.add_smaller(id, smallest)
+        pool.finish()
+        run.complaints += pool.complaints
+    except JudgeError as error:
+        run.complaints.append(str(error))
+        run.interrupted = True
+    except KeyboardInterrupt:
+        run.interrupted = True
+
+
+def conform(
+    function: Function,
+    cases: Iterable[Case],
+    *,
+    name: str,
+    loops: Iterable[str] = ("trajectory",),
+    numbers: str = "rational",
+    reference: str = "given",
+    seconds: float = SECONDS,
+    accepted: Verdict = ACCEPTED,
+    made_smaller: int = 0,
+) -> Run:
+    """Judge a Python function by exact answers, in this process.
+
+    Args:
+        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
+            integer numbers, float for "binary64", else Fraction. It returns what an answer of the
+            protocol holds, without the id; coordinates may be any numbers that `to_fraction`
+            reads. What it raises is a crash, and NotImplementedError is unsupported.
+        cases: the cases.
+        name: of the implementation.
+        loops: what it answers, of "trajectory", "inner", "outer".
+        numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
+        reference: "given", "origin" or "first", as for `Hello`.
+        seconds: that an answer may take. A function cannot be stopped: an answer that comes too
+            late is a timeout when it comes.
+        accepted: the worst verdict that passes; Verdict.EQUIVALENT makes exact fits count, too.
+        made_smaller: of how many failures with each verdict a smaller one is looked for.
+
+    Returns:
+        A Run; `exactsweep.conform.report.html`, `junit` and `table` write it for people and for CI.
+
+    Raises:
+        ProtocolError: the loops, numbers or reference are none of those.
+        SelectionError: two cases have the same id.
+
+    Cost: for each case that of the function and of `compare`, and O(m + n) besides.
+
+    Example:
+        >>> from exactsweep import no_fit_polygon
+        >>> from exactsweep.corpus import Case
+        >>> def mine(directrix, generatrix, reference):
+        ...     return {"trajectory": no_fit_polygon(directrix, generatrix).vertices}
+        >>> triangle = Case.of("t", "", [(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)], (1, 0))
+        >>> conform(mine, [triangle], name="mine", reference="origin").passed
+        True
+        >>> run = conform(mine, [triangle], name="mine", made_smaller=1)
+        >>> run.passed, run.outcomes[0].verdict.value, run.shrunk["t"].case["reference"]
+        (False, 'wrong', ['1', '0'])
+    """
+    peer = CallablePeer(function, Hello.of(name, loops, numbers, reference), seconds)
+    run = Run(peer.hello, accepted=accepted)
+    for case in distinct(cases):
+        run.add(judged(peer, case))
+    for outcome in run.to_be_smaller(made_smaller):
+        run.add_smaller(outcome.id, smaller(peer, outcome, TO_MAKE_SMALLER))
+    return run

@@ -1,0 +1,108 @@
+"""Answers from a pipe: `gen | implementation | exactsweep judge`.
+
+In a pipe nobody puts the cases in the terms of the implementation: it reads them as they were
+written, with rationals, but is free to refer its trajectory to another reference point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import BinaryIO
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.outcome import Outcome, outcome_of
+from exactsweep.conform.run.peer import Answer, answered
+from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, asked, read_hello, read_object
+from exactsweep.conform.run.worker import outcome_in_time
+from exactsweep.corpus import Case, UnknownNameError
+from exactsweep.formats.exact_json import described
+from exactsweep.geometry.number import quoted
+
+_MOST_COMPLAINTS = 20
+
+
+class Stream:
+    """What an implementation wrote: a hello, then answers, a line each.
+
+    Args:
+        file: where it is read from.
+
+    Attributes:
+        hello: what the implementation says of itself.
+        complaints: list of lines on what was no answer to any case, or could not be judged; the
+            first of them.
+
+    Raises:
+        ProtocolError: the first line is no hello.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._lines = _lines(file)
+        self.complaints: list[str] = []
+        try:
+            _, line = next(self._lines)
+        except StopIteration:
+            raise ProtocolError("no hello: the input is empty") from None
+        self.hello = read_hello(line)
+        self._seen: set[str] = set()
+
+    def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
+        """Judge the answers as they come; in the main thread only.
+
+        Args:
+            find: gives the case of an id, or raises UnknownNameError.
+
+        Returns:
+            An iterator of Outcome.
+        """
+        terms = replace(self.hello, numbers="rational")
+        for number, line in self._lines:
+            try:
+                result = read_object(line)
+                case = self._case(result.get("id"), find)
+                put = asked(case, terms)
+                outcome = outcome_in_time(case, put, answered(result), self.hello.loops)
+            except ValueError as error:
+                if len(self.complaints) < _MOST_COMPLAINTS:
+                    self.complaints.append(f"line {number}: {error}")
+                continue
+            yield outcome
+
+    def unanswered(self, cases: Iterable[Case]) -> Iterator[Outcome]:
+        """Yield an outcome for each case that has no answer, once all answers have been read."""
+        answer = Answer(verdict=Verdict.CRASH, reason="no answer")
+        for case in cases:
+            if case.id not in self._seen:
+                yield outcome_of(case, case, answer, ())
+
+    def _case(self, id: object, find: Callable[[str], Case]) -> Case:
+        if not isinstance(id, str):
+            raise ProtocolError(f'"id" is {described(id)}, not the id of a case')
+        if id in self._seen:
+            raise ProtocolError(f"answers {quoted(id)} a second time")
+        case = find(id)
+        self._seen.add(id)
+        return case
+
+
+def finder(cases: Mapping[str, Case]) -> Callable[[str], Case]:
+    """Return a function that finds a case among some, by its id."""
+
+    def find(id: str) -> Case:
+        try:
+            return cases[id]
+        except KeyError:
+            raise UnknownNameError(f"no case {quoted(id)}") from None
+
+    return find
+
+
+def _lines(file: BinaryIO) -> Iterator[tuple[int, str]]:
+    """Yield lines with their numbers; of one that is too long, its start, which is no JSON."""
+    number = 0
+    while line := file.readline(MAX_LINE + 1):
+        number += 1
+        yield number, line.decode("utf-8", "replace").rstrip("\n")
+        while len(line) > MAX_LINE and not line.endswith(b"\n"):
+            line = file.readline(MAX_LINE + 1)

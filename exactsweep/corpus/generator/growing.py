@@ -1,0 +1,166 @@
+"""Named families of pairs on which the counts of the ledger are made.
+
+Each of those with a seed takes (m, n, seed), m and n even, and returns (generatrix with n vertices,
+directrix with m vertices), as lists of pairs of ints, counter-clockwise. Only `random.Random` is
+used, whose integers are the same everywhere.
+"""
+
+from __future__ import annotations
+
+from functools import cmp_to_key
+from itertools import accumulate
+from math import gcd
+from random import Random
+
+Pair = tuple[int, int]
+
+
+def _by_slope(first: Pair, second: Pair) -> int:
+    return first[1] * second[0] - first[0] * second[1]
+
+
+def convex(n: int, random: Random, size: int = 1000) -> list[Pair]:
+    """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites."""
+    edges: set[Pair] = set()
+    while len(edges) < n // 2:
+        x, y = random.randrange(1, size + 1), random.randrange(-size, size + 1)
+        if gcd(x, y) == 1:
+            edges.add((x, y))
+    ordered = sorted(edges, key=cmp_to_key(_by_slope))
+    ring = ordered + [(-x, -y) for x, y in ordered]
+    return list(accumulate(ring[:-1], lambda p, e: (p[0] + e[0], p[1] + e[1]), initial=(0, 0)))
+
+
+def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> list[Pair]:
+    """An X-monotone polygon of n vertices: two random chains on a regular grid of x."""
+    half = n // 2 - 1
+    bottom = [(step * k, random.randrange(-height, 0)) for k in range(1, half + 1)]
+    top = [(step * k, random.randrange(1, height + 1)) for k in range(1, half + 1)]
+    return [(0, 0), *bottom, (step * (half + 1), 0), *reversed(top)]
+
+
+def comb(m: int, width: int, depth: int) -> list[Pair]:
+    """An X-monotone polygon of m vertices with deep teeth, `width` apart, on both sides."""
+    half = m // 2 - 1
+    bottom = [(width * k, -depth if k % 2 else 0) for k in range(1, half + 1)]
+    top = [(x, 2 * depth - y) for x, y in bottom]
+    return [(0, depth), *bottom, (width * (half + 1), depth), *reversed(top)]
+
+
+def cc(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """Two convex polygons."""
+    random = Random(f"cc {m} {n} {seed}")
+    size = max(1000, 4 * max(m, n))
+    return convex(n, random, size), convex(m, random, size)
+
+
+def cm(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """A convex generatrix about as wide as five teeth of a random zigzag directrix."""
+    random = Random(f"cm {m} {n} {seed}")
+    generatrix = convex(n, random, 100)
+    step = max(1, max(x for x, _ in generatrix) // 5)
+    return generatrix, zigzag(m, random, step, 4 * step)
+
+
+def cm_hard(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """Teeth so deep that G turns wholly about each: a trajectory of Theta(m n) edges."""
+    random = Random(f"cm_hard {m} {n} {seed}")
+    generatrix = convex(n, random, 100)
+    width = max(x for x, _ in generatrix)
+    return generatrix, comb(m, width, 200 * width)
+
+
+def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """Teeth closer than G is wide, so that G rests on two: an inner loop of Theta(m n) edges."""
+    random = Random(f"cm_undercut {m} {n} {seed}")
+    generatrix = convex(n, random, 100)
+    width = max(x for x, _ in generatrix)
+    return generatrix, comb(m, max(1, 2 * width // 5), 200 * width)
+
+
+def mm(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """Two random zigzags of the same step."""
+    random = Random(f"mm {m} {n} {seed}")
+    return zigzag(n, random), zigzag(m, random)
+
+
+def figure10(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+    """The `bumps` that have m and n vertices (both even): an outer loop of Theta(m n^2) edges."""
+    n_t = 2 * (n // 4)
+    return bumps(m - 2, n_t, n - n_t)
+
+
+def needles(m: int, n: int) -> tuple[list[Pair], list[Pair]]:
+    """An inner loop of order m n^2: needles in D_b, nearly as far apart as G is wide.
+
+    D_b has about m / 3 needles under a high ceiling, and G_t is a zigzag of n / 2 peaks at
+    irregular distances. Near a needle the trajectory is the inverse of G_t, and so the inner
+    boundary is the greatest G_t(x + v) - G_t(v) over all v, with a corner for each pair of a peak
+    and a valley.
+    """
+    random = Random(f"needles {n}")
+    peaks = max(1, (n - 2) // 2)
+    unit = 4 * peaks * peaks
+    steps = [unit + random.randrange(unit) for _ in range(2 * peaks)]
+    xs = [0, *accumulate(steps)]
+    height = 3 * unit
+    top = [(4 * x, 4 * height * (k % 2)) for k, x in enumerate(xs)]
+    generatrix = [(0, 0), (2 * xs[-1], -4 * height), *top[:0:-1]]
+    apart, ceiling = 4 * xs[-1] - 2 * xs[1], 32 * height
+    directrix = []
+    for k in range(max(2, m // 3)):
+        x = k * apart
+        directrix += [(x - 1, ceiling), (x, 0), (x + 1, ceiling)]
+    return generatrix, [*directrix, (directrix[-1][0] // 2, ceiling + 1)]
+
+
+def rim(m: int, n: int) -> tuple[list[Pair], list[Pair]]:
+    """A bottom chain that G touches almost everywhere: about m / 2 edges, convex but for a notch.
+
+    G_t has n points under a lid, every other one a spike, and is too wide for the notch.
+    """
+    width = 10 * n
+    arc = [(3 * width + 4 * width * k, 20 * k * k) for k in range((m - 5) // 2 + 1)]
+    top = arc[-1][1] + 50
+    directrix = [(-x, y) for x, y in reversed(arc)] + [(0, 25 * n), *arc]
+    directrix += [(arc[-1][0], top), (-arc[-1][0], top)]
+    spikes = [(width - 10 * k - k * k % 7, 40 + 17 * k * k % 31 * (k % 2)) for k in range(n)]
+    return [(0, 0), (width, 0), *spikes], directrix
+
+
+def bumps(m_b: int, n_t: int, n_b: int) -> tuple[list[Pair], list[Pair]]:
+    """The pair of Figure 10: m_b / 2 teeth in D_b, n_t / 2 peaks in G_t, a round tip in G_b.
+
+    Each peak passes under each tooth at a place of its own, and every time G_b draws its tip, which
+    has n_b - 2 flat edges between steep flanks: the outer boundary of the lower sweep has
+    m_b n_t n_b / 4 + 4 edges, 16 for (2, 4, 6).  m_b, n_t and n_b are even.
+    """
+    flat = n_b - 2
+    pitch = 2 * flat + 2
+    half = n_t * pitch // 4
+    tooth, peak, flank = (flat + 1) * half, (flat + 2) * pitch // 2, (flat + 3) * (half - flat // 2)
+    bottom = [(half * k, -tooth if k % 2 else 0) for k in range(m_b + 1)]
+    directrix = [*bottom, (half * m_b // 2, tooth)]
+    tip = [(half - flat // 2, -flank)]
+    for k in range(flat):
+        tip.append((tip[-1][0] + 1, tip[-1][1] + 2 * k - flat + 1))
+    top = [(pitch * k // 2, peak if k % 2 else 0) for k in range(n_t, 0, -1)]
+    return [(0, 0), *tip, *top], directrix
+
+
+def edges_of_bumps(m_b: int, n_t: int, n_b: int) -> int:
+    """Edges of the outer boundary of `bumps`: the tips, their flanks, and two edges at each end.
+
+    >>> edges_of_bumps(2, 4, 6)
+    16
+    """
+    return m_b * n_t * n_b // 4 + 4
+
+
+def printed_count(m_b: int, n_t: int, n_b: int) -> int:
+    """The paper's formula for the same number.
+
+    >>> printed_count(2, 4, 6), printed_count(4, 4, 6)
+    (16, 26)
+    """
+    return m_b + n_t + (m_b // 2) * (n_t // 2) * (n_b - 2) + 2

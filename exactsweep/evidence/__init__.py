@@ -1,0 +1,1 @@
+"""Reasons for a sweep: contacts, undercuts, exact fits, and the certificate."""

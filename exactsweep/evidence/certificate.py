@@ -1,0 +1,106 @@
+"""Certificates: a sweep with the reasons for every edge of its loops, as plain JSON data.
+
+All numbers are strings, reduced rationals; all indices count the vertices as the certificate lists
+them, edge k running from vertex k to the next. The trajectory and the exact fits are positions of
+the reference point. What each list claims, and what has to be checked so that the claims together
+prove the sweep, is said in `exactsweep.check.verify`, which shares no code with this side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.trace import Trace
+from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+
+FORMAT = "exactsweep certificate"
+VERSION = 1
+
+
+class Answer(NamedTuple):
+    """What a certificate says of a sweep, and its reasons, features numbered in canonical order.
+
+    Attributes:
+        generatrix: G, a Polygon.
+        directrix: D, a Polygon.
+        kind: "CC", "CM" or "MM".
+        direction: the shared direction, a pair of ints.
+        reference: the point of G whose path the trajectory is.
+        trajectory, inner, outer: the loops, Polygons.
+        area: the swept area.
+        exact_fits: pairs of Point.
+        contacts: for each edge of the trajectory, its contacts.
+        inner_drawn, outer_drawn: for each edge of the loop, what draws it.
+    """
+
+    generatrix: Polygon
+    directrix: Polygon
+    kind: str
+    direction: Sequence[int]
+    reference: Point
+    trajectory: Polygon
+    inner: Polygon
+    outer: Polygon
+    area: Fraction
+    exact_fits: Sequence[Sequence[Point]]
+    contacts: Sequence[Sequence[Contact]]
+    inner_drawn: Sequence[Sequence[Trace]]
+    outer_drawn: Sequence[Sequence[Trace]]
+
+
+def write_certificate(answer: Answer) -> dict[str, Any]:
+    """Write the certificate of a sweep.
+
+    Args:
+        answer: the sweep and its reasons.
+
+    Returns:
+        A dict ready for `json.dump`: the input (`generatrix`, `directrix`, `reference`,
+        `direction`), the answer (`kind`, `trajectory`, `inner`, `outer`, `area`, `exact_fits`) and
+        its reasons: `contacts`, for each edge of the trajectory its contacts as [event, feature of
+        G, feature of D]; `inner_drawn` and `outer_drawn`, for each edge of the loop what draws it
+        as [[where on the trajectory], [feature of G]].
+
+    Cost: linear in the size of the answer.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> proof = sweep(square, square).certificate()
+        >>> proof["contacts"][0], proof["outer_drawn"][0]
+        ([['EE', 2, 0]], [[['edge', 0], ['edge', 0]]])
+    """
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "generatrix": _points(answer.generatrix.vertices),
+        "directrix": _points(answer.directrix.vertices),
+        "kind": answer.kind,
+        "direction": list(answer.direction),
+        "reference": _point(answer.reference),
+        "trajectory": _points(answer.trajectory.vertices),
+        "inner": _points(answer.inner.vertices),
+        "outer": _points(answer.outer.vertices),
+        "area": format_fraction(answer.area),
+        "exact_fits": [_points(fit) for fit in answer.exact_fits],
+        "contacts": [[list(c) for c in found] for found in answer.contacts],
+        "inner_drawn": _drawn(answer.inner_drawn),
+        "outer_drawn": _drawn(answer.outer_drawn),
+    }
+
+
+def _drawn(edges: Sequence[Sequence[Trace]]) -> list[list[list[list[str | int]]]]:
+    return [[[list(place), list(feature)] for place, feature in drawn] for drawn in edges]
+
+
+def _points(points: Sequence[Point]) -> list[list[str]]:
+    return [_point(point) for point in points]
+
+
+def _point(point: Iterable[Any]) -> list[str]:
+    return [format_fraction(c) for c in point]

@@ -1,0 +1,235 @@
+"""Contact events: which features of G and D touch (Table 1, Lemma A.1).
+
+An edge of the trajectory is a piece of the segment of translations at which two features touch:
+EV (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
+edges): d - e. Every pair whose segment shares a piece with the edge is a contact there, since all
+of the trajectory is free of overlap. All pairs that can touch without overlap (see `facing`) are
+found by looking up lines, without regard to how the trajectory was computed.
+
+An edge e touches a vertex v from outside only if both edges at v run on the other side of the line
+through e: v is convex, and e reversed has its place between them in the order of directions. For
+two convex polygons that leaves one vertex for each edge, or two where edges are parallel.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from math import lcm
+from typing import Any, Literal, NamedTuple
+
+from exactsweep.geometry.direction import Vector, angle_key
+from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.geometry.segment import Segment, direction_of, segment
+
+Event = Literal["EE", "EV", "VE", "VV"]
+
+
+class Contact(NamedTuple):
+    """Two features that touch.
+
+    Attributes:
+        event: "EV", "VE", "EE" or "VV", the feature of the generatrix first (Table 1).
+        generatrix: index of the vertex of G, or of the edge of G by its first vertex.
+        directrix: the same for D.
+    """
+
+    event: Event
+    generatrix: int
+    directrix: int
+
+
+def edges_of(loop: Sequence[Vertex]) -> list[Edge]:
+    """The edges of a loop, edge k from vertex k to vertex k + 1."""
+    return list(pairwise([*loop, loop[0]]))
+
+
+def edge_contacts(
+    trajectory: Sequence[Vertex], generatrix: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> list[list[Contact]]:
+    """Find all contacts along each edge of a trajectory.
+
+    Args:
+        trajectory: canonical loop of the translations.
+        generatrix: canonical loop of G.
+        directrix: canonical loop of D.
+
+    Returns:
+        For each edge of the trajectory the sorted contacts that last for a piece of positive
+        length of it. An EV or VE that is part of an EE contact is not listed beside it.
+
+    Cost: O(t + (m + n) log(m + n)) for t edges, and a look-up for each pair that can touch without
+    overlap: O(m + n) pairs for convex polygons, O(m n) for any.
+    """
+    lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
+    for k, edge in enumerate(edges_of(trajectory)):
+        piece = segment(edge)
+        lines[piece.direction, piece.offset].append((piece, k))
+    found: list[set[Contact]] = [set() for _ in trajectory]
+
+    def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
+        touching = segment((first, last))
+        for piece, k in lines.get((touching.direction, touching.offset), ()):
+            if touching.shares_piece(piece):
+                found[k].add(Contact(event, i, j))
+
+    directions = {direction for direction, _ in lines}
+    g_edges, d_edges = (
+        {k: edge for k, edge in enumerate(edges_of(loop)) if direction_of(edge) in directions}
+        for loop in (generatrix, directrix)
+    )
+    parallel: defaultdict[Vector, list[int]] = defaultdict(list)
+    for j, edge in d_edges.items():
+        parallel[direction_of(edge)].append(j)
+    for i, (p, q) in g_edges.items():
+        for j in parallel[direction_of((p, q))]:
+            r, s = d_edges[j]
+            # Both run with D and G on their left, so that facing edges run opposite ways.
+            if (p < q) != (r < s):
+                note("EE", i, j, minus(r, p), minus(s, q))
+    for i, j in facing(g_edges, directrix):
+        (p, q), v = g_edges[i], directrix[j]
+        note("EV", i, j, minus(v, p), minus(v, q))
+    for j, i in facing(d_edges, generatrix):
+        (r, s), w = d_edges[j], generatrix[i]
+        note("VE", i, j, minus(r, w), minus(s, w))
+    return [sorted(_without_parts(c, len(generatrix), len(directrix))) for c in found]
+
+
+def _without_parts(contacts: set[Contact], n: int, m: int) -> set[Contact]:
+    """Leave out each EV and VE contact whose vertex is an end of an edge in an EE contact."""
+    implied = set()
+    for event, i, j in contacts:
+        if event == "EE":
+            implied |= {Contact("EV", i, j), Contact("EV", i, (j + 1) % m)}
+            implied |= {Contact("VE", i, j), Contact("VE", (i + 1) % n, j)}
+    return contacts - implied
+
+
+def minus(p: Vertex, q: Vertex) -> Vertex:
+    """The vector from q to p."""
+    return p[0] - q[0], p[1] - q[1]
+
+
+class Boundary:
+    """The boundary of an X-monotone polygon, for finding what lies at a point.
+
+    Args:
+        loop: vertices, counter-clockwise; the numbering of the features follows it.
+    """
+
+    def __init__(self, loop: Sequence[Vertex]) -> None:
+        self.loop = loop
+        self.vertices = {vertex: k for k, vertex in enumerate(loop)}
+        size = len(loop)
+        left, right = min(range(size), key=loop.__getitem__), max(range(size), key=loop.__getitem__)
+        self._chains = []
+        for start, end, sign in (left, right, 1), (right, left, -1):
+            numbers = [k % size for k in range(start, start + (end - start) % size + 1)]
+            self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
+
+    def scaled(self, factor: int) -> Boundary:
+        """The boundary, enlarged by a positive factor. Cost: O(n)."""
+        return Boundary([(factor * x, factor * y) for x, y in self.loop])
+
+    def edge(self, k: int) -> Edge:
+        """Edge k, from vertex k to the next."""
+        return self.loop[k], self.loop[(k + 1) % len(self.loop)]
+
+    def edges_through(self, point: Vertex) -> Iterator[int]:
+        """The numbers of the edges whose interior holds a point. Cost: O(log n)."""
+        for sign, xs, numbers in self._chains:
+            x = sign * point[0]
+            first = max(bisect_left(xs, x) - 1, 0)
+            for k in numbers[first : min(bisect_right(xs, x), len(xs) - 1)]:
+                p, q = self.edge(k)
+                (px, py), (qx, qy), (tx, ty) = p, q, point
+                if (qx - px) * (ty - py) == (qy - py) * (tx - px) and (
+                    min(p, q) < point < max(p, q)
+                ):
+                    yield k
+
+
+def contacts_at(generatrix: Boundary, directrix: Boundary, t: Vertex) -> list[Contact]:
+    """Find all contacts of G + t with D, VV among them.
+
+    Args:
+        generatrix: the boundary of G, X-monotone.
+        directrix: the boundary of D, likewise.
+        t: a translation.
+
+    Returns:
+        Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
+        that overlap in positive length.
+
+    Cost: O((m + n) log(m + n)).
+    """
+    scale = lcm(t[0].denominator, t[1].denominator)
+    if scale > 1:
+        # On a lattice that holds the translation too, all is ints: ten times as fast.
+        generatrix, directrix = generatrix.scaled(scale), directrix.scaled(scale)
+    t = int(scale * t[0]), int(scale * t[1])
+    found: set[Contact] = set()
+    n, m = len(generatrix.loop), len(directrix.loop)
+    for i, w in enumerate(generatrix.loop):
+        point = w[0] + t[0], w[1] + t[1]
+        j = directrix.vertices.get(point)
+        if j is not None:
+            found.add(Contact("VV", i, j))
+        else:
+            found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
+    for j, v in enumerate(directrix.loop):
+        found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
+    # Edges that overlap have an end of one on the other: a contact of the kinds found.
+    for event, i, j in list(found):
+        own = [i] if event == "EV" else [i, (i - 1) % n]
+        others = [j] if event == "VE" else [j, (j - 1) % m]
+        for e in own:
+            piece = segment(generatrix.edge(e))
+            for d in others:
+                other = segment(directrix.edge(d))
+                if piece.direction != other.direction:
+                    continue
+                moved = piece.moved(t)
+                if moved.offset == other.offset and moved.shares_piece(other):
+                    found.add(Contact("EE", e, d))
+    return sorted(found)
+
+
+def facing(edges: Mapping[int, Edge], loop: Sequence[Vertex]) -> Iterator[tuple[int, int]]:
+    """Pairs of an edge and a vertex that can touch without overlap.
+
+    Args:
+        edges: edges of a polygon that has its interior on their left, by number.
+        loop: the other polygon, counter-clockwise, no three neighbours collinear.
+
+    Returns:
+        (number of the edge, index of the vertex).
+
+    Cost: O((m + n) log n + pairs) for n edges and m vertices.
+
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> sorted(facing({0: ((0, 0), (1, 0)), 1: ((1, 0), (0, 1))}, square))
+    [(0, 2), (0, 3), (1, 0)]
+    """
+    order = sorted((_angle((q, p)), i) for i, (p, q) in edges.items())
+    angles = [angle for angle, _ in order]
+    size = len(loop)
+    for j, v in enumerate(loop):
+        before, after = loop[j - 1], loop[(j + 1) % size]
+        if (v[0] - before[0]) * (after[1] - v[1]) <= (v[1] - before[1]) * (after[0] - v[0]):
+            continue
+        first, last = _angle((before, v)), _angle((v, after))
+        start, end = bisect_left(angles, first), bisect_right(angles, last)
+        found = order[start:end] if first <= last else order[start:] + order[:end]
+        for _, i in found:
+            yield i, j
+
+
+def _angle(edge: Edge) -> tuple[bool, Any]:
+    """A key that orders directed edges by angle, from -90 degrees, exclusive, all round."""
+    (px, py), (qx, qy) = edge
+    backward = qx < px or (qx == px and qy < py)
+    return backward, angle_key(direction_of(edge))

@@ -1,0 +1,102 @@
+"""Exact fits: slots of D exactly as wide as G.
+
+There G touches D without overlap, but no neighbourhood of free translations holds the position:
+the boundary of the no-fit polygon, a regular set, does not show it (Definition 1.1 asks only for
+contact and for disjoint interiors). From below, at x0, the heights are
+
+    max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
+
+G is held from both sides only where two pairs of discontinuities coincide in x0, one of D and one
+of G each: a vertical edge, or an end of the polygon. All fits are segments of positive length.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Sequence
+from itertools import pairwise
+
+from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.procedures.chain import graph_edges
+from exactsweep.procedures.envelope import Envelope, point_on
+
+
+def exact_fits(
+    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope
+) -> list[tuple[Vertex, Vertex]]:
+    """Find the exact fits of G_t from below in D_b.
+
+    Args:
+        generatrix: G_t, points from right to left.
+        directrix: D_b, points from left to right.
+        trajectory: T(G_t, D_b).
+
+    Returns:
+        Pairs (the end that hangs on the trajectory, the end inside the slot), by x.
+
+    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m), n,
+    and the edges of D_b over G.
+
+    Example:
+        >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
+        >>> lid = [(1, 0), (0, 0)]
+        >>> from exactsweep.procedures.cm import trajectory_cm
+        >>> exact_fits(lid, slot, trajectory_cm(lid, slot))
+        [((1, 0), (1, 2))]
+    """
+    meetings = Counter(
+        d - g for d in _discontinuities(directrix) for g in _discontinuities(generatrix)
+    )
+    (start, _), (end, _) = trajectory.breaks[0], trajectory.breaks[-1]
+    top, bottom = graph_edges(generatrix[::-1]), graph_edges(directrix)
+    fits: list[tuple[Vertex, Vertex]] = []
+    for x, count in sorted(meetings.items()):
+        if count < 2 or not start < x < end:
+            continue
+        at = x, 1
+        hanging = max(
+            point_on(trajectory.edges[trajectory.edge_before(at)], at)[1],
+            point_on(trajectory.edges[trajectory.edge_after(at)], at)[1],
+        )
+        limit = _least_gap(top, bottom, x)
+        if limit > hanging:
+            fits.append(((x, hanging), (x, limit)))
+    return fits
+
+
+def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
+    """Where a chain, as a function of x, jumps or ends."""
+    ends = {chain[0][0], chain[-1][0]}
+    return ends | {p[0] for p, q in pairwise(chain) if p[0] == q[0]}
+
+
+def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
+    """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
+
+    Cost: O(log m + n + edges of D_b over G).
+    """
+    least: Rational | None = None
+    i, j = 0, bisect_right(bottom, top[0][0][0] + shift, key=_right)
+    while i < len(top) and j < len(bottom):
+        (gp, gq), (dp, dq) = top[i], bottom[j]
+        low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
+        if low < high:
+            for x in low, high:
+                gap = _value(bottom[j], x) - _value(top[i], x - shift)
+                least = gap if least is None else min(least, gap)
+        if gq[0] + shift == high:
+            i += 1
+        if dq[0] == high:
+            j += 1
+    if least is None:
+        raise ValueError("the polygons have no common x-range at this translation")
+    return least
+
+
+def _right(edge: Edge) -> Rational:
+    return edge[1][0]
+
+
+def _value(edge: Edge, x: Rational) -> Rational:
+    return point_on(edge, (x, 1))[1]

@@ -1,0 +1,296 @@
+"""The sweep as a story: step by step in the order of travel, what touches and why it ends.
+
+A step is an edge of the trajectory, walked counter-clockwise, so that D is on the left. At its end
+G turns left or right, and the turn tells the reason:
+
+- left, at a corner: a vertex of G is on a vertex of D. Straight on, G would part from D; it turns
+  as Lemma 3.1 says, onto the next edge of D or of G by slope.
+- right, at a stop: straight on, G would overlap D at one or several contacts, and new ones they
+  are, since those of the step let G slide on.
+- right, though nothing stops it: straight on leads into an exact fit.
+
+A contact stops G if G cannot move on through it, however little, without overlap. Near a contact
+both polygons are cones, a half-plane at the inside of an edge. Moved by a short step, G overlaps D
+there exactly when the step lies in the sum of D's open cone and of G's turned by half a turn. A
+step along an edge in contact is on the boundary of that sum, and so allowed.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from exactsweep.evidence.contact import Boundary, Contact, contacts_at, edges_of, minus
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.point import Edge, Point, Rational, Vertex
+from exactsweep.geometry.segment import direction_of
+
+if TYPE_CHECKING:
+    from exactsweep.evidence.swept import Swept
+
+Half = Literal["lower", "right", "upper", "left"]
+Mark = Literal["undercut", "undercut opens", "undercut closes", "exact fit"]
+Ending = Literal["corner", "stop", "exact fit"]
+
+
+class Touch(NamedTuple):
+    """A contact, and the piece of the step along which it lasts, in the order of travel."""
+
+    contact: Contact
+    start: Point
+    end: Point
+
+
+class Landmark(NamedTuple):
+    """Something that G passes on its way.
+
+    Attributes:
+        mark: "undercut" where G closes all of one in one position, "undercut opens" and "undercut
+            closes" at the first and at the last of several, "exact fit" where one hangs.
+        number: index in `Sweep.undercuts` or `Sweep.exact_fits`.
+        position: Point on the step, its start excluded.
+    """
+
+    mark: Mark
+    number: int
+    position: Point
+
+
+class Step(NamedTuple):
+    """An edge of the trajectory.
+
+    Attributes:
+        start: position of the reference point, a Point.
+        end: likewise.
+        direction: primitive integer vector from start to end.
+        half: "lower" for the sweep (G_t, D_b), "upper" for (G_b, D_t), and "right" or "left" for
+            a wall between the two; as seen with the shared direction pointing to the right.
+        touches: tuple of Touch, by their start.
+        landmarks: tuple of Landmark in the order of travel.
+        ending: "corner", "stop" or "exact fit", why the step ends.
+        reasons: tuple of Contact, features as the caller gave them: at a corner the vertices that
+            meet, at a stop the contacts that stop G; empty before an exact fit.
+    """
+
+    start: Point
+    end: Point
+    direction: Vector
+    half: Half
+    touches: tuple[Touch, ...]
+    landmarks: tuple[Landmark, ...]
+    ending: Ending
+    reasons: tuple[Contact, ...]
+
+
+def explain(s: Swept) -> tuple[Step, ...]:
+    """Tell a sweep in the order of travel, once round from the first vertex of the trajectory.
+
+    Returns:
+        tuple of Step, in step with `s.contacts`.
+
+    Cost: O(m n + t) look-ups for t edges of the trajectory, and O((m + n) log(m + n)) for each
+    of its right turns.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        >>> step = explain(sweep(square, slot))[2]
+        >>> step.direction, [touch.contact.event for touch in step.touches], step.ending
+        ((-1, 0), ['EE', 'EE'], 'corner')
+        >>> [mark.mark for mark in step.landmarks]
+        ['undercut', 'exact fit']
+    """
+    return _Guide(s).steps()
+
+
+class _Guide:
+    """What is needed to tell a sweep; coordinates are those of its frame, the lattice turned."""
+
+    def __init__(self, s: Swept) -> None:
+        self.sweep = s
+        self.generatrix, self.directrix = s._boundaries
+        self.path = Boundary(s._frame.turned(s._translations))
+        loop = self.path.loop
+        self.first = min(range(len(loop)), key=loop.__getitem__)
+
+    def steps(self) -> tuple[Step, ...]:
+        s = self.sweep
+        edges = edges_of(self.path.loop)
+        landmarks = self._landmarks()
+        halves = self._halves()
+        found = []
+        positions = s.trajectory.vertices
+        for k, (edge, following) in enumerate(zip(edges, edges[1:] + edges[:1], strict=True)):
+            pieces = [(c, self._piece(c, edge)) for c in s._numbered_contacts[k]]
+            pieces.sort(key=lambda piece: _progress(edge, piece[1][0]))
+            ending, reasons = self._ending(edge, following, s._numbered_contacts[k])
+            found.append(
+                Step(
+                    positions[k],
+                    positions[(k + 1) % len(positions)],
+                    _direction(positions[k], positions[(k + 1) % len(positions)]),
+                    halves[k],
+                    tuple(
+                        Touch(s._as_given(c), *s._frame.leave(piece, s.reference))
+                        for c, piece in pieces
+                    ),
+                    tuple(landmarks[k]),
+                    ending,
+                    tuple(sorted(map(s._as_given, reasons))),
+                )
+            )
+        return tuple(found)
+
+    def _piece(self, contact: Contact, edge: Edge) -> Edge:
+        """The piece of an edge of the trajectory along which a contact lasts."""
+        event, i, j = contact
+        g, d = self.generatrix, self.directrix
+        if event == "EV":
+            (p, q), v = g.edge(i), d.loop[j]
+            ends = minus(v, p), minus(v, q)
+        elif event == "VE":
+            w, (p, q) = g.loop[i], d.edge(j)
+            ends = minus(p, w), minus(q, w)
+        else:
+            (p, q), (v, w) = g.edge(i), d.edge(j)
+            ends = minus(v, p), minus(w, q)
+
+        def progress(point: Vertex) -> Rational:
+            return _progress(edge, point)
+
+        low, high = sorted(ends, key=progress)
+        return max(edge[0], low, key=progress), min(edge[1], high, key=progress)
+
+    def _ending(
+        self, edge: Edge, following: Edge, contacts: Sequence[Contact]
+    ) -> tuple[Ending, list[Contact]]:
+        step, turned = minus(edge[1], edge[0]), minus(following[1], following[0])
+        if step[0] * turned[1] > step[1] * turned[0]:
+            return "corner", self._meeting(edge[1], contacts)
+        g, d = self.generatrix, self.directrix
+        stops = [c for c in contacts_at(g, d, edge[1]) if blocks(c, step, g.loop, d.loop)]
+        return ("stop", stops) if stops else ("exact fit", [])
+
+    def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
+        """The vertices, of features in contact on the way there, that meet at a translation."""
+        g, d = self.generatrix.loop, self.directrix.loop
+        found = set()
+        for event, i, j in contacts:
+            for a in (i, (i + 1) % len(g)) if event[0] == "E" else (i,):
+                for b in (j, (j + 1) % len(d)) if event[1] == "E" else (j,):
+                    if minus(d[b], g[a]) == t:
+                        found.add(Contact("VV", a, b))
+        return list(found)
+
+    def _landmarks(self) -> defaultdict[int, list[Landmark]]:
+        """The landmarks on each edge of the trajectory."""
+        placed: list[tuple[tuple[int, Rational], Landmark]] = []
+
+        def place(mark: Mark, number: int, position: Point) -> None:
+            placed.append((self._place(position), Landmark(mark, number, position)))
+
+        for number, undercut in enumerate(self.sweep.undercuts):
+            positions = sorted(undercut.positions, key=self._place)
+            if len(positions) == 1:
+                place("undercut", number, positions[0])
+            else:
+                place("undercut opens", number, positions[0])
+                place("undercut closes", number, positions[-1])
+        for number, (hanging, _) in enumerate(self.sweep.exact_fits):
+            place("exact fit", number, hanging)
+        placed.sort(key=lambda item: item[0])
+        found: defaultdict[int, list[Landmark]] = defaultdict(list)
+        size = len(self.path.loop)
+        for (k, _), landmark in placed:
+            found[(k + self.first) % size].append(landmark)
+        return found
+
+    def _place(self, position: Point) -> tuple[int, Rational]:
+        """Where a position lies on the trajectory, from its first vertex in the frame.
+
+        Counted from there, so that no undercut, of the lower or the upper sweep, spans the start.
+        """
+        frame = self.sweep._frame
+        (point,) = frame.turned(frame.raised([position], self.sweep.reference))
+        vertex = self.path.vertices.get(point)
+        k = next(self.path.edges_through(point)) if vertex is None else vertex - 1
+        return (k - self.first) % len(self.path.loop), _progress(self.path.edge(k), point)
+
+    def _halves(self) -> list[Half]:
+        loop = self.path.loop
+        size, left, right = len(loop), loop[self.first][0], max(loop)[0]
+        halves: list[Half] = ["upper"] * size
+        for k in range(self.first, self.first + size):
+            if loop[k % size][0] == right:
+                break
+            halves[k % size] = "lower"
+        for k, (p, q) in enumerate(edges_of(loop)):
+            if p[0] == q[0] and p[0] in (left, right):
+                halves[k] = "left" if p[0] == left else "right"
+        return halves
+
+
+def _progress(edge: Edge, point: Vertex) -> Rational:
+    """A coordinate along an edge that grows in its direction."""
+    (px, py), (qx, qy) = edge
+    if px != qx:
+        return point[0] if px < qx else -point[0]
+    return point[1] if py < qy else -point[1]
+
+
+def _direction(start: Point, end: Point) -> Vector:
+    p, q = direction_of((start, end))
+    return (p, q) if _progress(((0, 0), (p, q)), minus(end, start)) > 0 else (-p, -q)
+
+
+def blocks(
+    contact: Contact, step: Vertex, generatrix: Sequence[Vertex], directrix: Sequence[Vertex]
+) -> bool:
+    """Whether G overlaps D at a contact after any short enough move.
+
+    Args:
+        contact: of G, where it is now, with D; they do not overlap.
+        step: the direction of the move, a vector.
+        generatrix: loop of G, counter-clockwise, by which its features are numbered.
+        directrix: loop of D, likewise.
+
+    Cost: O(1).
+
+    Example:
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> on_top = Contact("EE", 0, 2)
+        >>> [blocks(on_top, step, square, square) for step in [(1, 0), (1, 1), (1, -1)]]
+        [False, False, True]
+    """
+    event, i, j = contact
+    if event == "EV":
+        _, forward = _rays(generatrix, i)
+        return _cross(forward, step) < 0
+    if event != "VV":
+        _, forward = _rays(directrix, j)
+        return _cross(forward, step) > 0
+    g_back, g_forward = _rays(generatrix, i)
+    d_back, d_forward = _rays(directrix, j)
+    back = minus((0, 0), step)
+    # In a reflex corner, the other polygon can only move as its free cone, convex, allows.
+    if _cross(d_forward, d_back) < 0:
+        return _cross(d_back, step) < 0 or _cross(step, d_forward) < 0
+    if _cross(g_forward, g_back) < 0:
+        return _cross(g_back, back) < 0 or _cross(back, g_forward) < 0
+    # Two convex cones without overlap: their sum is convex, at most a half-plane.
+    rays = [d_forward, d_back, minus((0, 0), g_forward), minus((0, 0), g_back)]
+    first = next(r for r in rays if all(_cross(r, other) >= 0 for other in rays))
+    last = next(r for r in rays if all(_cross(r, other) <= 0 for other in rays))
+    return _cross(first, step) > 0 and _cross(step, last) > 0
+
+
+def _rays(loop: Sequence[Vertex], k: int) -> tuple[Vertex, Vertex]:
+    """From vertex k, the ways to the previous and to the next vertex."""
+    here = loop[k]
+    return minus(loop[k - 1], here), minus(loop[(k + 1) % len(loop)], here)
+
+
+def _cross(p: Vertex, q: Vertex) -> Rational:
+    return p[0] * q[1] - p[1] * q[0]

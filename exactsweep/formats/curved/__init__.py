@@ -1,0 +1,1 @@
+"""SVG and DXF: outlines with curves and transformations."""

@@ -1,0 +1,303 @@
+"""Directions to which polygons are monotone, and the shared one that a sweep is turned to.
+
+Section 2 takes the X axis for the shared direction "without loss of generality". A polygon is
+monotone to u when every line perpendicular to u meets it in one piece: its edges, walked once
+round, then go forward along u in one run and backward in one run. It is strictly monotone when
+no edge is perpendicular to u. Whether it is can change only where u is perpendicular to an edge,
+so that all directions are found by one turn of u.
+
+A sweep commutes with every invertible linear map: turning u to the X axis by the integer matrix
+[u; u_perp] needs no square root, and the loops do not depend on which shared u is taken.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cmp_to_key
+from itertools import groupby
+from math import gcd
+from operator import ne, sub
+
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.polygon import Polygon
+
+Vector = tuple[int, int]
+
+X_AXIS: Vector = (1, 0)
+Y_AXIS: Vector = (0, 1)
+
+# The smallest directions but the X axis, in order, as `Directions.simplest` has it: most pairs
+# that share any share one of these, and then all others need not be found.
+_SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
+
+
+class DirectionError(ValueError):
+    """Polygons that are not monotone to a shared direction, or not to the one asked for."""
+
+
+@dataclass(frozen=True)
+class Directions:
+    """The directions to which one polygon, or both of a pair, are monotone; u and -u are the same.
+
+    Attributes:
+        critical: the directions perpendicular to an edge, as primitive integer vectors, by angle
+            from -90 degrees, exclusive, to 90 degrees.
+        at: whether the polygons are monotone, if weakly, to critical direction k.
+        after: whether they are strictly monotone to those between critical directions k and k + 1,
+            the last k being followed by the first one turned by half a turn.
+
+    Example:
+        >>> print(monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
+        all from (1, -2) to (1, 2)
+    """
+
+    critical: tuple[Vector, ...]
+    at: tuple[bool, ...]
+    after: tuple[bool, ...]
+
+    def __contains__(self, direction: Vector) -> bool:
+        """Whether monotone, at least weakly. Cost: O(log n)."""
+        k = self._last_up_to(direction)
+        return self.at[k] if self.critical[k] == primitive(direction) else self.after[k]
+
+    def strict(self, direction: Vector) -> bool:
+        """Whether strictly monotone. Cost: O(log n)."""
+        k = self._last_up_to(direction)
+        return self.critical[k] != primitive(direction) and self.after[k]
+
+    def __bool__(self) -> bool:
+        return any(self.at)
+
+    def __and__(self, other: Directions) -> Directions:
+        """The directions in both. Cost: O(n), one cross product for each critical direction."""
+        critical: list[Vector] = []
+        at: list[bool] = []
+        after: list[bool] = []
+        i = j = 0
+        while i < len(self.critical) or j < len(other.critical):
+            # Before its first critical direction a polygon is as after its last one.
+            mine, others = self.after[i - 1], other.after[j - 1]
+            turn = -1 if j == len(other.critical) else i == len(self.critical)
+            if not turn:
+                turn = _turn(self.critical[i], other.critical[j])
+            critical.append(self.critical[i] if turn <= 0 else other.critical[j])
+            if turn <= 0:
+                mine = self.at[i]
+                i += 1
+            if turn >= 0:
+                others = other.at[j]
+                j += 1
+            at.append(mine and others)
+            after.append(self.after[i - 1] and other.after[j - 1])
+        return Directions(tuple(critical), tuple(at), tuple(after))
+
+    def arcs(self) -> tuple[tuple[Vector, Vector], ...]:
+        """Return the maximal arcs as pairs (first, last), counter-clockwise, both included.
+
+        A single direction is an arc from itself to itself. Of a convex polygon, which is
+        monotone to all, the arc runs from its first critical direction round to the same.
+        """
+        n = len(self.critical)
+        if all(self.after):
+            return ((self.critical[0], self.critical[0]),)
+        starts = [k for k in range(n) if self.at[k] and not self.after[k - 1]]
+        found = []
+        for k in starts:
+            last = k
+            while self.after[last % n]:
+                last += 1
+            p, q = self.critical[last % n]
+            found.append((self.critical[k], (p, q) if last < n else (-p, -q)))
+        return tuple(found)
+
+    def simplest(self) -> Vector:
+        """Return the X axis if it is in, else the smallest strict direction, else the smallest.
+
+        Returns a primitive integer vector; small means a small sum of squares.
+        Raises DirectionError when there is none.
+        Cost: O(n log c) for components up to c.
+
+        >>> monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
+        (1, -1)
+        """
+        if X_AXIS in self:
+            return X_AXIS
+        first = self.critical[0]
+        ends = [*self.critical[1:], (-first[0], -first[1])]
+        candidates = [
+            _simplest_between(u, v)
+            for u, v, strict in zip(self.critical, ends, self.after, strict=True)
+            if strict
+        ] or [u for u, weak in zip(self.critical, self.at, strict=True) if weak]
+        if not candidates:
+            raise DirectionError("monotone to no direction")
+        return min(candidates, key=lambda u: (u[0] * u[0] + u[1] * u[1], u))
+
+    def __str__(self) -> str:
+        if all(self.after):
+            return "all directions"
+        arcs = [
+            f"all from {first} to {last}" if first != last else f"just {first}"
+            for first, last in self.arcs()
+        ]
+        return " and ".join(arcs) or "no direction"
+
+    def _last_up_to(self, direction: Vector) -> int:
+        """Number of the last critical direction up to this one, round the turn: -1 before all."""
+        return bisect_right(self.critical, angle_key(primitive(direction)), key=angle_key) - 1
+
+
+def primitive(direction: LatticePoint) -> Vector:
+    """Reduce a direction to coprime ints, the first one positive or both (0, 1).
+
+    >>> from fractions import Fraction
+    >>> primitive((-4, 6)), primitive((Fraction(1, 2), Fraction(1, 3)))
+    ((2, -3), (3, 2))
+    """
+    (p, a), (q, b) = direction[0].as_integer_ratio(), direction[1].as_integer_ratio()
+    if a != 1 or b != 1:
+        p, q = p * b, q * a
+    divisor = gcd(p, q)
+    if p < 0 or (p == 0 and q < 0):
+        divisor = -divisor
+    return p // divisor, q // divisor
+
+
+def read_direction(direction: Iterable[object]) -> Vector:
+    """Read a caller's direction, any pair of exact numbers but (0, 0), as a primitive vector."""
+    try:
+        p, q = (to_fraction(component) for component in direction)
+    except TypeError:
+        raise DirectionError(f"a direction is a pair of numbers, not {direction!r:.40}") from None
+    except ValueError as error:
+        raise DirectionError(f"the direction is not a pair of exact numbers: {error}") from None
+    if p == 0 == q:
+        raise DirectionError("(0, 0) is not a direction")
+    return primitive((p, q))
+
+
+def monotone_directions(polygon: Polygon) -> Directions:
+    """Find all directions to which a polygon is monotone.
+
+    Turns u once round and keeps count of the sign changes along the boundary: two is monotone.
+
+    Cost: O(n log n).
+
+    Example:
+        >>> square = monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
+        >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
+        (True, False, True)
+    """
+    edges = _edges(polygon.lattice()[1])
+    n = len(edges)
+    # Start just past -90 degrees: u = (e, -1) with an infinitesimal e > 0.
+    forward = [dy < 0 or (dy == 0 and dx > 0) for dx, dy in edges]
+    changes = sum(forward[k] != forward[k - 1] for k in range(n))
+
+    def local(k: int) -> int:
+        return (forward[k] != forward[k - 1]) + (forward[k] != forward[(k + 1) % n])
+
+    normals = [primitive((-dy, dx)) for dx, dy in edges]
+    order = sorted(range(n), key=lambda k: angle_key(normals[k]))
+    critical, at, after = [], [], []
+    for u, group in groupby(order, key=normals.__getitem__):
+        weak = changes
+        for k in group:
+            # Neighbours of an edge perpendicular to u are not: no two neighbours are parallel.
+            # So the pairs counted here are disjoint, and leaving the edge out joins its two.
+            before = local(k)
+            weak += (forward[k - 1] != forward[(k + 1) % n]) - before
+            forward[k] = not forward[k]
+            changes += local(k) - before
+        critical.append(u)
+        at.append(weak == 2)
+        after.append(changes == 2)
+    return Directions(tuple(critical), tuple(at), tuple(after))
+
+
+def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) -> bool:
+    """Whether a polygon is monotone to one direction, at least weakly. Cost: O(n)."""
+    p, q = direction
+    along = [p * x + q * y for x, y in polygon.lattice()[1]]
+    steps = list(map(sub, along, along[-1:] + along))
+    if strict and not all(steps):
+        return False
+    forward = [step > 0 for step in filter(None, steps)]
+    changes: int = sum(map(ne, forward, forward[-1:] + forward))
+    return changes == 2
+
+
+def shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
+    """Choose a direction to which both polygons are monotone.
+
+    The X axis if possible; else one to which both are strictly monotone, with small components;
+    else any that there is.
+
+    Raises:
+        DirectionError: there is none; the message says to which directions each one is monotone.
+
+    Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
+    """
+    if is_monotone(generatrix, X_AXIS) and is_monotone(directrix, X_AXIS):
+        return X_AXIS
+    for direction in _SMALL:
+        if is_monotone(generatrix, direction, strict=True) and is_monotone(
+            directrix, direction, strict=True
+        ):
+            return direction
+    of_generatrix, of_directrix = monotone_directions(generatrix), monotone_directions(directrix)
+    shared = of_generatrix & of_directrix
+    if not shared:
+        raise DirectionError(
+            "the polygons share no direction of monotonicity: directions of "
+            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
+        )
+    return shared.simplest()
+
+
+def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
+    """Refuse a polygon that is not monotone to a direction that somebody asked for."""
+    if not is_monotone(polygon, direction):
+        raise DirectionError(
+            f"the {name} is not monotone to {direction}; "
+            f"its directions of monotonicity: {monotone_directions(polygon)}"
+        )
+
+
+def _edges(ring: Sequence[LatticePoint]) -> list[LatticePoint]:
+    return [(ring[k][0] - ring[k - 1][0], ring[k][1] - ring[k - 1][1]) for k in range(len(ring))]
+
+
+def _turn(u: Vector, v: Vector) -> int:
+    return u[1] * v[0] - u[0] * v[1]
+
+
+# Both in the half plane of `primitive`, so that the sign of the cross product orders them.
+angle_key = cmp_to_key(_turn)
+
+
+def _simplest_between(u: Vector, v: Vector) -> Vector:
+    """The direction of least components strictly between two, v less than half a turn after u."""
+    if u[0] > 0 > v[0]:
+        return Y_AXIS
+    if u[0] <= 0 and v[0] <= 0:
+        u, v = (-u[0], -u[1]), (-v[0], -v[1])
+    if v[0] == 0:
+        v = Y_AXIS
+    if u[1] < 0:
+        # Not both sides of the X axis: that would have been taken.
+        p, q = _simplest_fraction(-v[1], v[0], -u[1], u[0])
+        return p, -q
+    return _simplest_fraction(u[1], u[0], v[1], v[0])
+
+
+def _simplest_fraction(a: int, b: int, c: int, d: int) -> Vector:
+    """(p, q) of the q/p with the least p and q in a/b < q/p < c/d, d = 0 being infinity."""
+    whole = a // b
+    if (whole + 1) * d < c:
+        return 1, whole + 1
+    q, p = _simplest_fraction(d, c - whole * d, b, a - whole * b)
+    return p, q + whole * p

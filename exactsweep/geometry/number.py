@@ -1,0 +1,266 @@
+"""Coordinates in and out: every accepted number becomes the `Fraction` that it is, exactly."""
+
+import operator
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from decimal import Decimal
+from fractions import Fraction
+from math import gcd
+from numbers import Rational, Real
+from typing import NamedTuple
+
+_ECHO = 40
+
+# JSON's grammar of numbers, and fractions.
+_NUMBER = re.compile(
+    r"(?P<numerator>-?(?:0|[1-9][0-9]*))"
+    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?)"
+)
+
+
+_SHOWN_DIGITS = 24
+
+
+class NumberError(ValueError):
+    """A value that is not an exact rational number, or one beyond the limits."""
+
+
+class _Limits(NamedTuple):
+    max_digits: int
+    max_exponent: int
+
+
+_DEFAULT = _Limits(max_digits=4000, max_exponent=4000)
+_limits: ContextVar[_Limits] = ContextVar("limits", default=_DEFAULT)
+
+
+@contextmanager
+def limits(*, max_digits: int | None = None, max_exponent: int | None = None) -> Iterator[None]:
+    """Change, inside a `with` block, how large a number may be written.
+
+    Args:
+        max_digits: the most digits of a decimal number, of a numerator or of a denominator in a
+            string or `Decimal`; 4000 unless changed.
+        max_exponent: the largest absolute exponent of a string or `Decimal` in scientific notation
+            (`d.ddd * 10**exponent`); 4000 unless changed.
+
+    Raises:
+        ValueError: a limit below one.
+
+    Example:
+        >>> with limits(max_exponent=10_000):
+        ...     to_fraction("1e5000") == 10**5000
+        True
+    """
+    old = _limits.get()
+    new = _Limits(
+        old.max_digits if max_digits is None else operator.index(max_digits),
+        old.max_exponent if max_exponent is None else operator.index(max_exponent),
+    )
+    for name, value in zip(new._fields, new, strict=True):
+        if value < 1:
+            raise ValueError(f"{name} must be at least 1")
+    token = _limits.set(new)
+    try:
+        yield
+    finally:
+        _limits.reset(token)
+
+
+def to_fraction(value: object) -> Fraction:
+    """Read a number exactly.
+
+    Args:
+        value: an int or anything with `__index__`; a `Fraction` or other `numbers.Rational` (of
+            sympy and gmpy2, too); a `Decimal`; a float, taken as the binary value that it is; or a
+            string: `-?(0|[1-9][0-9]*)`, and after it either `/` and a denominator, or, both
+            optional, `.` with digits and `e` or `E` with a signed exponent, as in JSON.
+
+    Returns:
+        The same number as a Fraction.
+
+    Raises:
+        NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
+            strings outside the grammar, and strings and Decimals beyond `limits`, which are
+            refused before anything is computed.
+
+    Cost: linear in the length of the input, times the cost of a multiplication of that length.
+
+    Example:
+        >>> to_fraction("-7/2"), to_fraction("1e-3"), to_fraction(0.1) == to_fraction("0.1")
+        (Fraction(-7, 2), Fraction(1, 1000), False)
+    """
+    if type(value) is Fraction:
+        return value
+    if type(value) is int:
+        return Fraction(value)
+    if isinstance(value, str):
+        return _from_string(value)
+    if isinstance(value, Decimal):
+        return _from_decimal(value)
+    if isinstance(value, bool):
+        raise NumberError(f"{value} is a truth value, not a number")
+    if hasattr(value, "__index__"):
+        try:
+            return Fraction(operator.index(value))
+        except TypeError:
+            raise NumberError(f"{quoted(value)} is not a number") from None
+    if isinstance(value, Rational):
+        return Fraction(int(value.numerator), int(value.denominator))
+    if isinstance(value, Real):
+        return _from_real(value)
+    raise NumberError(f"{quoted(value)} is not a rational number")
+
+
+def _reduced(numerator: int, denominator: int) -> Fraction:
+    """Make a Fraction of coprime ints, the second one positive.
+
+    Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
+    """
+    fraction = object.__new__(Fraction)
+    fraction._numerator = numerator  # type: ignore[attr-defined]
+    fraction._denominator = denominator  # type: ignore[attr-defined]
+    return fraction
+
+
+def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
+    """Divide by a positive number, quickly where both are ints.
+
+    Example:
+        >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
+        (Fraction(3, 2), Fraction(1, 6))
+    """
+    if type(value) is int and type(divisor) is int:
+        common = gcd(value, divisor)
+        return _reduced(value // common, divisor // common)
+    return Fraction(value, divisor)
+
+
+def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
+    """Divide by a positive int, quickly where all is integer.
+
+    Example:
+        >>> quotients([3, Fraction(1, 2)], 1)
+        [Fraction(3, 1), Fraction(1, 2)]
+    """
+    if divisor != 1:
+        return [quotient(v, divisor) for v in values]
+    return [_reduced(v, 1) if type(v) is int else v for v in values]  # type: ignore[misc]
+
+
+def negative(value: int | Fraction) -> int | Fraction:
+    """Change the sign, quickly.
+
+    Example:
+        >>> negative(Fraction(1, 2))
+        Fraction(-1, 2)
+    """
+    if type(value) is Fraction:
+        n, d = value.as_integer_ratio()
+        return _reduced(-n, d)
+    return -value
+
+
+def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
+    """Add a number to each of others, quickly where those are ints.
+
+    Example:
+        >>> sums(Fraction(1, 2), [1, 2])
+        [Fraction(3, 2), Fraction(5, 2)]
+    """
+    if isinstance(value, Fraction) and all(type(k) is int for k in ints):
+        # n/d + k is in lowest terms as n/d is.
+        n, d = value.as_integer_ratio()
+        return [_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
+    return [value + k for k in ints]
+
+
+def format_fraction(value: Fraction) -> str:
+    """Write a number exactly, as `to_fraction` reads it.
+
+    Args:
+        value: any Fraction, of any number of digits.
+
+    Returns:
+        `"-7/2"`, or `"3"` when the denominator is one.
+
+    Example:
+        >>> format_fraction(Fraction(-7, 2))
+        '-7/2'
+    """
+    # Decimal converts ints exactly and, unlike str(int), whatever the interpreter's digit limit.
+    numerator = str(Decimal(value.numerator))
+    return numerator if value.denominator == 1 else f"{numerator}/{Decimal(value.denominator)}"
+
+
+def _from_string(text: str) -> Fraction:
+    match = _NUMBER.fullmatch(text)
+    if match is None:
+        raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
+    numerator, denominator, exponent = match.group("numerator", "denominator", "exponent")
+    if denominator is not None:
+        if denominator == "0":
+            raise NumberError(f"{quoted(text)} has a zero denominator")
+        _check(text, max(len(numerator.lstrip("-")), len(denominator)), 0)
+        return Fraction(int(Decimal(numerator)), int(Decimal(denominator)))
+    # Decimal itself overflows at exponents of some 18 digits.
+    if exponent is not None and len(exponent.lstrip("0")) > 15:
+        _refuse_exponent(text)
+    return _from_decimal(Decimal(text), text)
+
+
+def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
+    shown = value if text is None else text
+    if not value.is_finite():
+        raise NumberError(f"{quoted(value)} is not a finite number")
+    _check(shown, len(value.as_tuple().digits), value.adjusted())
+    return Fraction(value)
+
+
+def _from_real(value: Real) -> Fraction:
+    try:
+        binary = float(value)
+        exact = Fraction(binary)
+    except (OverflowError, ValueError):
+        raise NumberError(f"{quoted(value)} is not a finite number") from None
+    if binary != value:
+        raise NumberError(f"{quoted(value)} has no exact value as a float; give it as a fraction")
+    return exact
+
+
+def _check(shown: object, digits: int, exponent: int) -> None:
+    most = _limits.get()
+    if digits > most.max_digits:
+        raise NumberError(f"{quoted(shown)} has more than {most.max_digits} digits (max_digits)")
+    if abs(exponent) > most.max_exponent:
+        _refuse_exponent(shown)
+
+
+def _refuse_exponent(shown: object) -> None:
+    most = _limits.get().max_exponent
+    raise NumberError(f"{quoted(shown)} has an exponent beyond {most} (max_exponent)")
+
+
+def quoted(value: object) -> str:
+    """Write any value for a message: its repr, cut short where it is long.
+
+    >>> quoted("7" * 99)
+    "'777777777777777777777777777777777777..."
+    """
+    try:
+        text = repr(value)
+    except Exception:  # a foreign repr may fail in any way; the refusal must still be readable
+        text = f"<{type(value).__name__}>"
+    return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
+
+
+def abridged(value: Fraction) -> str:
+    """Write a number for people: exactly, or its first digits where it is long.
+
+    >>> abridged(Fraction(-7, 2)), abridged(Fraction(10**99))
+    ('-7/2', '100000000000000000000...')
+    """
+    text = format_fraction(value)
+    return text if len(text) <= _SHOWN_DIGITS else f"{text[: _SHOWN_DIGITS - 3]}..."

@@ -1,0 +1,333 @@
+"""Points and simple polygons: validated, immutable, in canonical form (Section 1 of the paper)."""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import chain
+from math import gcd, lcm
+from typing import TYPE_CHECKING, Any, Self
+
+from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
+from exactsweep.geometry.number import NumberError, abridged, to_fraction
+from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.words import pair, size
+
+if TYPE_CHECKING:
+    import sympy
+
+_SHOWN_VERTICES = 8
+_LATTICE_BITS = 8192
+
+
+class Polygon:
+    """A simple polygon in canonical form; equal to another when both are the same set of points.
+
+    Args:
+        vertices: pairs of numbers as `to_fraction` reads them, or a Polygon. Either orientation,
+            the first vertex repeated at the end, equal neighbours and collinear vertices are fine.
+
+    Raises:
+        PolygonError: not pairs, fewer than three distinct vertices, zero area, a spike, a boundary
+            that touches or crosses itself. Vertices and edges are named by their index in the
+            input; edge i runs from vertex i to the next.
+        NumberError: a coordinate that is not an exact number.
+
+    Cost: O(n) for a convex polygon of n vertices, O(n log n) for any other.
+
+    Example:
+        >>> Polygon([(0, 0), (0, 2), ("1/2", 1), (0, 0)])
+        Polygon([(0, 0), ('1/2', 1), (0, 2)])
+    """
+
+    __slots__ = ("_edge_index", "_lattice", "_vertex_index", "_vertices")
+
+    _vertices: tuple[Point, ...] | None
+    _lattice: tuple[int, tuple[LatticePoint, ...]] | None
+    _vertex_index: Sequence[int]
+    _edge_index: Sequence[int]
+
+    def __init__(self, vertices: "Polygon | Iterable[Iterable[object]]") -> None:
+        if isinstance(vertices, Polygon):
+            self._vertices, self._lattice = vertices._vertices, vertices._lattice
+            self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
+            return
+        scale, points = _to_lattice(_read(vertices))
+        ring = canonical_ring(points)
+        self._vertices = None
+        self._lattice = _reduced(scale, ring.points)
+        self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
+
+    @classmethod
+    def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
+        """Trust that the vertices are canonical."""
+        polygon = cls.__new__(cls)
+        polygon._vertices, polygon._lattice = tuple(vertices), None
+        polygon._vertex_index = polygon._edge_index = range(len(vertices))
+        return polygon
+
+    @classmethod
+    def _from_lattice(cls, points: Sequence[LatticePoint], scale: int = 1) -> Self:
+        """Trust that the points, each divided by the scale, are canonical."""
+        polygon = cls.__new__(cls)
+        polygon._vertices, polygon._lattice = None, _reduced(scale, tuple(points))
+        polygon._vertex_index = polygon._edge_index = range(len(points))
+        return polygon
+
+    @property
+    def vertices(self) -> tuple[Point, ...]:
+        """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
+        if self._vertices is None:
+            scale, points = self.lattice()
+            self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
+        return self._vertices
+
+    def lattice(self) -> tuple[int, tuple[LatticePoint, ...]]:
+        """Return the polygon on the coarsest integer lattice that holds it.
+
+        Returns:
+            `(scale, points)`: the least positive int and a tuple of pairs of ints, in step with
+            `vertices`, each vertex being its pair divided by the scale. If that int has more
+            than 8192 bits, the scale is 1 and the pairs are the vertices.
+
+        Example:
+            >>> Polygon([(0, 0), ("1/2", 0), (0, "1/3")]).lattice()
+            (6, ((0, 0), (3, 0), (0, 2)))
+        """
+        if self._lattice is None:
+            assert self._vertices is not None
+            scale, points = _to_lattice(self._vertices)
+            self._lattice = scale, tuple(points)
+        return self._lattice
+
+    def vertex_index(self, k: int) -> int:
+        """Return the index in the caller's input of canonical vertex k."""
+        return self._vertex_index[k]
+
+    def edge_index(self, k: int) -> int:
+        """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
+
+        Of several collinear input edges it is the first in the order of the input. Input edge i
+        runs from input vertex i to the next.
+
+        Example:
+            >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
+            >>> [clockwise.edge_index(k) for k in range(3)]
+            [2, 1, 0]
+        """
+        return self._edge_index[k]
+
+    @property
+    def area(self) -> Fraction:
+        """The area, a positive Fraction."""
+        if self._lattice is None:
+            return _area(self.vertices)
+        scale, points = self._lattice
+        return Fraction(doubled_area(points), 2 * scale * scale)
+
+    @property
+    def is_convex(self) -> bool:
+        """Whether all turns are to the left."""
+        points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
+        return min(turn_products(points)) > 0
+
+    @property
+    def bounding_box(self) -> tuple[Point, Point]:
+        """The lower left and the upper right corner of the least axis-parallel rectangle."""
+        xs, ys = zip(*self.vertices, strict=True)
+        return Point(min(xs), min(ys)), Point(max(xs), max(ys))
+
+    def translated(self, by: Iterable[object]) -> "Polygon":
+        """Return the polygon moved by a vector.
+
+        Args:
+            by: a pair of numbers.
+
+        Returns:
+            A Polygon with the same indices into the input.
+
+        Example:
+            >>> Polygon([(0, 0), (1, 0), (0, 1)]).translated((2, "1/2"))
+            Polygon([(2, '1/2'), (3, '1/2'), (2, '3/2')])
+        """
+        return self._mapped(1, read_point(by, "translation"), 0)
+
+    def reflected(self, center: Iterable[object] = (0, 0)) -> "Polygon":
+        """Return the polygon turned by half a turn, the point reflection I of the paper.
+
+        Args:
+            center: a pair of numbers, the point that stays.
+
+        Returns:
+            A Polygon with the same indices into the input.
+
+        Example:
+            >>> Polygon([(0, 0), (1, 0), (0, 1)]).reflected()
+            Polygon([(-1, 0), (0, -1), (0, 0)])
+        """
+        x, y = read_point(center, "center")
+        points = self.lattice()[1]
+        return self._mapped(-1, Point(2 * x, 2 * y), points.index(max(points)))
+
+    def _mapped(self, sign: int, shift: Point, first: int) -> "Polygon":
+        """Return the image under v -> sign * v + shift, the vertex `first` leading."""
+        old, points = self.lattice()
+        scale = lcm(old, shift.x.denominator, shift.y.denominator)
+        factor = sign * (scale // old)
+        x, y = int(shift.x * scale), int(shift.y * scale)
+        image = [(factor * px + x, factor * py + y) for px, py in points]
+        polygon = Polygon._from_lattice(image[first:] + image[:first], scale)
+        for name in ("_vertex_index", "_edge_index"):
+            index = tuple(getattr(self, name))
+            setattr(polygon, name, index[first:] + index[:first])
+        return polygon
+
+    def to_sympy(self) -> "sympy.Polygon":
+        """Return the polygon as a `sympy.geometry.Polygon`.
+
+        Raises PolygonError where sympy, which looks for collinear vertices in floating point, would
+        make another figure of it: the vertices are too close together.
+        """
+        import sympy
+
+        polygon = sympy.Polygon(
+            *(
+                tuple(sympy.Rational(c.numerator, c.denominator) for c in vertex)
+                for vertex in self.vertices
+            )
+        )
+        if not isinstance(polygon, sympy.Polygon) or len(polygon.vertices) != len(self):
+            raise PolygonError("sympy takes vertices for collinear that are not")
+        return polygon
+
+    @classmethod
+    def from_sympy(cls, polygon: "sympy.Polygon") -> "Polygon":
+        """Read a `sympy.geometry.Polygon`, a triangle or a regular polygon, if it is rational.
+
+        Raises:
+            PolygonError: not a polygon of sympy's, or refused as by `Polygon`.
+            NumberError: an irrational or symbolic coordinate.
+        """
+        import sympy
+
+        # sympy.Polygon(...) quietly becomes a Segment or Point when its vertices are collinear.
+        if not isinstance(polygon, sympy.Polygon):
+            raise PolygonError(f"a sympy {type(polygon).__name__} is not a polygon")
+        return cls(polygon.vertices)
+
+    def __len__(self) -> int:
+        return len(self._vertex_index)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Polygon):
+            return NotImplemented
+        return self.vertices == other.vertices
+
+    def __hash__(self) -> int:
+        return hash(self.vertices)
+
+    def __repr__(self) -> str:
+        shown = [
+            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridged, v))})"
+            for v in self._head()
+        ]
+        return f"Polygon([{', '.join(shown + self._more())}])"
+
+    def __str__(self) -> str:
+        shown = [f"({', '.join(map(abridged, v))})" for v in self._head()]
+        return " ".join(shown + self._more())
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.canvas.svg import draw_rings
+
+        return draw_rings([self.vertices], size(len(self), self.area))
+
+    def _repr_html_(self) -> str:
+        from exactsweep.canvas.svg import put_beside
+
+        low, high = self.bounding_box
+        rows = [
+            ("vertices", str(len(self))),
+            ("area", abridged(self.area)),
+            ("convex", "yes" if self.is_convex else "no"),
+            ("from", pair(low)),
+            ("to", pair(high)),
+        ]
+        return put_beside(self._repr_svg_(), rows)
+
+    def _head(self) -> tuple[Point, ...]:
+        return self.vertices[:_SHOWN_VERTICES]
+
+    def _more(self) -> list[str]:
+        hidden = len(self) - _SHOWN_VERTICES
+        return [f"... {hidden} more"] if hidden > 0 else []
+
+
+def _read(vertices: Iterable[Iterable[object]]) -> list[Point]:
+    try:
+        pairs = iter(vertices)
+    except TypeError:
+        raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
+    return [read_point(pair, f"vertex {i}") for i, pair in enumerate(pairs)]
+
+
+def _area(vertices: Sequence[Point]) -> Fraction:
+    """The area of a loop whose vertices have many different denominators.
+
+    Summed in pairs and reduced once: a running sum would reduce long numbers at each step.
+    """
+    terms = []
+    px, py = vertices[-1]
+    for x, y in vertices:
+        (a, b), (c, d) = px.as_integer_ratio(), y.as_integer_ratio()
+        (e, f), (g, h) = x.as_integer_ratio(), py.as_integer_ratio()
+        terms.append((a * c * f * h - e * g * b * d, b * d * f * h))
+        px, py = x, y
+    while len(terms) > 1:
+        odd = terms[len(terms) & ~1 :]
+        pairs = zip(terms[::2], terms[1::2], strict=False)
+        terms = [(n * e + m * d, d * e) if d != e else (n + m, d) for (n, d), (m, e) in pairs]
+        terms += odd
+    return Fraction(terms[0][0], 2 * terms[0][1])
+
+
+def read_point(pair: Iterable[object], name: str) -> Point:
+    """Read a pair of numbers; a refusal calls it by the name."""
+    # Text, sets and mappings unpack too, but not into coordinates.
+    if isinstance(pair, (str, bytes, set, frozenset, dict)):
+        raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")
+    try:
+        x, y = pair
+    except (TypeError, ValueError):
+        raise PolygonError(f"{name} is not a pair of numbers") from None
+    try:
+        return Point(to_fraction(x), to_fraction(y))
+    except NumberError as error:
+        raise NumberError(f"{name}: {error}") from None
+
+
+def _to_lattice(vertices: Sequence[Point]) -> tuple[int, Sequence[LatticePoint]]:
+    scale = 1
+    for denominator in {c.denominator for v in vertices for c in v}:
+        scale = lcm(scale, denominator)
+        if scale.bit_length() > _LATTICE_BITS:
+            # Unrelated denominators: numbers on the common lattice would be longer than all the
+            # coordinates together, and Fractions are the faster rationals.
+            return 1, vertices
+    return scale, [
+        (
+            v.x.numerator * (scale // v.x.denominator),
+            v.y.numerator * (scale // v.y.denominator),
+        )
+        for v in vertices
+    ]
+
+
+def _reduced(scale: int, points: tuple[LatticePoint, ...]) -> tuple[int, tuple[LatticePoint, ...]]:
+    # With a scale above one all coordinates are ints.
+    common = scale
+    for coordinate in chain.from_iterable(points):
+        if common == 1:
+            break
+        common = gcd(common, int(coordinate))
+    if common == 1:
+        return scale, points
+    return scale // common, tuple((x // common, y // common) for x, y in points)

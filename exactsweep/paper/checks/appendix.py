@@ -1,0 +1,353 @@
+"""The appendix: lower envelopes for CM sweeps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from exactsweep import Point, Sweep, sweep
+from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.steps import Step, explain
+from exactsweep.geometry.point import Vertex
+from exactsweep.paper.checks.section4 import lowest
+from exactsweep.paper.checks.touching import contacts_are_right
+from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status, first_failure
+from exactsweep.paper.counting import Family, counted, counting
+from exactsweep.paper.functions import (
+    bottom_of,
+    clipped,
+    common_points,
+    differs,
+    over,
+    reference,
+    value,
+)
+from exactsweep.paper.growth import Growth, doubled, grow
+from exactsweep.paper.laws import Trial
+from exactsweep.paper.pairs import Pair, Ring
+from exactsweep.paper.tiny import convex_and_strict, is_convex, is_strict, smallest_pair
+from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import convex_parts, inverse, split
+from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.lower_envelope import lower_envelope_cm
+
+SHARE = Fraction(5, 17)
+
+
+GRID = "the first of all such pairs on the 3 by 3 grid, fewest vertices first"
+
+# A random pair, made smaller.
+AT_A_WALL = Pair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
+
+
+def lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]:
+    """Positions inside the edges of a half of the trajectory, between all changes of contact."""
+    found = []
+    for step in explain(s):
+        if step.half != half:
+            continue
+        changes = {step.start, step.end}
+        changes |= {end for touch in step.touches for end in (touch.start, touch.end)}
+        for p, q in pairwise(sorted(changes)):
+            found.append((step, Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))))
+    return found
+
+
+def one_edge_at_a_time(pair: Pair) -> str:
+    """Contacts that last at the same time are EV or EE, of one and the same edge of G."""
+    s = sweep(*pair)
+    if failure := contacts_are_right(s):
+        return failure
+    for step, t in lasting_positions(s):
+        now = [touch.contact for touch in step.touches if _within(t, touch.start, touch.end)]
+        edges = {c.generatrix for c in now if c.event != "VE"}
+        if not now:
+            return f"at ({t.x}, {t.y}) no contact lasts"
+        if len(now) > 1 and (len(edges) > 1 or any(c.event == "VE" for c in now)):
+            return f"from ({step.start.x}, {step.start.y}) on at the same time: {_named(now)}"
+    return ""
+
+
+def _within(t: Point, start: Point, end: Point) -> bool:
+    return min(start, end) < t < max(start, end)
+
+
+def _named(contacts: Sequence[Contact]) -> str:
+    return ", ".join(f"{event} of {i} and {j}" for event, i, j in contacts)
+
+
+def _check_lemma_a_1(run: Run) -> Evidence:
+    trial = Trial(run).of(one_edge_at_a_time, "CM", 150).of(one_edge_at_a_time, "CC", 60)
+
+    def stuck(pair: Pair) -> str:
+        s = sweep(*pair)
+        for step in explain(s):
+            contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
+            edges = {c.generatrix for c in contacts if c.event != "VE"}
+            if step.half == "lower" and step.ending == "stop" and len(contacts) > 1:
+                if len(edges) == 1 and all(c.event != "VE" for c in contacts):
+                    continue
+                return f"at ({step.end.x}, {step.end.y}), in passing: {_named(contacts)}"
+        return ""
+
+    found = smallest_pair(2, 7, convex_and_strict, is_strict, stuck)
+    parallel = smallest_pair(2, 7, convex_and_strict, convex_and_strict, _parallel_edges)
+    failure = trial.failure or ("" if parallel else "no convex G has parallel edges")
+    if found is None:
+        return Evidence(trial.tried, failure)
+    text = f"{found[1]}; besides, {parallel[1]}" if parallel else found[1]
+    return Evidence(trial.tried, failure, Counterexample(text, GRID, *found[0]))
+
+
+def _parallel_edges(pair: Pair) -> str:
+    ring = pair.generatrix
+    edges = list(pairwise([*ring, ring[0]]))
+    for k, ((px, py), (qx, qy)) in enumerate(edges):
+        for (rx, ry), (sx, sy) in edges[:k]:
+            if (qx - px) * (sy - ry) == (qy - py) * (sx - rx):
+                return f"the convex polygon {ring} has parallel edges"
+    return ""
+
+
+def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
+    """Where G, standing at t, touches D_b: all x of vertices there, and the first and the last.
+
+    G_t and D_b are compared as functions of x, without the procedures.
+    """
+    top = [(x + t.x, y + t.y) for x, y in reversed(split(s.generatrix.vertices)[1])]
+    return common_points(top, chain)
+
+
+def contact_moves_right(pair: Pair) -> str:
+    """Both ends of the contact move to the right; points come in at the right, and leave left."""
+    s, (_, _, directrix) = sweep(*pair), pair.chains
+    positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
+    positions |= {t for _, t in lasting_positions(s)}
+    before: list[Fraction] = []
+    for t in sorted(positions):
+        now = places_of_contact(s, t, directrix)
+        if before and (now[0] < before[0] or now[-1] < before[-1]):
+            return (
+                f"at ({t.x}, {t.y}) the contact is from x = {now[0]} to {now[-1]}, "
+                f"after {before[0]} to {before[-1]}"
+            )
+        late = [x for x in now if before and before[0] <= x <= before[-1] and x not in before]
+        vertices = {x for x, _ in directrix}
+        if vertices.intersection(late):
+            return f"at ({t.x}, {t.y}) D_b is touched at x = {late[0]}, which was passed untouched"
+        before = now
+    return ""
+
+
+def bent_and_strict(ring: Ring) -> bool:
+    """Whether a polygon is strictly monotone and not convex."""
+    return is_strict(ring) and not is_convex(ring)
+
+
+def _check_lemma_a_2(run: Run) -> Evidence:
+    trial = Trial(run).of(contact_moves_right, "CM", 120).of(contact_moves_right, "CC", 60)
+    beyond = smallest_pair(2, 8, bent_and_strict, is_strict, contact_moves_right)
+    note = (
+        f" For the non-convex G = {beyond[0].generatrix} and D = {beyond[0].directrix} it fails."
+        if beyond
+        else ""
+    )
+    return Evidence(trial.tried + note, trial.failure)
+
+
+def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
+    """How two chains meet over their common x-range: "" if in a point or one segment.
+
+    Returns also whether they meet at all.
+    """
+    xs = {Fraction(x) for x, _ in (*first, *second)}
+    left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
+    cuts = sorted(x for x in xs | {Fraction(left), Fraction(right)} if left <= x <= right)
+    gaps = [(x, value(first, x) - value(second, x)) for x in cuts]
+    zeros = [x for x, gap in gaps if gap == 0]
+    zeros += [
+        x + (y - x) * gap / (gap - other)
+        for (x, gap), (y, other) in pairwise(gaps)
+        if gap * other < 0
+    ]
+    if not zeros:
+        return "", False
+    start, end = min(zeros), max(zeros)
+    if start == end:
+        return "", True
+    if any(gap != 0 for x, gap in gaps if start <= x <= end):
+        return f"the chains meet over {start} and {end}, and part in between", True
+    if len(clipped(first, start, end)) > 2:
+        return f"the chains share a bend between {start} and {end}", True
+    return "", True
+
+
+def partial_meets_once(pair: Pair, *, outer: bool, strict: bool) -> str:
+    """The envelope of the first parts meets the next sub-chain in a point or one segment."""
+    top, bottom, directrix = pair.chains
+    partial: Envelope | None = None
+    for part in convex_parts(directrix):
+        chain = sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
+        if partial is None:
+            partial = Envelope.of(chain)
+            continue
+        if strict:
+            failure, met = meetings(list(partial), chain)
+            if failure or not met:
+                return failure or "the partial trajectory and the next one do not meet"
+        else:
+            failure = crosses_once(list(partial), chain)
+            if failure:
+                return failure
+        partial = lower_envelope_cm(partial, Envelope.of(chain))
+    expected = reference(pair).outer if outer else reference(pair).trajectory
+    return differs("the last envelope", partial or [], bottom_of(expected))
+
+
+def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
+    """With jumps: the difference of the first and the second never falls from + to -."""
+    xs = sorted({Fraction(x) for x, _ in (*first, *second)})
+    above = False
+    for left, right in pairwise(xs):
+        for x in ((3 * left + right) / 4, (left + 3 * right) / 4):
+            if over(first, x) and over(second, x):
+                gap = value(first, x) - value(second, x)
+                if above and gap < 0:
+                    return f"the partial trajectory is above the next one, and over {x} below it"
+                above = above or gap > 0
+    return ""
+
+
+def _check_meetings(run: Run, *, outer: bool) -> Evidence:
+    def strictly(pair: Pair) -> str:
+        """The envelope so far and the next chain meet in one point or one segment."""
+        return partial_meets_once(pair, outer=outer, strict=True)
+
+    def weakly(pair: Pair) -> str:
+        """The envelope so far is below the next chain up to some x, and above it from there on."""
+        return partial_meets_once(pair, outer=outer, strict=False)
+
+    trial = Trial(run).of(strictly, "CM", 120).of(weakly, "CM", 80, strict=False)
+    note = ""
+    if not meet_at_all(AT_A_WALL, outer=outer):
+        note = (
+            f" For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
+            "edge, two chains do not meet."
+        )
+    return Evidence(trial.tried + note, trial.failure)
+
+
+def meet_at_all(pair: Pair, *, outer: bool) -> bool:
+    """Whether the chains of all neighbouring convex parts of D_b meet."""
+    top, bottom, directrix = pair.chains
+    chains = [
+        sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
+        for part in convex_parts(directrix)
+    ]
+    return all(meetings(before, after)[1] for before, after in pairwise(chains))
+
+
+def lower_envelope_cm_is_right(pair: Pair) -> str:
+    """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
+    top, _, directrix = pair.chains
+    chains = [trajectory_cc(top, part) for part in convex_parts(directrix)]
+    partial = Envelope.of(chains[0])
+    for k, chain in enumerate(chains[1:], 2):
+        partial = lower_envelope_cm(partial, Envelope.of(chain))
+        if k == len(chains) and (failure := lowest("sub-trajectory", chains, list(partial))):
+            return failure
+    return differs("the lower envelope", partial, bottom_of(reference(pair).trajectory))
+
+
+def _check_lower_envelope_cm(run: Run) -> Evidence:
+    trial = Trial(run).of(lower_envelope_cm_is_right, "CM", 120)
+    growth = tuple(_envelope_growth(family, run) for family in (cm_hard, cm_undercut))
+    failure = trial.failure or first_failure(g.failure() for g in growth)
+    return Evidence(trial.tried, failure, growth=growth)
+
+
+def _envelope_growth(family: Family, run: Run) -> Growth:
+    """Operations of LowerEnvelope_CM beside what is handed in and what is trimmed off."""
+
+    def count(m: int, n: int) -> tuple[int, float]:
+        top, _, directrix = Pair(*family(m, n)).chains
+        edges = counted(inverse(top))  # type: ignore[arg-type]
+        with counting() as tally:
+            pieces = [
+                Envelope.of(merge_by_slope(edges, part))
+                for part in convex_parts(counted(directrix))  # type: ignore[arg-type]
+            ]
+            handed_in = sum(len(piece.edges) for piece in pieces)
+            before, partial = tally.total, pieces[0]
+            for piece in pieces[1:]:
+                partial = lower_envelope_cm(partial, piece)
+        trimmed = handed_in - len(partial.edges)
+        return tally.total - before, handed_in + trimmed
+
+    sizes = doubled(16, 2 if run.quick else 4)
+    return grow("operations of LowerEnvelope_CM", family.__name__, "in + trimmed", sizes, count)
+
+
+CLAIMS = (
+    Claim(
+        "Lemma A.1",
+        "Appendix",
+        "Where several contact events happen at once, all of them are EV or EE, and of the same "
+        "edge of G.",
+        Status.CONDITION,
+        (
+            "exactsweep.evidence.contact.edge_contacts",
+            "exactsweep.evidence.swept.Swept.contacts_at",
+        ),
+        _check_lemma_a_1,
+        "For convex G, and for events that last while G moves. At single positions G can touch in "
+        "two places otherwise; there the trajectory turns right. What the proof needs is that no "
+        "two edges of one chain of G are parallel; edges of G_t and G_b may well be.",
+    ),
+    Claim(
+        "Lemma A.2",
+        "Appendix",
+        "In a CM sweep the leftmost and the rightmost point of contact on D_b move to the right "
+        "only; so every point of D_b comes into contact once at most.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.evidence.steps.explain"),
+        _check_lemma_a_2,
+        "It needs a convex G.",
+    ),
+    Claim(
+        "Lemma A.3",
+        "Appendix",
+        "The partial trajectory T_(i-1) and the next sub-trajectory T(G_t, D_i) meet in one point "
+        "or one segment.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.lower_envelope.lower_envelope_cm",),
+        lambda run: _check_meetings(run, outer=False),
+        "If D_b has vertical edges, which the paper leaves out, they may also pass one another at "
+        "a step without meeting. In any case they change places at most once, from the partial one "
+        "below to above.",
+    ),
+    Claim(
+        "Corollary A.4",
+        "Appendix",
+        "The partial outer boundary S_(i-1) and the next outer boundary j_o(G_t, D_i) meet in one "
+        "point or one segment.",
+        Status.REPRODUCED,
+        (
+            "exactsweep.procedures.lower_envelope.lower_envelope_cm",
+            "exactsweep.procedures.cm.sweep_outer_cm",
+        ),
+        lambda run: _check_meetings(run, outer=True),
+        "With vertical edges in D_b, what is said of Lemma A.3 holds.",
+    ),
+    Claim(
+        "LowerEnvelope_CM",
+        "Appendix",
+        "Walk the new sub-trajectory from right to left until it meets the partial trajectory; "
+        "time linear in what is handed in and what is trimmed off.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.lower_envelope.lower_envelope_cm",),
+        _check_lower_envelope_cm,
+    ),
+)

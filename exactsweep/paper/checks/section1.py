@@ -1,0 +1,248 @@
+"""Section 1: the definitions of a sweep, of the area and of the path, and what is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep.check import classify, point_in_polygon
+from exactsweep.paper.claim import (
+    Claim,
+    Counterexample,
+    Evidence,
+    Run,
+    Status,
+    first_failure,
+)
+from exactsweep.paper.functions import reference
+from exactsweep.paper.laws import Trial, shrunk
+from exactsweep.paper.pairs import Pair
+from exactsweep.paper.tiny import convex_and_strict, smallest_pair
+
+# Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
+SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
+
+
+def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
+    """For each edge of the trajectory a position on it, and one on its inside and its outside."""
+    corners = s.trajectory.vertices
+    for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
+        x, y = ax + SHARE * (bx - ax), ay + SHARE * (by - ay)
+        dx, dy = STEP * (ay - by), STEP * (bx - ax)
+        yield Point(x, y), Point(x + dx, y + dy), Point(x - dx, y - dy)
+
+
+def touches_without_overlap(pair: Pair) -> str:
+    """Along the trajectory G touches D; a step inwards it overlaps, a step outwards it is free."""
+    s = sweep(*pair)
+    for vertex in s.trajectory.vertices:
+        if classify(s.directrix, s.generatrix, vertex).verdict != "CONTACT":
+            return f"at ({vertex.x}, {vertex.y}), a vertex of the trajectory, no contact"
+    for positions in edge_positions(s):
+        found = [classify(s.directrix, s.generatrix, t).verdict for t in positions]
+        if found != ["CONTACT", "OVERLAP", "FREE"]:
+            t = positions[0]
+            return f"at ({t.x}, {t.y}), inside and outside of it: {', '.join(found)}"
+    return ""
+
+
+def _check_definition_1_1(run: Run) -> Evidence:
+    trial = Trial(run)
+    for kind in ("CC", "CM", "MM"):
+        trial.of(touches_without_overlap, kind, 100)
+    trial.of(touches_without_overlap, "MM", 60, strict=False)
+
+    def fits(pair: Pair) -> str:
+        fit = next(iter(sweep(*pair).exact_fits), None)
+        if fit is None:
+            return ""
+        (ax, ay), (bx, by) = fit
+        middle = (ax + bx) / 2, (ay + by) / 2
+        verdict = classify(pair.directrix, pair.generatrix, middle).verdict
+        text = f"({middle[0]}, {middle[1]}) is a position of contact, off the trajectory"
+        return text if verdict == "CONTACT" else ""
+
+    slot = Pair(
+        [(0, 0), (1, 0), (1, 1), (0, 1)],
+        [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)],
+    )
+    least = shrunk(fits, slot) if fits(slot) else None
+    against = least and Counterexample(
+        fits(least), "a square and its slot, vertices left out as long as it fits exactly", *least
+    )
+    return Evidence(trial.tried, trial.failure, against)
+
+
+def swept_by_contact(s: Sweep, p: Point) -> bool:
+    """Whether some position on the trajectory puts G over a point, by `classify` alone.
+
+    That is so when the inverse of G, placed at the point, meets the trajectory: it neither lies
+    outside of it nor wholly inside, which is outside of the two halves of the complement.
+    """
+    inverse = s.generatrix.reflected()
+    if classify(s.trajectory, inverse, p).verdict == "FREE":
+        return False
+    return any(classify(half, inverse, p).verdict != "FREE" for half in complement_halves(s))
+
+
+def complement_halves(s: Sweep) -> tuple[Polygon, Polygon]:
+    """A frame around the trajectory, cut at its leftmost and its rightmost point."""
+    ring = s.trajectory.vertices
+    right = ring.index(max(ring))
+    (left_x, low), (right_x, high) = s.trajectory.bounding_box
+    size = (
+        right_x
+        - left_x
+        + high
+        - low
+        + sum(b - a for a, b in zip(*s.generatrix.bounding_box, strict=True))
+    )
+    left_x, right_x, low, high = left_x - size, right_x + size, low - size, high + size
+    start_y, (end_x, end_y) = ring[0].y, ring[right]
+    below = [(left_x, low), (right_x, low), (right_x, end_y), *ring[: right + 1][::-1]]
+    above = [(right_x, end_y), (right_x, high), (left_x, high), (left_x, start_y), ring[0]]
+    return (
+        Polygon([*below, (left_x, start_y)]),
+        Polygon([*above, *ring[:right:-1], (end_x, end_y)]),
+    )
+
+
+def area_is_covered(pair: Pair) -> str:
+    """The points between the loops are those that G covers from the trajectory."""
+    s, loops = sweep(*pair), reference(pair)
+    if (s.inner.vertices, s.outer.vertices) != (loops.inner, loops.outer):
+        return "the loops are not those of the definition"
+    if s.area != Polygon(loops.outer).area - Polygon(loops.inner).area:
+        return "the area is not that between the loops"
+    (left, low), (right, high) = s.outer.bounding_box
+    for i in range(-1, 5):
+        for j in range(-1, 5):
+            p = Point(
+                left + (right - left) * (7 * i + 2) / 29, low + (high - low) * (7 * j + 2) / 29
+            )
+            between = point_in_polygon(p, s.outer) >= 0 >= point_in_polygon(p, s.inner)
+            if between != swept_by_contact(s, p):
+                return f"({p.x}, {p.y}) is {'' if between else 'not '}between the loops"
+    return ""
+
+
+def _check_definition_1_2(run: Run) -> Evidence:
+    trial = Trial(run)
+    for kind in ("CC", "CM", "MM"):
+        trial.of(area_is_covered, kind, 40)
+    trial.of(area_is_covered, "MM", 40, strict=False)
+    return Evidence(f"{trial.tried} 36 points for each pair.", trial.failure)
+
+
+def path_is_the_definition(pair: Pair) -> str:
+    """The trajectory is that of the definition."""
+    found, expected = sweep(*pair).trajectory.vertices, reference(pair).trajectory
+    return "" if found == expected else "the trajectory is not that of the definition"
+
+
+def paths_are_translates(pair: Pair) -> str:
+    """Two points of G have paths that are equal but for a translation."""
+    (ax, ay), (bx, by) = pair.generatrix[:2]
+    first, second = (sweep(*pair, reference=g).trajectory for g in ((ax, ay), (bx, by)))
+    moved = first.translated((bx - ax, by - ay))
+    return "" if moved == second else f"the paths of ({ax}, {ay}) and ({bx}, {by}) differ in shape"
+
+
+def _check_definition_1_3(run: Run) -> Evidence:
+    trial = Trial(run)
+    for kind in ("CC", "CM", "MM"):
+        trial.of(path_is_the_definition, kind, 100)
+        trial.of(path_is_the_definition, kind, 60, strict=False)
+    return Evidence(trial.tried, trial.failure)
+
+
+def _check_translates(run: Run) -> Evidence:
+    trial = Trial(run)
+    for kind in ("CC", "CM", "MM"):
+        trial.of(paths_are_translates, kind, 60)
+    return Evidence(trial.tried, trial.failure)
+
+
+def _check_minkowski(run: Run) -> Evidence:
+    def overlaps(pair: Pair) -> str:
+        reference_point = pair.generatrix[0]
+        for x, y in pair.directrix:
+            t = x - reference_point[0], y - reference_point[1]
+            if classify(pair.directrix, pair.generatrix, t).verdict == "OVERLAP":
+                return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
+        return ""
+
+    found = smallest_pair(1, 6, convex_and_strict, convex_and_strict, overlaps)
+    if found is None:
+        found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, overlaps)
+    if found is None:
+        return Evidence("All pairs of triangles on the 3 by 3 grid.", "none of them overlap")
+    pair, text = found
+    trial = Trial(run)
+    for kind in ("CC", "CM", "MM"):
+        trial.of(path_is_not_the_directrix, kind, 30)
+    return Evidence(
+        f"{trial.tried} And G = {pair.generatrix}, D = {pair.directrix}: {text}.",
+        first_failure(iter([trial.failure, touches_without_overlap(pair)])),
+    )
+
+
+def path_is_not_the_directrix(pair: Pair) -> str:
+    """The trajectory is another polygon than D, wherever it lies."""
+    s = sweep(*pair)
+    (left, low), (x, y) = s.directrix.vertices[0], s.trajectory.vertices[0]
+    moved = s.directrix.translated((x - left, y - low))
+    return "the trajectory is D moved" if moved == s.trajectory else ""
+
+
+CLAIMS = (
+    Claim(
+        "Definition 1.1",
+        "1",
+        "A sweep (G, D) takes G around D by translations. G touches D all the time, and their "
+        "interiors never meet.",
+        Status.CONDITION,
+        ("exactsweep.sweep.sweep", "exactsweep.check.classify.classify"),
+        _check_definition_1_1,
+        "The two conditions do not fix the path: in a slot exactly as wide as G, G can go in and "
+        "out. The trajectory leaves such dead ends out; they are reported apart, as exact fits.",
+    ),
+    Claim(
+        "Definition 1.2",
+        "1",
+        "The swept polygon is all that G passes over.",
+        Status.REPRODUCED,
+        (
+            "exactsweep.evidence.swept.Swept.area",
+            "exactsweep.evidence.swept.Swept.inner",
+            "exactsweep.evidence.swept.Swept.outer",
+        ),
+        _check_definition_1_2,
+    ),
+    Claim(
+        "Definition 1.3",
+        "1",
+        "The trajectory is the path of a point of G.",
+        Status.REPRODUCED,
+        ("exactsweep.evidence.swept.Swept.trajectory", "exactsweep.sweep.no_fit_polygon"),
+        _check_definition_1_3,
+    ),
+    Claim(
+        "Paths of two points",
+        "1",
+        "Any two points of G have the same trajectory, but for a translation (said without proof).",
+        Status.REPRODUCED,
+        ("exactsweep.sweep.sweep", "exactsweep.geometry.polygon.Polygon.translated"),
+        _check_translates,
+    ),
+    Claim(
+        "Sweep and Minkowski sum",
+        "1",
+        "Moved with a point along D, as in the Minkowski sum, G may overlap D; moved along the "
+        "trajectory, it does not, and the trajectory is not D (Figure 1).",
+        Status.REPRODUCED,
+        ("exactsweep.sweep.sweep",),
+        _check_minkowski,
+    ),
+)

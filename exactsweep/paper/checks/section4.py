@@ -1,0 +1,248 @@
+"""Section 4: convex generatrix, monotone directrix."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from itertools import pairwise, product
+
+from exactsweep import Point, sweep
+from exactsweep.check import point_in_polygon
+from exactsweep.evidence.undercut import Undercut
+from exactsweep.geometry.point import Vertex
+from exactsweep.paper.claim import (
+    Claim,
+    Evidence,
+    Run,
+    Status,
+)
+from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
+from exactsweep.paper.laws import Law, Trial, broken
+from exactsweep.paper.pairs import Pair
+from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+
+
+def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
+    """Say where an envelope is not the lowest of some chains; empty if it is everywhere."""
+    for x in between(envelope, *chains):
+        least = min((value(chain, x) for chain in chains if over(chain, x)), default=None)
+        found = value(envelope, x) if over(envelope, x) else None
+        if least != found:
+            return f"over {x} the lowest {name} is at {least}, the envelope at {found}"
+    return ""
+
+
+def sub_trajectories_suffice(pair: Pair) -> str:
+    """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
+    top, bottom, directrix = pair.chains
+    loops, parts = reference(pair), convex_parts(directrix)
+    return lowest(
+        "sub-trajectory",
+        [trajectory_cc(top, part) for part in parts],
+        bottom_of(loops.trajectory),
+    ) or lowest(
+        "sub-outer chain",
+        [sweep_outer_cc(top, bottom, part) for part in parts],
+        bottom_of(loops.outer),
+    )
+
+
+def trajectory_cm_is_right(pair: Pair) -> str:
+    """Trajectory_CM returns the trajectory of the definition."""
+    top, _, directrix = pair.chains
+    expected = bottom_of(reference(pair).trajectory)
+    return differs("Trajectory_CM", trajectory_cm(top, directrix), expected)
+
+
+def outer_cm_is_right(pair: Pair) -> str:
+    """SweepO_CM returns the outer boundary of the definition."""
+    return differs("SweepO_CM", sweep_outer_cm(*pair.chains), bottom_of(reference(pair).outer))
+
+
+def inner_cm_is_right(pair: Pair) -> str:
+    """SweepI_CM returns the inner boundary of the definition."""
+    top, _, directrix = pair.chains
+    return differs("SweepI_CM", sweep_inner_cm(top, directrix), bottom_of(reference(pair).inner))
+
+
+def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
+    """Say that a chain turns back along x; or, if asked for, that it has a vertical edge."""
+    for (px, _), (qx, _) in pairwise(chain):
+        if px > qx or (strictly and px == qx):
+            return f"{name} is not{' strictly' if strictly else ''} X-monotone at x = {px}"
+    return ""
+
+
+def loops_are_monotone(pair: Pair) -> str:
+    """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
+    top, _, directrix = pair.chains
+    return (
+        trajectory_cm_is_right(pair)
+        or outer_cm_is_right(pair)
+        or is_monotone("the trajectory", trajectory_cm(top, directrix), strictly=True)
+        or is_monotone("the outer boundary", sweep_outer_cm(*pair.chains), strictly=True)
+    )
+
+
+def inner_is_monotone(pair: Pair) -> str:
+    """The inner boundary is X-monotone, strictly so."""
+    top, _, directrix = pair.chains
+    inner = sweep_inner_cm(top, directrix)
+    return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner, strictly=True)
+
+
+def few_undercuts(pair: Pair) -> str:
+    """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
+    s, (top, _, directrix) = sweep(*pair), pair.chains
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
+    if len(lower) >= len(convex_parts(directrix)):
+        return f"{len(lower)} undercuts of {len(convex_parts(directrix))} convex parts"
+    longest = max((len(u.bottom) - 1 for u in lower), default=0)
+    return f"an undercut with {longest} edges" if longest > len(top) - 1 else ""
+
+
+def bottom_chains_have_two_forms(pair: Pair) -> str:
+    """Whether all undercuts have the form that goes with what closes them."""
+    s = sweep(*pair)
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    for undercut in s.undercuts:
+        if failure := _form(undercut, s.generatrix.vertices):
+            return failure
+    if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
+        return "the undercuts do not make up the difference between the inner loop and D"
+    return ""
+
+
+def resting_pairs() -> list[Pair]:
+    """Pairs in which G rests with an edge on two or three teeth, at several slopes."""
+    found = []
+    for slope, depth, teeth in product(range(-2, 3), (1, 2), (2, 3)):
+        bottom = [(0, 2)]
+        for k in range(teeth):
+            bottom += [(2 * k + 1, 0), (2 * k + 2, depth)]
+        directrix = [*bottom[:-1], (2 * teeth, 2), (teeth, 3)]
+        pair = Pair([(1, 0), (4, 0), (5, 1), (0, 1)], directrix)
+        found.append(Pair(*([(x, y + slope * x) for x, y in ring] for ring in pair)))
+    return found
+
+
+def _check_two_forms(run: Run) -> Evidence:
+    forms: Counter[str] = Counter()
+
+    def law(pair: Pair) -> str:
+        """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
+        forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
+        return bottom_chains_have_two_forms(pair)
+
+    trial, resting = Trial(run).of(law, "CM", 150), resting_pairs()
+    failure = trial.failure or broken(law, resting)
+    if not failure and min(forms["point"], forms["segment"]) == 0:
+        failure = "one of the two forms is never seen"
+    tried = (
+        f"{trial.tried} And {len(resting)} with an edge of G on two or three teeth. Undercuts: "
+        f"{forms['point']} closed in a point, {forms['segment']} along a segment."
+    )
+    return Evidence(tried, failure)
+
+
+def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
+    bottom, positions = undercut.bottom, undercut.positions
+    if undercut.intersection == "segment":
+        (a, b), (c, d) = (bottom[0], bottom[-1]), (positions[0], positions[-1])
+        turn = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x)
+        return "" if len(bottom) == 2 and turn == 0 else f"not one edge: {undercut}"
+    (t,) = positions
+    placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
+    if any(point_in_polygon(p, placed) for p in bottom):
+        return f"the bottom chain is off the boundary of G: {undercut}"
+    return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
+
+
+def _try(run: Run, law: Law, *, weak: bool = True) -> Evidence:
+    trial = Trial(run).of(law, "CM", 150)
+    if weak:
+        trial.of(law, "CM", 100, strict=False)
+    return Evidence(trial.tried, trial.failure)
+
+
+CLAIMS = (
+    Claim(
+        "Lemma 4.1",
+        "4",
+        "The trajectory and the outer boundary of a CM sweep are the lower envelopes of those of "
+        "the convex parts of D_b.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.sweep_parts", "exactsweep.procedures.chain.convex_parts"),
+        lambda run: _try(run, sub_trajectories_suffice),
+        "With vertical edges in D_b neighbouring parts need not share an end, and the envelope "
+        "has a vertical edge where they do not meet.",
+    ),
+    Claim(
+        "Lemma 4.2",
+        "4",
+        "The trajectory and the outer boundary of a CM sweep are X-monotone.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
+        lambda run: _try(run, loops_are_monotone, weak=False),
+    ),
+    Claim(
+        "Monotone inner boundary",
+        "4",
+        "The inner boundary of a CM sweep is X-monotone (claimed without proof).",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.sweep_inner_cm",),
+        lambda run: _try(run, inner_is_monotone, weak=False),
+        "Proof: over each x in D's range it is at the greatest T(u) + G_t(x - u), over all u for "
+        "which x - u is in G's range: a function of x, continuous where T and G_t are.",
+    ),
+    Claim(
+        "Number of undercuts",
+        "4",
+        "There are at most m_b intersections of sub-trajectories left in T(G_t, D_b), and each "
+        "adds at most n_t edges to the inner boundary.",
+        Status.SHARPENED,
+        ("exactsweep.evidence.swept.Swept.undercuts", "exactsweep.evidence.undercut.pockets"),
+        lambda run: _try(run, few_undercuts, weak=False),
+        "With k convex parts in D_b there are at most k - 1 undercuts.",
+    ),
+    Claim(
+        "Two forms of a bottom chain",
+        "4",
+        "An undercut closed at one position is bounded by a piece of G's boundary; one closed "
+        "along a segment by a single edge parallel to it (Figure 7).",
+        Status.REPRODUCED,
+        ("exactsweep.evidence.undercut.Undercut", "exactsweep.evidence.undercut.closing_positions"),
+        _check_two_forms,
+    ),
+    Claim(
+        "Trajectory_CM",
+        "4",
+        "Sweep G along each convex part of D_b, and take the lower envelope of what comes, part "
+        "by part.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.trajectory_cm",),
+        lambda run: _try(run, trajectory_cm_is_right),
+    ),
+    Claim(
+        "SweepI_CM",
+        "4",
+        "Replace, for each intersection of sub-trajectories left in the trajectory, the top chain "
+        "of the undercut by its bottom chain.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.sweep_inner_cm",),
+        lambda run: _try(run, inner_cm_is_right),
+    ),
+    Claim(
+        "SweepO_CM",
+        "4",
+        "Take the lower envelope of the outer boundaries along the convex parts of D_b.",
+        Status.REPRODUCED,
+        ("exactsweep.procedures.cm.sweep_outer_cm",),
+        lambda run: _try(run, outer_cm_is_right),
+    ),
+)

@@ -1,0 +1,177 @@
+"""Envelopes of segments inside a trajectory: why Lemma 5.2 needs one more factor.
+
+The lower envelope of s lines has at most s pieces, that of s half-lines 2 s - 1; that of s segments
+can have more than any constant times s (Wiernik and Sharir 1988), though only s times the inverse
+Ackermann function. Laid out one beside the other in D_b, twice over, and combed by s equal peaks
+of G_t as far apart, they make windows: in s + 1 of these all segments lie over one another. So if
+envelopes of segments are not of linear size, trajectories are not of size O(mn).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from exactsweep.geometry.point import Vertex
+from exactsweep.paper.pairs import Pair
+
+Segment = tuple[int, int, int, int]
+
+# The most pieces that a search by simulated annealing found for each number of segments; for up to
+# five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
+BEST: tuple[tuple[Segment, ...], ...] = (
+    ((0, 0, 7, 3),),
+    (
+        (287, -1966, 1762, 2429),
+        (134, -1432, 1719, 1748),
+    ),
+    (
+        (572, -897, 3895, 1064),
+        (231, 2256, 740, -1911),
+        (389, -543, 1523, -466),
+    ),
+    (
+        (-2701, 1471, 2611, -1006),
+        (-3938, 7438, 152, -10849),
+        (2085, -3079, 4500, 12976),
+        (-1033, -6037, 3311, 2514),
+    ),
+    (
+        (-4363, -2644, 3807, -1090),
+        (-1318, -7048, 4417, 570),
+        (3487, -2084, 4728, 4886),
+        (2327, -2857, 4539, 3618),
+        (-8528, -2068, 2577, -2281),
+    ),
+    (
+        (-53046, 257971, 89747, 513072),
+        (-478869, 2224487, -163205, -1617243),
+        (-466009, 573050, 80638, 371697),
+        (-334592, -986820, 113124, 1254252),
+        (-219938, -1075014, 148644, 2583064),
+        (37685, -942211, 231947, 5494695),
+    ),
+)
+
+
+FINE = 64
+
+# (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49
+RECORDS = (
+    Pair(
+        [(25, 9), (37, -126), (76, 32), (60, 18)],
+        [(-23, 45), (-14, 77), (20, 64), (-14, 85)],
+    ),
+    Pair(
+        [(-15, -30), (-6, -31), (26, -22), (45, -41), (75, -36), (60, 37), (33, -26), (6, 47)],
+        [(10, -28), (115, 74), (121, -48), (115, 104)],
+    ),
+    Pair(
+        [
+            (0, 16),
+            (8, -56),
+            (15, -21),
+            (25, -58),
+            (32, -38),
+            (46, -54),
+            (69, 27),
+            (57, -14),
+            (55, 21),
+            (8, -2),
+        ],
+        [(-60, -157), (17, 223), (95, -115), (17, 318)],
+    ),
+)
+
+
+def pieces(segments: Sequence[Segment]) -> int:
+    """Pieces of the lower envelope of some segments, holes not counted.
+
+    >>> pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
+    3
+    """
+    lines = [
+        (x0, x1, Fraction(y1 - y0, x1 - x0), y0 - Fraction(y1 - y0, x1 - x0) * x0)
+        for x0, y0, x1, y1 in segments
+    ]
+    cuts = {Fraction(x) for x0, x1, _, _ in lines for x in (x0, x1)}
+    for k, (_, _, a, b) in enumerate(lines):
+        cuts |= {(b - d) / (c - a) for _, _, c, d in lines[:k] if a != c}
+    lowest = []
+    for left, right in pairwise(sorted(cuts)):
+        x = (left + right) / 2
+        over = [(a * x + b, k) for k, (x0, x1, a, b) in enumerate(lines) if x0 < x < x1]
+        if over:
+            lowest.append(min(over)[1])
+    return 1 + sum(p != q for p, q in pairwise(lowest))
+
+
+def windows(segments: Sequence[Segment]) -> Pair:
+    """A pair whose trajectory has the envelope of all s segments s + 1 times.
+
+    Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
+    """
+    count = len(segments)
+    directrix, width, high = _beside_one_another(segments, 2)
+    top = _peaks(count, width, high)
+    right, low = top[-1]
+    return Pair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
+
+
+def windows_of_windows(segments: Sequence[Segment]) -> Pair:
+    """A pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
+
+    Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
+    """
+    count = len(segments)
+    directrix, width, high = _beside_one_another(segments, 1)
+    top = _peaks(count, count * width, high)
+    low = top[0][1] - high
+    tips: list[tuple[int, int]] = []
+    for k in range(count):
+        tips += [(k * width - 1, low), (k * width, low - 8 * high), (k * width + 1, low)]
+    top[-1] = (top[-1][0] + count * width, top[-1][1])
+    return Pair([top[0], *tips, *top[:0:-1]], directrix)
+
+
+def _beside_one_another(
+    segments: Sequence[Segment], copies: int
+) -> tuple[list[tuple[int, int]], int, int]:
+    """D of segments between walls, how far apart they are, and half the height of the walls.
+
+    Walls are one unit wide, where the segments' units are `FINE` of these.
+    """
+    left, low = min(s[0] for s in segments), min(min(s[1], s[3]) for s in segments)
+    moved = [(x0 - left, y0 - low, x1 - left, y1 - low) for x0, y0, x1, y1 in segments]
+    width = FINE * (max(s[2] for s in moved) + 2)
+    high = FINE * (max(max(s[1], s[3]) for s in moved) + 2)
+    bottom: list[tuple[int, int]] = [(-3, 2 * high)]
+    for k, (x0, y0, x1, y1) in enumerate(moved * copies):
+        start = k * width
+        bottom += [
+            (start + FINE * x0 - 1, 2 * high),
+            (start + FINE * x0, FINE * y0),
+            (start + FINE * x1, FINE * y1),
+            (start + FINE * x1 + 1, 2 * high),
+        ]
+    right = copies * len(moved) * width
+    return [*bottom, (right, 2 * high), (right // 2, 4 * high)], width, high
+
+
+def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
+    """G_t, from left to right: peaks one unit wide on either side, twice as high as the walls."""
+    top: list[tuple[int, int]] = [(-2, -4 * high)]
+    for k in range(count):
+        top += [(k * apart - 1, -4 * high), (k * apart, 0), (k * apart + 1, -4 * high)]
+    return [*top, ((count - 1) * apart + 2, -4 * high)]
+
+
+def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Segment]) -> int:
+    """Edges of a trajectory that come from one of the segments, by their slopes."""
+    slopes = {Fraction(y1 - y0, x1 - x0) for x0, y0, x1, y1 in segments}
+    return sum(
+        Fraction(qy - py) / (qx - px) in slopes
+        for (px, py), (qx, qy) in pairwise(trajectory)
+        if px != qx
+    )

@@ -1,0 +1,198 @@
+"""The CM sweep: convex generatrix, monotone directrix (Section 4).
+
+D_b is split at its reflex vertices into convex chains D_1, ..., D_k; each is a CC sweep, and the
+trajectory and the outer boundary are the lower envelopes of what those give (Lemma 4.1). The
+inner boundary is D_b with its undercuts closed (Figure 7). Time and space O(m n), optimal
+(Corollaries 4.5 and 4.6).
+
+Why one crossing is all (Lemma A.3), degenerate input included: T(G_t, D_i) is the minimum over a
+in D_i of D_b(a) + h(x - a) for one convex h. For convex h the difference of two sub-trajectories,
+the left one minus the right one, never decreases along x, whatever D_b is, jumps and parallel
+edges included: it is zero in one point, on one segment, or nowhere.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from typing import cast
+
+from exactsweep.geometry.number import sums
+from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.procedures.cc import merge_by_slope
+from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
+from exactsweep.procedures.convex_part import ConvexPart, flatter, joined_parts
+from exactsweep.procedures.envelope import Break, Envelope, cross, height, point_on
+from exactsweep.procedures.lower_envelope import lower_envelope_cm
+
+
+def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
+    """Trajectory T(G_t, D_b) of a convex top chain along a monotone bottom chain.
+
+    Procedure Trajectory_CM.
+
+    Args:
+        generatrix: G_t: points from right to left, strictly convex, no vertical edge.
+        directrix: D_b: points from left to right, vertical edges allowed; or an envelope.
+
+    Returns:
+        the path of G's origin as an envelope; `sources` numbers the D_i.
+
+    Raises:
+        ChainError: when the directrix is not X-monotone.
+
+    Cost: O(m n).
+
+    >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
+    (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
+    """
+    return sweep_parts(convex_chain(inverse(generatrix)), joined_parts(directrix))
+
+
+def sweep_outer_cm(
+    generatrix_top: Sequence[Vertex],
+    generatrix_bottom: Sequence[Vertex],
+    directrix: Sequence[Vertex] | Envelope,
+) -> Envelope:
+    """Outer boundary of the sweep of a convex G along a monotone D_b.
+
+    Procedure SweepO_CM. The chains are given as for `sweep_outer_cc` and `trajectory_cm`.
+
+    Raises ChainError when the directrix is not X-monotone. Cost: O(m n).
+
+    >>> print(sweep_outer_cm([(1, 0), (0, 0)], [(0, 0), (1, 0)], [(0, 0), (2, 2), (4, 0)]))
+    (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
+    """
+    top, bottom = convex_chain(inverse(generatrix_top)), convex_chain(generatrix_bottom)
+    return sweep_parts(merge_by_slope(top, bottom), joined_parts(directrix))
+
+
+def sweep_parts(
+    edges: Sequence[Vertex], parts: Iterable[ConvexPart], first_source: int = 0
+) -> Envelope:
+    """Step 2: solve the CC sweep of each convex part and take the lower envelope.
+
+    The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
+    """
+    chain = ConvexPart(list(edges), None, None)
+    pieces = (part.swept(chain, source) for source, part in enumerate(parts, first_source))
+    return reduce(lower_envelope_cm, pieces)
+
+
+def sweep_inner_cm(
+    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope | None = None
+) -> list[Vertex]:
+    """Inner boundary of the sweep of a convex G_t along a monotone D_b.
+
+    Procedure SweepI_CM. Where two sub-trajectories meet, G touches D_b in two places; what lies
+    between them is replaced by the part of G_t there: the bottom chain of an undercut (Figure 7a).
+    Where they share a segment, both places are on one edge of G_t (Figure 7b), and any point of
+    the segment gives the same bottom chain, so that the one at which the envelope changes over
+    serves. At a step of the envelope it is the higher position that closes the undercut.
+
+    Args:
+        generatrix: G_t: points from right to left, strictly convex, no vertical edge.
+        directrix: D_b: points from left to right, vertical edges allowed.
+        trajectory: The result of `trajectory_cm` for the same chains, when it is at hand.
+
+    Returns:
+        points from left to right, vertical edges included, no three collinear.
+
+    Raises:
+        ChainError: when the directrix is not X-monotone.
+
+    Cost: O(m n).
+
+    >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
+    [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
+    """
+    reversed_edges, parts = convex_chain(inverse(generatrix)), convex_parts(directrix)
+    if trajectory is None:
+        trajectory = trajectory_cm(generatrix, directrix)
+    top = inverse(reversed_edges)
+    edges, sources = cast(list[Edge], trajectory.edges), trajectory.sources
+    inner: list[Vertex] = []
+    joints: set[int] = set()
+    done = 0
+    for k in range(1, len(edges)):
+        if sources[k] == sources[k - 1]:
+            continue
+        at = trajectory.breaks[k]
+        before, after = parts[sources[k - 1]], parts[sources[k]]
+        i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
+        j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
+        step = height(edges[k - 1], edges[k], at)
+        # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
+        plain = step == 0 and in_left and in_right
+        higher = edges[k] if step < 0 else edges[k - 1]
+        inner += before[done : i + 1]
+        first = len(inner)
+        inner.append(point_on((before[i], before[i + 1]), left))
+        inner += _placed(top, at, higher, left, right, touching=not plain)
+        inner.append(point_on((after[j], after[j + 1]), right))
+        if not plain:
+            joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
+        done = j + 1
+    inner += parts[sources[-1]][done:]
+    return corners(inner, joints)
+
+
+def _contact(
+    reversed_edges: Sequence[Vertex],
+    part: Sequence[Vertex],
+    edge: Edge,
+    at: Break,
+    *,
+    rightmost: bool,
+) -> tuple[int, Break, bool]:
+    """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
+
+    In order of slope, the edge follows all flatter edges of D_i and of reversed G_t: VE if D_i has
+    an edge of its slope, EV if G_t has one, EE if both; an EE contact is a segment.
+
+    Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
+    Cost: O(log m + log n).
+    """
+    k = flatter(part, edge)
+    h = flatter(reversed_edges, edge)
+    n, d = at
+    travelled = n - edge[0][0] * d
+    along: Rational
+    inside = False
+    if k == len(part) - 1 or cross(part[k], part[k + 1], edge) > 0:
+        along = 0
+    elif h == len(reversed_edges) - 1 or cross(reversed_edges[h], reversed_edges[h + 1], edge) > 0:
+        along = travelled
+        inside = 0 < along < (part[k + 1][0] - part[k][0]) * d
+    elif rightmost:
+        along = min(travelled, (part[k + 1][0] - part[k][0]) * d)
+    else:
+        along = max(0, travelled - (reversed_edges[h + 1][0] - reversed_edges[h][0]) * d)
+    return min(k, len(part) - 2), (part[k][0] * d + along, d), inside
+
+
+def _placed(
+    generatrix: Sequence[Vertex],
+    at: Break,
+    edge: Edge,
+    left: Break,
+    right: Break,
+    *,
+    touching: bool,
+) -> list[Vertex]:
+    """Vertices of G_t between two breaks, left to right, when G is at a break on an edge of T.
+
+    With those that are at the breaks, if `touching`. All three breaks have one denominator.
+    Cost: O(log n + vertices returned).
+    """
+    n, d = at
+    count = len(generatrix)
+    before, after = (bisect_left, bisect_right) if touching else (bisect_right, bisect_left)
+    first = before(range(count), left[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
+    last = after(range(count), right[0] - n, key=lambda k: generatrix[-1 - k][0] * d)
+    if first >= last:
+        return []
+    placed = generatrix[count - last : count - first][::-1]
+    xs, ys = (sums(p, [v[k] for v in placed]) for k, p in enumerate(point_on(edge, at)))
+    return list(zip(xs, ys, strict=True))

@@ -1,0 +1,68 @@
+"""The lower sweep (G_t, D_b), by the procedures of its class (end of Section 2)."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Literal
+
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.mm import outer_mm, trajectory_mm
+from exactsweep.procedures.mm_inner import inner_mm
+
+Kind = Literal["CC", "CM", "MM"]
+
+
+class LowerSweep:
+    """The sweep (G_t, D_b), or (G_b, D_t) turned by half a turn, of one of the paper's classes.
+
+    Args:
+        kind: "CC", "CM" or "MM".
+        top: G_t, from right to left.
+        bottom: G_b, from left to right.
+        directrix: D_b, from left to right.
+    """
+
+    def __init__(
+        self, kind: Kind, top: list[Vertex], bottom: list[Vertex], directrix: list[Vertex]
+    ) -> None:
+        self.kind = kind
+        self.top = top
+        self.bottom = bottom
+        self.directrix = directrix
+
+    @cached_property
+    def path(self) -> list[Vertex]:
+        """T(G_t, D_b) as a chain, from left to right."""
+        if self.kind == "CC":
+            return trajectory_cc(self.top, self.directrix)
+        return list(self.trajectory)
+
+    @cached_property
+    def trajectory(self) -> Envelope:
+        """T(G_t, D_b)."""
+        if self.kind == "CC":
+            return Envelope.of_own(self.path)
+        if self.kind == "CM":
+            return trajectory_cm(self.top, self.directrix)
+        return trajectory_mm(self.top, self.directrix)
+
+    @cached_property
+    def inner(self) -> list[Vertex]:
+        """The inner boundary, Definition 2.1."""
+        if self.kind == "CC":
+            return sweep_inner_cc(self.top, self.directrix)
+        if self.kind == "CM":
+            return sweep_inner_cm(self.top, self.directrix, self.trajectory)
+        return inner_mm(self.top, self.trajectory, self.directrix)
+
+    @cached_property
+    def outer(self) -> list[Vertex]:
+        """The outer boundary, Definition 2.1."""
+        if self.kind == "CC":
+            return sweep_outer_cc(self.top, self.bottom, self.directrix)
+        if self.kind == "CM":
+            return list(sweep_outer_cm(self.top, self.bottom, self.directrix))
+        return list(outer_mm(self.bottom, self.trajectory))

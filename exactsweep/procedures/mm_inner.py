@@ -1,0 +1,182 @@
+"""The inside of a trajectory as a directrix for the inverse generatrix (Lemma 5.3).
+
+The complement of the lower trajectory's upper side, turned by half a turn, is a bottom chain whose
+convex parts are the concave runs of T. Their vertices are mostly crossings, not on the lattice;
+but a part is swept by moving its edges, which are pieces of lattice edges, by vertices of G, and
+G's edges by its vertices, so that integer lines and breaks n/d are all that is needed.
+
+Where G touches D_b the inner loop is D_b itself, and that is read off the trajectory. An edge of
+it that comes from part i of G_t and part j of D_b, and is as steep as an edge of D_j, is drawn by
+a vertex of G sliding along that edge, or by an edge of G that lies on it; what slides over is
+touched. Any other edge is drawn by an edge of G sliding over the vertex of D_j at which its slope
+has its place (Table 1: VE, EE, EV).
+
+The inner boundary R(x) = max over u of T(u) + G_t(x - u) (Lemma 5.3) is nowhere above D_b, since
+T(u) <= D_b(x) - G_t(x - u), and is D_b(x) where that holds with equality, which is to say where G
+touches D. So R has to be computed over the gaps between touched points only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import chain, pairwise
+from typing import cast
+
+from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.procedures.chain import complement, corners, inverse
+from exactsweep.procedures.convex_part import ConvexPart, Run, flatter, joined_parts
+from exactsweep.procedures.envelope import (
+    Break,
+    Envelope,
+    Span,
+    gap,
+    joined,
+    line_of,
+    precedes,
+    value,
+)
+from exactsweep.procedures.part_pairs import sweep_pairs
+
+
+def inside_runs(trajectory: Envelope) -> list[Run]:
+    """The convex parts of the inverse of the complement of a lower trajectory, left to right.
+
+    Cost: O(t).
+    """
+    trajectory_edges = cast(list[Edge], trajectory.edges)
+    edges = [((-qx, -qy), (-px, -py)) for (px, py), (qx, qy) in reversed(trajectory_edges)]
+    lines = [line_of(edge) for edge in edges]
+    breaks = [(-n, d) for n, d in reversed(trajectory.breaks)]
+    sources = trajectory.sources[::-1]
+    size = len(edges)
+    runs: list[Run] = []
+    start, turns_left = 0, True
+    for k in range(1, size + 1):
+        turns_right = turns_next = True
+        if k < size:
+            if joined(trajectory_edges[size - k - 1], trajectory_edges[size - k]):
+                # A convex vertex of T, reflex here.
+                turns_right = turns_next = False
+            else:
+                n, d = breaks[k]
+                u, v = gap(lines[k - 1], lines[k])
+                above = u * n + v * d
+                if above == 0 and u < 0:
+                    continue
+                turns_right, turns_next = above < 0, above > 0
+        runs.append(
+            Run(
+                edges[start:k],
+                lines[start:k],
+                breaks[start : k + 1],
+                sources[start:k],
+                turns_left,
+                turns_right,
+            )
+        )
+        start, turns_left = k, turns_next
+    return runs
+
+
+def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
+    """The x-ranges of D_b between points that G touches, left to right.
+
+    Args:
+        trajectory: T(G_t, D_b), `sources` as `trajectory_mm` numbers them.
+        parts: the convex parts of D_b.
+
+    Returns:
+        list of open x-ranges, none of them empty.
+
+    Cost: O(t log m + m) for t edges of T, and to sort what is touched of each edge of D_b.
+
+    >>> from exactsweep.procedures.mm import trajectory_mm
+    >>> from exactsweep.procedures.convex_part import joined_parts
+    >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
+    >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
+    >>> (left, right), = gaps(trajectory, joined_parts(notch))
+    >>> value(left), value(right)
+    (Fraction(5, 2), Fraction(7, 2))
+    """
+    touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
+    last, v, turn = -1, 0, cast(Rational, 0)
+    for k, piece in enumerate(trajectory.edges):
+        p, q = edge = cast(Edge, piece)
+        dx, dy = q[0] - p[0], q[1] - p[1]
+        source = trajectory.sources[k]
+        points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
+        if source != last:
+            last, v = source, flatter(points, edge)
+        # Edges from one source become steeper.
+        while v < len(spans):
+            (start, y), (end, z) = points[v], points[v + 1]
+            turn = (z - y) * dx - (end - start) * dy
+            if turn >= 0:
+                break
+            v += 1
+        if v == len(spans) or turn > 0:
+            at = points[v][0], 1
+            spans[min(v, len(spans) - 1)].append((at, at))
+            continue
+        # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
+        (n, d), g_right = trajectory.breaks[k], q[0] - end
+        (m, e), g_left = trajectory.breaks[k + 1], p[0] - start
+        spans[v].append(
+            (
+                (start, 1) if n <= (start + g_right) * d else (n - g_right * d, d),
+                (end, 1) if m >= (end + g_left) * e else (m - g_left * e, e),
+            )
+        )
+    found: list[Span] = []
+    reach: Break = (parts[0].points[0][0], 1)
+    for of_edge in chain.from_iterable(touched):
+        if any(precedes(after[0], before[0]) for before, after in pairwise(of_edge)):
+            of_edge.sort(key=lambda span: value(span[0]))
+        for left, right in of_edge:
+            if precedes(reach, left):
+                found.append((reach, left))
+            if precedes(reach, right):
+                reach = right
+    return found
+
+
+def pierced(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """An envelope with holes for its gaps, given from left to right. Cost: O(n log n)."""
+    left_over = Envelope([envelope.breaks[0]], [], [])
+    end = envelope.breaks[-1]
+    for left, right in [*gaps, (end, end)]:
+        since = left_over.breaks[-1]
+        if precedes(since, left):
+            left_over.take(envelope, envelope.edge_after(since), envelope.edge_before(left), left)
+        if precedes(left, right):
+            left_over.extend_hole(right)
+    return left_over
+
+
+def inner_mm(
+    generatrix_top: Sequence[Vertex], trajectory: Envelope, directrix: Sequence[Vertex]
+) -> list[Vertex]:
+    """Inner boundary: I(G) slides along the inside of T (Lemma 5.3).
+
+    Turned by half a turn, that is G_t along the bottom chain of the inverse of T's complement.
+    Where G touches D_b the boundary is D_b itself, so that only the gaps between are swept: the
+    faster way that the paper mentions after Corollary 5.8 (see `exactsweep.touched`).
+
+    Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
+    overlaps a gap; all t of them at worst.
+    """
+    parts = joined_parts(directrix)
+    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(gaps(trajectory, parts))]
+    if not open_spans:
+        return corners(directrix)
+    chains = joined_parts(inverse(generatrix_top))
+    inside = inside_runs(trajectory)
+    # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
+    guess: list[set[int]] = [set() for _ in chains]
+    for k, run in enumerate(inside):
+        for source in run.sources:
+            guess[source // len(parts)].add(k)
+    floor = Envelope.of(inverse(complement(directrix)))
+    boundary = sweep_pairs(chains, inside, pierced(floor, open_spans), open_spans, guess)
+    boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
+    return inverse(complement(list(boundary)))

@@ -1,0 +1,217 @@
+"""Which pairs of convex parts need not be swept: boxes of parts, and a ceiling over a trajectory.
+
+Two parts without a slope in common give nothing that matters (see `convex_part`), and most of the
+other pairs never come near the envelope. So its x-range is cut into strips of equal width,
+each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
+than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
+Heights of the envelope are rounded upwards to ints and those of the boxes downwards; slopes are all
+rounded downwards, which keeps their order but for ties, and ties count as in common.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from math import inf
+from typing import NamedTuple, Protocol
+
+from exactsweep.geometry.point import Rational
+from exactsweep.procedures.convex_part import Box, ConvexPart, Run
+from exactsweep.procedures.envelope import Break, Envelope, Span, upper_bound
+from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
+
+STRIPS_PER_EDGE = 2
+STRIPS_PER_CHAIN = 4
+
+
+Guess = Sequence[Collection[int]]
+"""For each part of G_t, numbers of parts of D_b."""
+
+
+class Boxed(Protocol):
+    """A chain with a box."""
+
+    @property
+    def box(self) -> Box:
+        """Its box."""
+
+
+class Boxes(NamedTuple):
+    """The boxes of consecutive parts, and their ends.
+
+    The first left end is the least, and the last right end the greatest. The ends of Runs ascend,
+    which `Ceiling.reached` needs where there are gaps; parts of an envelope, whose cut edges are
+    whole, may overlap.
+    """
+
+    boxes: list[Box]
+    lefts: list[Rational]
+    rights: list[Rational]
+
+    @classmethod
+    def of(cls, parts: Iterable[Boxed]) -> Boxes:
+        """Collect the boxes of parts, from left to right."""
+        boxes = [part.box for part in parts]
+        return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
+
+    def facing(self, part: Box) -> list[int]:
+        """The numbers of the boxes that may have slopes in common with a part. Cost: O(m)."""
+        _, _, _, flattest, steepest = part
+        return [
+            k
+            for k, (_, _, _, first, last) in enumerate(self.boxes)
+            if first <= steepest and flattest <= last
+        ]
+
+
+class Ceiling:
+    """Upper bounds of an envelope over strips of its x-range; of a hole, infinity.
+
+    Args:
+        envelope: what is known of the envelope to be found.
+        chains: how many convex chains of G_t and D_b there are. There
+            are no more strips than in proportion, so that a pair crosses O(1) of them on average
+            however large the envelope is.
+        gaps: the x-ranges in which it may be lower than what is known, from left to right;
+            everywhere, if left out.
+
+    Cost: O(size of the envelope).
+    """
+
+    def __init__(self, envelope: Envelope, chains: int, gaps: Sequence[Span] | None = None) -> None:
+        self.start: Rational
+        breaks, lines = envelope.breaks, envelope.lines()
+        (start, start_d), (end, end_d) = breaks[0], breaks[-1]
+        self.start = start // start_d
+        width = end // end_d + 1 - self.start
+        count = min(STRIPS_PER_EDGE * len(lines), STRIPS_PER_CHAIN * chains, int(width))
+        self.width = -(-width // count)
+        # One strip more: the end of the x-range may lie on its border.
+        tops: list[Rational | float] = [-inf] * (count + 1)
+        strips = [self._strip(at) for at in breaks]
+        for k, line in enumerate(lines):
+            left, right = breaks[k], breaks[k + 1]
+            top = inf if line is None else max(upper_bound(line, left), upper_bound(line, right))
+            for strip in range(strips[k], strips[k + 1] + 1):
+                if top > tops[strip]:
+                    tops[strip] = top
+        # First and last strip of each window; no strip is in two of them.
+        self.windows: list[tuple[int, int]] = []
+        for left, right in [(breaks[0], breaks[-1])] if gaps is None else gaps:
+            first, last = self._strip(left), self._strip(right)
+            if self.windows and first <= self.windows[-1][1]:
+                first = self.windows.pop()[0]
+            self.windows.append((first, last))
+        self.tops: list[Rational | float] = [-inf] * (count + 1)
+        for first, last in self.windows:
+            self.tops[first : last + 1] = tops[first : last + 1]
+
+    def _strip(self, at: Break) -> int:
+        """The strip in which a break lies."""
+        n, d = at
+        return int((n // d - self.start) // self.width)
+
+    def reached(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
+        """Which boxes give a sum with that of a part that comes below the ceiling.
+
+        Args:
+            part: a box of a part of G_t.
+            boxes: those of D_b.
+            numbers: of the boxes that are asked about, ascending.
+
+        Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
+        """
+        left, right, low = part.left - self.start, part.right - self.start, part.low
+        width, tops = self.width, self.tops
+        reached: list[int] = []
+        done = 0
+        for first_strip, last_strip in self.windows:
+            begin = max(done, bisect_left(boxes.rights, first_strip * width - right))
+            done = bisect_right(boxes.lefts, (last_strip + 1) * width - left, begin)
+            for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
+                first, last, least, _, _ = boxes.boxes[k]
+                least += low
+                start, end = (left + first) // width, (right + last) // width
+                # Most are decided by the strip in the middle.
+                if least < tops[(start + end) // 2] or least < max(tops[start : end + 1]):
+                    reached.append(k)
+        return reached
+
+
+def sweep_pairs(
+    chains: Sequence[ConvexPart],
+    parts: Sequence[ConvexPart] | Sequence[Run],
+    known: Envelope | None = None,
+    gaps: Sequence[Span] | None = None,
+    guess: Guess | None = None,
+) -> Envelope:
+    """Steps 2 and 3: the CM sweep of each convex part of G_t, and their lower envelope.
+
+    What matters of a sub-trajectory is its edges between the slopes of both parts (see
+    `convex_part`); a pair without slopes in common gives nothing. The others are swept in
+    batches, each three times the last, those parts of G_t first that reach highest. What a batch
+    gives is a ceiling over the next, and pairs that do not come below it need not be swept.
+
+    Lemma A.3 holds for any two whole sub-trajectories of one part of G_t, neighbours or not: on
+    the right it is the later one that is lower. So LowerEnvelope_CM joins them, as long as the
+    later one starts over the partial trajectory and does not end before it; else a new run begins.
+    Since they are cut, a run may leave out a stretch of one that is lower than the run there.
+    Invariant: where a sub-trajectory lies on the final envelope, so does its run. For what is left
+    out is nowhere below the whole sub-trajectory that the run is on just before the later one takes
+    over; and where that is cut off, it is above the final envelope.
+
+    Args:
+        chains: the convex parts of reversed G_t.
+        parts: the convex parts of D_b.
+        known: the envelope outside the gaps, with holes in them.
+        gaps: the x-ranges that matter; all of it, if left out.
+        guess: for each chain the numbers of the parts with which it is likely to be lowest;
+            these pairs go first.
+
+    Returns:
+        The lower envelope, `sources` as in `trajectory_mm`.
+
+    Cost: O(m n log k) for k runs, one for each part of G_t at best, and at most one for each pair.
+    """
+    boxes = Boxes.of(parts)
+    chain_boxes = [chain.box for chain in chains]
+    order = sorted(range(len(chains)), key=lambda i: chain_boxes[i].low)
+
+    start: Break = (min(box.left for box in chain_boxes) + boxes.lefts[0], 1)
+    end: Break = (max(box.right for box in chain_boxes) + boxes.rights[-1], 1)
+
+    def lowered(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
+        runs: list[Envelope] = []
+        ceiling = None
+        if envelope is not None:
+            runs.append(envelope)
+            ceiling = Ceiling(envelope.padded(start, end), len(chains) + len(parts), gaps)
+        for i, numbers in batch.items():
+            chain, first = chains[i], i * len(parts)
+            if ceiling is not None:
+                numbers = ceiling.reached(chain_boxes[i], boxes, numbers)
+            since = len(runs)
+            for j in numbers:
+                piece = parts[j].swept(chain, first + j)
+                if len(runs) > since and piece.follows(runs[-1]):
+                    lower_envelope_cm(runs[-1], piece)
+                elif piece.edges:
+                    runs.append(piece)
+        return lower_envelope_mm(runs) if runs else None
+
+    envelope = known
+    if guess is not None:
+        # Its pairs come up again with the others, few of them under the ceiling that they make.
+        envelope = lowered(envelope, {i: sorted(guess[i]) for i in order})
+    size, pairs = len(chains) + len(parts), 0
+    batch: dict[int, list[int]] = {}
+    for i in order:
+        facing = boxes.facing(chain_boxes[i])
+        if batch and pairs + len(facing) > size:
+            envelope = lowered(envelope, batch)
+            batch, size, pairs = {}, 3 * size, 0
+        batch[i] = facing
+        pairs += len(facing)
+    envelope = lowered(envelope, batch)
+    assert envelope is not None, "some pair draws the trajectory"
+    return envelope

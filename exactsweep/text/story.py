@@ -1,0 +1,212 @@
+"""The steps of a sweep, told in words."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.number import abridged
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.words import CLASSES, count, heading, pair
+
+_HALVES: dict[Half, str] = {
+    "lower": "Below D: the lower sweep (G_t, D_b)",
+    "right": "The right end",
+    "upper": "Above D: the upper sweep (G_b, D_t)",
+    "left": "The left end",
+}
+
+
+def story(s: Swept) -> Iterator[str]:
+    r"""Tell a sweep step by step, as `explain` finds it.
+
+    Features have the index and the coordinates of the caller's input; positions are those of the
+    reference point.
+
+    Returns:
+        Lines of text, of ASCII characters only, one after the other.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> lines = list(story(sweep(square, [(0, 0), (3, 0), (0, 3)])))
+        >>> print(*lines[7:9], sep="\n")
+        Step 0: right, along (1,0), from (-1,-1) to (3,-1)
+          EE: edge 2 of G, (1,1)-(0,1), slides along edge 0 of D, (0,0)-(3,0)
+    """
+    steps = explain(s)
+    teller = _Teller(s)
+    yield from teller.opening(steps)
+    half = None
+    for k, step in enumerate(steps):
+        if step.half != half:
+            half = step.half
+            yield f"-- {_HALVES[half]} --"
+            yield ""
+        yield (
+            f"Step {k}: {heading(step.direction)}, along {pair(step.direction)}, "
+            f"from {pair(step.start)} to {pair(step.end)}"
+        )
+        for line in teller.step(step, steps[(k + 1) % len(steps)]):
+            yield f"  {line}"
+        yield ""
+    yield f"G is back at {pair(steps[0].start)}."
+
+
+class _Features:
+    """How the features of a polygon are called, by index."""
+
+    def __init__(self, polygon: Polygon, letter: str) -> None:
+        self.vertices: dict[int, str] = {}
+        self.edges: dict[int, str] = {}
+        self.corners: dict[int, Point] = {}
+        self.ends: dict[int, set[int]] = {}
+        self.reflex: set[int] = set()
+        corners, size = polygon.vertices, len(polygon)
+        for k, (x, y) in enumerate(corners):
+            i, j = polygon.vertex_index(k), polygon.edge_index(k)
+            (px, py), (qx, qy) = corners[k - 1], corners[(k + 1) % size]
+            self.vertices[i] = f"vertex {i} of {letter}, {pair((x, y))}"
+            self.edges[j] = f"edge {j} of {letter}, {pair((x, y))}-{pair((qx, qy))}"
+            self.corners[i] = corners[k]
+            self.ends[j] = {i, polygon.vertex_index((k + 1) % size)}
+            if (x - px) * (qy - y) < (y - py) * (qx - x):
+                self.reflex.add(i)
+
+
+class _Teller:
+    """Finds the words for the steps of one sweep."""
+
+    def __init__(self, s: Swept) -> None:
+        self.sweep = s
+        self.g = _Features(s.generatrix, "G")
+        self.d = _Features(s.directrix, "D")
+
+    def opening(self, steps: Sequence[Step]) -> Iterator[str]:
+        s = self.sweep
+        events = Counter(touch.contact.event for step in steps for touch in step.touches)
+        endings = Counter(step.ending for step in steps)
+        g, d = len(s.generatrix), len(s.directrix)
+        yield f"Class {CLASSES[s.kind]}, of {g} and {d} vertices."
+        yield (
+            "The generatrix, G, goes once round the directrix, D, which it keeps on its left, "
+            f"in {len(steps)} steps."
+        )
+        yield (
+            f"A position is that of the point {pair(s.reference)} of G; vertices and edges of G "
+            "and D are those of the input."
+        )
+        if s.direction != (1, 0):
+            yield (
+                f"Both are monotone to {pair(s.direction)}; what is below, above or an end is so "
+                "with this direction to the right."
+            )
+        yield (
+            f"Contacts: {', '.join(f'{events[e]} {e}' for e in ('EV', 'VE', 'EE') if events[e])}; "
+            f"{count(endings['corner'], 'corner')}, {count(endings['stop'], 'stop')}; "
+            f"{count(len(s.undercuts), 'undercut')}, {count(len(s.exact_fits), 'exact fit')}."
+        )
+        yield ""
+
+    def step(self, step: Step, following: Step) -> Iterator[str]:
+        for touch in step.touches:
+            yield self._touch(touch, step)
+        for mark in step.landmarks:
+            if mark.position != step.end:
+                yield f"On the way, at {pair(mark.position)}, {self._landmark(mark)}"
+        yield f"{self._ending(step)}; {self._onward(step, following)}"
+        for mark in step.landmarks:
+            if mark.position == step.end:
+                yield f"Here {self._landmark(mark)}"
+
+    def _touch(self, touch: Touch, step: Step) -> str:
+        event, i, j = touch.contact
+        mover = self.g.vertices[i] if event == "VE" else self.g.edges[i]
+        below = f"over {self.d.vertices[j]}" if event == "EV" else f"along {self.d.edges[j]}"
+        text = f"{event}: {mover}, slides {below}"
+        if touch.start != step.start:
+            text += f", from {pair(touch.start)} on"
+        if touch.end != step.end:
+            text += f", until {pair(touch.end)}"
+        return text
+
+    def _ending(self, step: Step) -> str:
+        if step.ending == "corner":
+            meetings = (
+                f"{self.g.vertices[i]}, is on {self.d.vertices[j]}" for _, i, j in step.reasons
+            )
+            return f"Corner: {', and '.join(meetings)}"
+        if step.ending == "stop":
+            stops = (self._stop(contact, step.end) for contact in self._telling(step.reasons))
+            return f"Stop: {', and '.join(stops)}"
+        return "Slot: nothing stops G, but straight on it would be in an exact fit"
+
+    def _stop(self, contact: Contact, position: Point) -> str:
+        event, i, j = contact
+        g, d = self.g, self.d
+        if event == "EE":
+            return f"{g.edges[i]}, closes flat on {d.edges[j]}"
+        if event == "EV":
+            return f"{g.edges[i]}, runs into {d.vertices[j]}"
+        if event == "VE":
+            (x, y), (tx, ty), (rx, ry) = g.corners[i], position, self.sweep.reference
+            at = pair((x + tx - rx, y + ty - ry))
+            return f"{g.vertices[i]}, runs into {d.edges[j]}, at {at}"
+        if i in g.reflex:
+            return f"{d.vertices[j]}, comes into the reflex corner at {g.vertices[i]}"
+        if j in d.reflex:
+            return f"{g.vertices[i]}, comes into the reflex corner at {d.vertices[j]}"
+        return f"{g.vertices[i]}, runs into {d.vertices[j]}"
+
+    def _telling(self, contacts: Iterable[Contact]) -> list[Contact]:
+        """Leave out what comes with two edges that touch: contacts at their ends."""
+        contacts = list(contacts)
+        implied: set[Contact] = set()
+        for event, e, d in contacts:
+            if event == "EE":
+                implied.update(Contact("EV", e, j) for j in self.d.ends[d])
+                implied.update(Contact("VE", i, d) for i in self.g.ends[e])
+                implied.update(Contact("VV", i, j) for i in self.g.ends[e] for j in self.d.ends[d])
+        return [contact for contact in contacts if contact not in implied]
+
+    def _onward(self, step: Step, following: Step) -> str:
+        names: dict[str, None] = {}
+        for (event, i, j), start, _ in following.touches:
+            if start == following.start:
+                if event != "VE":
+                    names[f"edge {i} of G"] = None
+                if event != "EV":
+                    names[f"edge {j} of D"] = None
+        along = " and ".join(names)
+        if step.ending == "corner":
+            return f"G turns left, along {along}, the next by slope"
+        return f"G turns right, along {along}"
+
+    def _landmark(self, landmark: Landmark) -> str:
+        if landmark.mark == "exact fit":
+            return self._exact_fit(landmark)
+        undercut = self.sweep.undercuts[landmark.number]
+        extremes = " and ".join(map(pair, undercut.extremes))
+        name = f"undercut {landmark.number}, of area {abridged(undercut.polygon.area)},"
+        if landmark.mark == "undercut":
+            return f"G closes {name} by touching {extremes} at once"
+        several = undercut.intersection == "point"
+        if landmark.mark == "undercut opens":
+            if several:
+                return f"begin the positions that close {name} from {extremes}"
+            return f"{name} closes: from here one edge of G slides over both {extremes}"
+        if several:
+            return f"end the positions that close undercut {landmark.number}"
+        return f"undercut {landmark.number} is left: the edge of G slides off it"
+
+    def _exact_fit(self, landmark: Landmark) -> str:
+        hanging, inside = self.sweep.exact_fits[landmark.number]
+        way = heading((inside.x - hanging.x, inside.y - hanging.y))
+        return (
+            f"exact fit {landmark.number} hangs: G could go {way} to {pair(inside)}, "
+            "touching D on both sides"
+        )

@@ -1,0 +1,111 @@
+"""The benchmarks' families, counting numbers and bounds; on counts alone, which never vary."""
+
+from fractions import Fraction
+
+import pytest
+
+from benchmarks.families import FAMILIES
+from benchmarks.growth import exponent
+from benchmarks.outlines import OUTLINES, part_pairs
+from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM, Chains
+from benchmarks.scaling import RUNS, Run, measure
+from exactsweep import Polygon, sweep
+from exactsweep.corpus.generator.growing import bumps
+from exactsweep.paper.counting import Counted, counted, counting
+from exactsweep.procedures.mm import outer_mm, trajectory_mm
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize(("m", "n"), [(8, 8), (16, 64), (64, 16), (100, 20)])
+def test_families_have_the_stated_sizes(family: str, m: int, n: int) -> None:
+    generatrix, directrix = FAMILIES[family](m, n, 0)
+    assert (len(Polygon(directrix)), len(Polygon(generatrix))) == (m, n)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_families_are_reproducible_and_seeded(family: str) -> None:
+    make = FAMILIES[family]
+    assert make(32, 16, 1) == make(32, 16, 1)
+    assert family == "figure10" or make(32, 16, 1) != make(32, 16, 2)
+
+
+def test_a_family_is_the_same_on_every_machine() -> None:
+    generatrix, directrix = FAMILIES["cm"](6, 4, 0)
+    assert generatrix == [(0, 0), (90, -59), (128, 12), (38, 71)]
+    assert directrix == [(0, 0), (25, -60), (50, -79), (75, 0), (50, 81), (25, 61)]
+
+
+@pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
+def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
+    chains = Chains.of(*bumps(*sizes))
+    m_b, n_t, n_b = sizes
+    lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
+    assert lengths == sizes
+    outer = list(outer_mm(chains.bottom, trajectory_mm(chains.top, chains.directrix)))
+    assert len(outer) - 1 == m_b * n_t * n_b // 4 + 4
+    if sizes == (2, 4, 6):
+        assert len(outer) - 1 == 16
+
+
+def test_figure_10_of_ten_and_four_vertices_is_the_paper_s() -> None:
+    assert FAMILIES["figure10"](4, 10, 0) == bumps(2, 4, 6)
+
+
+def test_outlines_of_parts_are_parts() -> None:
+    sizes = [len(Polygon(outline)) for outline in OUTLINES.values()]
+    assert min(sizes) >= 20
+    assert max(sizes) <= 150
+    for generatrix, directrix in list(part_pairs())[::13]:
+        assert sweep(generatrix, directrix).trajectory.area > 0
+
+
+def test_counted_numbers_stay_counted() -> None:
+    with counting() as tally:
+        a, b = Counted(7), Counted(3)
+        results = [a + 1, 1 - a, a * 2, 2 * a, a // 2, 9 // b, -a, abs(a), a % b]
+        ratio = Fraction(a, b)
+        halves = [ratio * 2, 1 - ratio, ratio / 5]
+    assert all(type(result) is Counted for result in results)
+    assert all(type(half.numerator) is Counted for half in halves)
+    assert results == [8, -6, 14, 14, 3, 3, -7, 7, 1]
+    assert ratio == Fraction(7, 3)
+    assert tally.multiplications > 5
+
+
+def test_comparisons_are_counted_once() -> None:
+    (x, y), (u, v) = counted([(1, 2), (1, 3)])
+    with counting() as tally:
+        assert x < y
+        assert x == u
+        assert not v <= y
+    assert (tally.multiplications, tally.comparisons) == (0, 3)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_counting_changes_no_result(family: str) -> None:
+    generatrix, directrix = FAMILIES[family](20, 20, 0)
+    plain, chains = (
+        Chains.of(g, d)
+        for g, d in ((generatrix, directrix), (counted(generatrix), counted(directrix)))
+    )
+    trajectories = [trajectory_mm(c.top, c.directrix) for c in (plain, chains)]
+    assert list(trajectories[0]) == list(trajectories[1])
+
+
+def test_counts_are_the_same_on_every_run() -> None:
+    for run in (Run(TRAJECTORY_CM, "cm", "m = n", 8), Run(SWEEP_OUTER_MM, "mm", "n", 8, 8)):
+        first, second = (measure(run, quick=True) for _ in range(2))
+        assert first.points == second.points
+
+
+def test_exponents_are_those_of_powers() -> None:
+    sizes = [2**k for k in range(3, 9)]
+    assert exponent(sizes, [5 * size**3 for size in sizes]) == pytest.approx(3)
+
+
+@pytest.mark.parametrize("run", RUNS, ids=lambda r: f"{r.procedure.name} {r.family} {r.varied}")
+def test_operations_stay_within_the_claimed_bound(run: Run) -> None:
+    series = measure(run, quick=True)
+    # Small pairs are mostly ends; the envelopes of MM are merged in batches, which makes steps.
+    assert series.last_growth < 1.3
+    assert series.counted < series.claimed + 0.3

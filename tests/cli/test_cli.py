@@ -1,0 +1,300 @@
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from command import EXAMPLE, HOUSE, NOTCH, ROOT, refusal, run, shell
+
+import exactsweep
+from exactsweep import sweep
+from exactsweep.cli import main
+from exactsweep.cli.pair import DIRECTRIX
+from exactsweep.formats import MAX_BYTES, parse_polygon
+from exactsweep.text.report import report
+from exactsweep.text.results import sweep_to_json, sweep_to_wkt
+
+REPORT = """\
+class       CM, convex generatrix and monotone directrix
+direction   (1,0)
+reference   (0,0)
+undercuts   1
+exact fits  0
+
+            vertices  area about  area exactly
+generatrix         5              3
+directrix          7              30
+trajectory         9  65.4        327/5
+inner loop         8  31.6        158/5
+outer loop        12  103.6       518/5
+swept area                        72
+
+trajectory  (-2,-1) (-1,-2) (7,-2) (8,-1) (8,5) (5,5) (13/5,13/5) (2,5) ... 1 more
+inner loop  (0,0) (8,0) (8,5) (7,5) (23/5,13/5) (13/5,13/5) (2,5) (0,5)
+outer loop  (-2,-1) (-1,-2) (9,-2) (10,-1) (10,6) (9,7) (6,7) (21/5,26/5) ... 4 more
+"""
+
+
+def test_the_example_has_one_undercut() -> None:
+    # The house stands where the notch is two wide, 8/5 above its bottom: 1/2 * 2 * 8/5.
+    assert EXAMPLE.inner.area - DIRECTRIX.area == Fraction(8, 5)
+
+
+def test_without_arguments_the_example_is_swept() -> None:
+    assert run("sweep").stdout == REPORT
+
+
+@pytest.mark.parametrize("name", ["notch.wkt", "notch.geojson"])
+def test_files_are_swept(name: str) -> None:
+    assert run("sweep", HOUSE, str(Path(NOTCH).with_name(name))).stdout == REPORT
+
+
+@pytest.mark.parametrize("pair", [("-", NOTCH), (HOUSE, "-")])
+def test_standard_input_is_a_file(pair: tuple[str, str]) -> None:
+    stdin = Path((HOUSE, NOTCH)[pair.index("-")]).read_bytes()
+    assert run("sweep", *pair, stdin=stdin).stdout == REPORT
+
+
+def test_json_and_wkt_are_written() -> None:
+    assert run("sweep", "--json").stdout == sweep_to_json(EXAMPLE)
+    assert run("sweep", HOUSE, NOTCH, "--wkt").stdout == sweep_to_wkt(EXAMPLE)
+
+
+@pytest.mark.parametrize("options", [(), ("--json",), ("--wkt",)])
+def test_output_goes_to_a_file(tmp_path: Path, options: tuple[str, ...]) -> None:
+    path = tmp_path / "result"
+    result = run("sweep", "-o", str(path), *options)
+    assert (result.exit_code, result.output) == (0, "")
+    assert path.read_text() == run("sweep", *options).stdout == run("sweep", "-o-", *options).stdout
+
+
+def test_a_refusal_leaves_the_output_alone(tmp_path: Path) -> None:
+    path = tmp_path / "result"
+    path.write_text("before")
+    refusal(run("sweep", "none", NOTCH, "-o", str(path)))
+    assert path.read_text() == "before"
+
+
+def test_direction_is_reduced_and_the_loops_do_not_depend_on_it() -> None:
+    standard = json.loads(run("sweep", "--json").stdout)
+    turned = json.loads(run("sweep", "--json", "--direction", "-1/2", "0.125").stdout)
+    assert (standard.pop("direction"), turned.pop("direction")) == ([1, 0], [4, -1])
+    assert standard == turned
+
+
+def test_reference_moves_the_trajectory() -> None:
+    document = json.loads(run("sweep", "--json", "--reference", "-1/3", "2").stdout)
+    assert document["reference"] == ["-1/3", "2"]
+    assert exactsweep.Polygon(document["trajectory"]) == EXAMPLE.trajectory.translated(("-1/3", 2))
+    assert exactsweep.Polygon(document["outer"]) == EXAMPLE.outer
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["sweep", HOUSE], "Give both GENERATRIX and DIRECTRIX, or neither."),
+        (["sweep", "-", "-"], "Only one polygon can be read from standard input."),
+        (["sweep", HOUSE, NOTCH, HOUSE], "Got unexpected extra argument"),
+        (["sweep", "--json", "--wkt"], "--json and --wkt exclude each other."),
+        (["sweep", "--certificate", "--wkt"], "--wkt and --certificate exclude each other."),
+        (["explain", HOUSE], "Give both GENERATRIX and DIRECTRIX, or neither."),
+        (["explain", "--wkt"], "No such option"),
+        (["verify"], "Missing argument 'FILE'."),
+        (["sweep", "--direction", "0", "0"], "(0, 0) is not a direction"),
+        (["sweep", "--direction", "x", "0"], "'x' is not a number such as"),
+        (["sweep", "--direction", "1"], "Option '--direction' requires 2 arguments."),
+        (["sweep", "--reference", "1", "1e9999"], "'1e9999' has an exponent beyond 4000"),
+        (["sweep", "--svg"], "No such option"),
+        (["broom"], "No such command 'broom'."),
+    ],
+)
+def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
+    result = run(*arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert message in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"", "empty"),
+        (b"{", "line 1, column 2: not JSON: Expecting property name enclosed in double quotes"),
+        (b"[[0, 0], [1, 0], [0, NaN]]", "$[2][1]: 'NaN' is not a number such as 3, -7/2, "),
+        (b"[[0, 0], [1, 0], [0, 1e99999]]", "$[2][1]: '1e99999' has an exponent beyond 4000"),
+        (b"[[0, 0], [2, 0], [1, 0], [0, 1]]", "spike at vertex 1: the boundary turns"),
+        (b"POLYGON ((0 0, 1 0, 0 1))", "line 1, column 10: the ring is not closed: "),
+        (b"\xfe\xfe", "not UTF-8 text: invalid start byte at byte 0"),
+        (b"[" * 100_000, "nested too deeply"),
+        (b"\0" * (MAX_BYTES + 1), f"more than {MAX_BYTES} bytes"),
+    ],
+    ids=range(9),
+)
+def test_bad_input_is_refused_in_one_line(tmp_path: Path, content: bytes, message: str) -> None:
+    path = tmp_path / "bad.txt"
+    path.write_bytes(content)
+    assert refusal(run("sweep", str(path), NOTCH)).startswith(f"{path}: {message}")
+    assert refusal(run("sweep", HOUSE, str(path))).startswith(f"{path}: {message}")
+    assert refusal(run("sweep", HOUSE, "-", stdin=content)).startswith(f"standard input: {message}")
+
+
+def test_pairs_without_a_shared_direction_are_refused() -> None:
+    plus = "[[1,0],[2,0],[2,1],[3,1],[3,2],[2,2],[2,3],[1,3],[1,2],[0,2],[0,1],[1,1]]"
+    zigzag = "[[0,0],[9,0],[9,9],[0,9],[0,8],[8,8],[8,1],[0,1]]"
+    spiral = "[[0,0],[9,0],[9,9],[0,9],[0,3],[6,3],[6,4],[1,4],[1,8],[8,8],[8,1],[0,1]]"
+    assert run("sweep", "-", NOTCH, stdin=plus).exit_code == 0
+    assert run("sweep", "-", NOTCH, stdin=zigzag).exit_code == 1
+    message = refusal(run("sweep", "-", NOTCH, stdin=spiral))
+    assert message.startswith(f"standard input, {NOTCH}: the polygons share no direction")
+    message = refusal(run("sweep", "--direction", "0", "1"))
+    assert "the directrix is not monotone to (0, 1)" in message
+
+
+def test_wkt_is_refused_where_it_cannot_be_exact() -> None:
+    third = '[[0, 0], ["1/3", 0], [0, 1]]'
+    message = refusal(run("sweep", "--wkt", HOUSE, "-", stdin=third))
+    assert message == (
+        "trajectory, vertex 2: -2/3 is not a finite decimal, which is all that WKT can hold; "
+        "use --json"
+    )
+
+
+def test_files_that_cannot_be_opened_are_refused(tmp_path: Path) -> None:
+    assert refusal(run("sweep", "none", NOTCH)) == "none: No such file or directory"
+    assert refusal(run("sweep", HOUSE, str(tmp_path))) == f"{tmp_path}: Is a directory"
+    assert refusal(run("sweep", "-o", str(tmp_path))) == f"{tmp_path}: Is a directory"
+    output = tmp_path / "none" / "result"
+    assert refusal(run("sweep", "-o", str(output))) == f"{output}: No such file or directory"
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_unreadable_files_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "secret.json"
+    path.write_text("[]")
+    path.chmod(0)
+    assert refusal(run("sweep", str(path), NOTCH)) == f"{path}: Permission denied"
+
+
+@pytest.mark.parametrize(
+    ("command", "code", "message"),
+    [
+        ("exactsweep sweep >/dev/full", 1, "Error: standard output: No space left on device\n"),
+        ("exactsweep sweep --json -o /dev/full", 1, "Error: /dev/full: No space left on device\n"),
+        ("exactsweep sweep >&-", 1, "Error: standard output: closed\n"),
+        ("exactsweep explain >/dev/full", 1, "Error: standard output: No space left on device\n"),
+        ("exactsweep explain >&-", 1, "Error: standard output: closed\n"),
+        ("exactsweep verify - <&-", 1, "Error: standard input: closed\n"),
+        (
+            "exactsweep sweep --certificate | exactsweep verify - >/dev/full",
+            1,
+            "Error: standard output: No space left on device\n",
+        ),
+        ("{ sleep 0.4; exactsweep explain; echo $? >&2; } | true", 0, "1\n"),
+        (f"exactsweep sweep - '{NOTCH}' <&-", 1, "Error: standard input: closed\n"),
+        (
+            f"exactsweep sweep /dev/zero '{NOTCH}'",
+            1,
+            f"Error: /dev/zero: more than {MAX_BYTES} bytes\n",
+        ),
+        # Nobody reads any more: that is no fault of the input.
+        ("{ sleep 0.4; exactsweep sweep; echo $? >&2; } | true", 0, "1\n"),
+        (
+            r"exactsweep sweep $'n\nne\xff' x",
+            1,
+            "Error: 'n\\nne\\udcff': No such file or directory\n",
+        ),
+        ("PYTHONIOENCODING=ascii exactsweep sweep >/dev/null", 0, ""),
+    ],
+)
+def test_streams_in_trouble_end_in_one_line(command: str, code: int, message: str) -> None:
+    done = shell(command)
+    assert (done.returncode, done.stdout, done.stderr) == (code, "", message)
+
+
+@pytest.mark.parametrize(
+    ("code", "absent"),
+    [
+        ("import exactsweep", {"click", "json", "rich"}),
+        ("import exactsweep.cli", {"rich"}),
+        ("from exactsweep.cli import main; main(['sweep'], standalone_mode=False)", set()),
+    ],
+)
+def test_only_what_is_needed_is_imported(code: str, absent: set[str]) -> None:
+    absent |= {
+        "sympy",
+        "numpy",
+        "matplotlib",
+        "shapely",
+        "gmpy2",
+        "ezdxf",
+        "pyarrow",
+        "distributed",
+    }
+    check = f"{code}; import sys; print('found:', *{absent} & set(sys.modules), end='')"
+    done = subprocess.run([sys.executable, "-c", check], check=True, capture_output=True, text=True)
+    assert done.stdout.endswith("found:")
+
+
+def test_a_piped_report_is_never_wrapped_or_cut() -> None:
+    digits = 3000 * "7"
+    lines = report(sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])).splitlines()
+    assert lines[8].split() == ["directrix", "3", "7.77778E+2999", digits]
+    assert not any(line != line.rstrip() for line in lines)
+    assert len(lines) == len(REPORT.splitlines())
+    assert "".join(lines).isascii()
+    assert "\x1b" not in "".join(lines)
+
+
+@pytest.mark.parametrize("width", [30, 50, 80])
+def test_a_terminal_is_not_overrun(width: int) -> None:
+    plain = re.sub("\x1b\\[[0-9;]*m", "", report(EXAMPLE, width))
+    assert max(map(len, plain.splitlines())) <= width
+    # Lines are broken between vertices only.
+    vertices = re.findall(r"\(\S+\)", REPORT)
+    assert re.findall(r"\(\S+\)", plain) == vertices
+
+
+def test_the_module_is_the_command() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "exactsweep", "verify"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 2
+    assert done.stderr.startswith("Usage: exactsweep verify [OPTIONS] FILE\n")
+
+
+def test_versions_agree() -> None:
+    declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    assert declared == exactsweep.__version__
+    assert run("--version").stdout == f"exactsweep, version {declared}\n"
+
+
+def test_help_names_every_option() -> None:
+    shown = run("sweep", "--help").stdout
+    for option in ("--json", "--wkt", "--certificate", "--output FILE", "--direction P Q"):
+        assert option in shown
+    assert "--reference X Y" in shown
+
+
+def test_help_describes_every_command_in_full() -> None:
+    listed = run("--help").stdout.partition("Commands:")[2]
+    assert re.findall(r"^  (\w+)  +\S.*\.$", listed, re.M) == sorted(main.commands)
+    assert "..." not in listed
+
+
+def test_readme_console_blocks_run_as_shown(tmp_path: Path) -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```console\n(.*?)^```$", readme, re.M | re.S)
+    assert blocks
+    for block in blocks:
+        for command, expected in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block, re.M):
+            done = shell(f"cd '{tmp_path}'; {{ {command}\n}} 2>&1")
+            assert done.stdout == expected, command
+
+
+def test_wkt_output_is_input() -> None:
+    loops = [parse_polygon(line) for line in run("sweep", "--wkt").stdout.splitlines()]
+    assert loops == [EXAMPLE.trajectory, EXAMPLE.inner, EXAMPLE.outer]

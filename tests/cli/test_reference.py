@@ -1,0 +1,87 @@
+"""The API reference: every public name says what it is, and pdoc has nothing to complain of."""
+
+import importlib
+import inspect
+import pkgutil
+import re
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from command import ROOT
+
+import exactsweep
+from exactsweep.cli.reference import MODULES
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def public_names(module: ModuleType) -> list[str]:
+    """Those that a module exports, or that it defines itself and does not hide."""
+    exported = getattr(module, "__all__", None)
+    if exported is not None:
+        return list(exported)
+    return [
+        name
+        for name, value in vars(module).items()
+        if not name.startswith("_") and getattr(value, "__module__", None) == module.__name__
+        if inspect.isclass(value) or inspect.isroutine(value)
+    ]
+
+
+def summary(value: object) -> str:
+    return (inspect.getdoc(value) or "").partition("\n")[0]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_every_public_name_has_a_summary(name: str) -> None:
+    module = importlib.import_module(name)
+    assert re.search(r"\w.*[.!]$|\w.*:$", summary(module)), name
+    for public in public_names(module):
+        value = getattr(module, public)
+        if not (inspect.isclass(value) or inspect.isroutine(value)):
+            continue
+        assert re.search(r"\w.*\w", summary(value)), f"{name}.{public}"
+        if inspect.isclass(value) and value.__module__.startswith("exactsweep"):
+            for member, inner in vars(value).items():
+                shown = inspect.isroutine(inner) or isinstance(inner, property)
+                if shown and not member.startswith("_"):
+                    assert summary(inner), f"{name}.{public}.{member}"
+
+
+def test_every_module_with_exports_is_in_the_reference() -> None:
+    found = {
+        module.name
+        for module in pkgutil.iter_modules(exactsweep.__path__, "exactsweep.")
+        if module.ispkg and hasattr(importlib.import_module(module.name), "__all__")
+    }
+    assert found <= set(MODULES)
+    for name in MODULES:
+        module = importlib.import_module(name)
+        assert all(hasattr(module, public) for public in public_names(module)), name
+    assert set(re.findall(r"`(exactsweep\.[a-z.]+)`", README)) <= {
+        module.name for module in pkgutil.walk_packages(exactsweep.__path__, "exactsweep.")
+    }
+
+
+def test_what_readme_imports_is_exported() -> None:
+    imports = re.findall(r"^(?:>>> )?from (exactsweep[\w.]*) import ([\w, ]+)$", README, re.M)
+    assert len(imports) > 5
+    for name, words in imports:
+        module = importlib.import_module(name)
+        for word in words.split(", "):
+            assert word in public_names(module), f"{name}.{word}"
+
+
+def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
+    command = [sys.executable, "-W", "error", "-m", "exactsweep.cli.reference", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    for name in MODULES:
+        page = (tmp_path / Path(*name.split("."))).with_suffix(".html").read_text(encoding="utf-8")
+        module = importlib.import_module(name)
+        for public in public_names(module):
+            if not inspect.ismodule(getattr(module, public)):
+                assert f'id="{public}"' in page, f"{name}.{public}"

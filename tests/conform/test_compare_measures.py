@@ -1,0 +1,256 @@
+"""Areas between regions, distances of loops, and walks along both: laws and known answers."""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import points, simple_rings
+
+from exactsweep import Point, Polygon
+from exactsweep.check.location import locate
+from exactsweep.conform.judge.frechet import walk_together
+from exactsweep.conform.judge.hausdorff import Place, Segment, distance_squared
+from exactsweep.conform.judge.region import RegionError, area, differences, simplest
+
+Ring = Sequence[Point]
+
+SQUARE = points((0, 0), (4, 0), (4, 4), (0, 4))
+patient = settings(deadline=None, max_examples=25)
+
+
+def any_rings() -> st.SearchStrategy[Ring]:
+    """Anything: crossing themselves, running back, with repeated vertices."""
+    coordinates = st.integers(0, 6).map(Fraction) | st.fractions(0, 6, max_denominator=3)
+    return st.lists(st.builds(Point, coordinates, coordinates), min_size=1, max_size=7)
+
+
+def polygons() -> st.SearchStrategy[Ring]:
+    return simple_rings().map(lambda ring: Polygon(ring).vertices)
+
+
+def apart(one: Iterable[Ring], other: Iterable[Ring]) -> Fraction:
+    return area(differences(one, other))
+
+
+@patient
+@given(any_rings(), any_rings())
+def test_the_area_does_not_depend_on_the_direction_of_the_slabs(one: Ring, other: Ring) -> None:
+    turned = [[Point(y - x, x + y) for x, y in ring] for ring in (one, other)]
+    assert apart(turned[:1], turned[1:]) == 2 * apart([one], [other])
+
+
+@patient
+@given(any_rings(), any_rings(), any_rings())
+def test_differences_are_a_metric_of_regions(one: Ring, two: Ring, three: Ring) -> None:
+    assert apart([one], [one[::-1]]) == 0
+    assert apart([one], [two]) == apart([two], [one])
+    assert apart([one], [three]) <= apart([one], [two]) + apart([two], [three])
+    # The rings of both together enclose the symmetric difference.
+    assert apart([one, two], []) == apart([one], [two])
+
+
+@patient
+@given(any_rings(), any_rings())
+def test_points_of_a_cell_are_in_exactly_its_region(one: Ring, other: Ring) -> None:
+    for cell in differences([one], [other]):
+        for point in cell.points():
+            assert (locate(point, one) > 0) is cell.first
+            assert (locate(point, other) > 0) is not cell.first
+
+
+@patient
+@given(polygons(), polygons())
+def test_areas_of_simple_polygons_add_up(one: Ring, other: Ring) -> None:
+    cells = list(differences([one], [other]))
+    first, second = (area(c for c in cells if c.first is side) for side in (True, False))
+    assert Polygon(one).area - first == Polygon(other).area - second
+
+
+@patient
+@given(polygons(), polygons())
+def test_areas_are_those_of_another_exact_program(one: Ring, other: Ring) -> None:
+    rene = pytest.importorskip("rene.exact")
+    numbers = pytest.importorskip("rithm.fraction")
+
+    def number(value: Fraction) -> Any:
+        return numbers.Fraction(value.numerator, value.denominator)
+
+    def region(ring: Ring) -> Any:
+        return rene.Polygon(rene.Contour([rene.Point(number(x), number(y)) for x, y in ring]), [])
+
+    def area_of(found: Any) -> Fraction:
+        if isinstance(found, rene.Empty):
+            return Fraction(0)
+        parts = found.polygons if isinstance(found, rene.Multipolygon) else [found]
+        rings = [(ring, sign) for p in parts for ring, sign in _signed(p)]
+        return sum((sign * _area(ring) for ring, sign in rings), Fraction(0))
+
+    assert apart([one], [other]) == area_of(region(one) ^ region(other))
+
+
+def _signed(polygon: Any) -> list[tuple[list[tuple[Fraction, Fraction]], int]]:
+    found = []
+    for contour, sign in ((polygon.border, 1), *((hole, -1) for hole in polygon.holes)):
+        ratios = [[(c.numerator, c.denominator) for c in (p.x, p.y)] for p in contour.vertices]
+        ring = [(Fraction(int(a), int(b)), Fraction(int(c), int(d))) for (a, b), (c, d) in ratios]
+        found.append((ring, sign))
+    return found
+
+
+def _area(ring: list[tuple[Fraction, Fraction]]) -> Fraction:
+    terms = (a * d - c * b for (a, b), (c, d) in pairwise([*ring, ring[0]]))
+    return abs(sum(terms, Fraction(0))) / 2
+
+
+def test_rings_that_cross_too_often_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    comb = [Point(Fraction(x), Fraction(9 * (x % 2))) for x in range(20)]
+    turned = [Point(2 * y, x / 2) for x, y in comb]
+    cells = list(differences([comb], [turned]))
+    assert area(cells) > 0
+    monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 1000)
+    with pytest.raises(RegionError, match="to be measured"):
+        list(differences([comb], [turned]))
+
+
+@given(st.fractions(max_denominator=50), st.fractions(max_denominator=50))
+def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: Fraction) -> None:
+    low, high = sorted((p, q))
+    found = simplest(low, high)
+    assert low <= found <= high
+    for denominator in range(1, found.denominator):
+        assert -(-low * denominator // 1) > high * denominator // 1
+
+
+def brute(one: Ring, other: Ring, pieces: int) -> Fraction:
+    """The greatest squared distance of many places on one ring to another ring."""
+    target = [Segment(a, b) for a, b in pairwise([*_whole(other), _whole(other)[0]])]
+    best = Fraction(0)
+    for a, b in pairwise([*_whole(one), _whole(one)[0]]):
+        for k in range(pieces):
+            place: Place = Segment(a, b).at(Fraction(k, pieces))
+            best = max(best, min(segment.distance(place) for segment in target))
+    return best
+
+
+def _whole(ring: Ring) -> list[tuple[int, int]]:
+    return [(int(x), int(y)) for x, y in ring]
+
+
+@patient
+@given(polygons(), polygons())
+def test_the_distance_is_that_of_many_places(one: Ring, other: Ring) -> None:
+    low, high = distance_squared([one], [other])
+    assert low <= high <= low * (1 + Fraction(1, 2**32))
+    found = max(brute(one, other, 12), brute(other, one, 12))
+    assert found <= high
+    # Places are no further from each other than a 12th of the longest edge, half of it either way.
+    longest = max(
+        (p.x - q.x) ** 2 + (p.y - q.y) ** 2
+        for ring in (one, other)
+        for p, q in pairwise([*ring, ring[0]])
+    )
+    # sqrt(low) <= sqrt(found) + sqrt(longest) / 24, squared, by (a + b)^2 <= 2 a^2 + 2 b^2.
+    assert low <= 2 * found + 2 * longest / 576
+
+
+@patient
+@given(polygons(), polygons())
+def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring) -> None:
+    assert distance_squared([one], [other]) == distance_squared([other], [one])
+    doubled = [*one, one[0], *one]
+    assert distance_squared([one], [doubled])[1] == 0
+
+
+@pytest.mark.parametrize(
+    ("ring", "squared"),
+    [
+        (points((0, 0), (4, 0), (4, 4), (0, 4)), "0"),
+        (points((1, 0), (5, 0), (5, 4), (1, 4)), "1"),
+        # Half the diagonal of the corner that is missing.
+        (points((2, 0), (4, 0), (4, 4), (0, 4), (0, 2)), "2"),
+        # A notch of depth 3: its tip is 1 from the bottom, the middle of the top 4 sqrt(4/13).
+        (points((0, 0), (4, 0), (4, 4), (2, 1), (0, 4)), "16/13"),
+    ],
+)
+def test_distances_by_hand(ring: Ring, squared: str) -> None:
+    low, high = distance_squared([SQUARE], [ring])
+    assert low == high
+    if squared != "16/13":
+        assert low == Fraction(squared)
+
+
+def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
+    many = [Point(Fraction(k, 30), Fraction(0)) for k in range(121)] + list(SQUARE[2:])
+    assert distance_squared([SQUARE], [many]) == distance_squared([SQUARE], [SQUARE])
+    tiny = Fraction(1, 2**60)
+    many[50] = Point(many[50].x, tiny)
+    low, high = distance_squared([SQUARE], [many])
+    assert low <= tiny**2 <= high <= low * (1 + Fraction(1, 2**32))
+
+
+def test_an_irrational_distance_is_bounded() -> None:
+    # The parabola of points as far from (2, 3) as from the line y = 0 meets the top, y = 4,
+    # where x - 2 is the root of 7.
+    tooth = points((0, 0), (4, 0), (4, 1), (2, 3), (0, 1))
+    low, high = distance_squared([SQUARE], [tooth])
+    assert low <= high <= low * (1 + Fraction(1, 2**32))
+
+
+@patient
+@given(polygons(), st.data())
+def test_a_loop_whose_vertices_are_moved_can_be_walked_along(
+    ring: Ring, data: st.DataObject
+) -> None:
+    small = st.fractions(Fraction(-9, 10), Fraction(9, 10), max_denominator=10)
+    moved = [Point(x + data.draw(small), y + data.draw(small)) for x, y in ring]
+    k = data.draw(st.integers(0, len(moved) - 1))
+    turned = [*moved[k:], *moved[:k]]
+    assert walk_together(ring, turned, Fraction(1))
+    assert walk_together(ring, [ring[0], *ring, ring[-1]], Fraction(1, 10**9))
+    if any(p != q for p, q in zip(ring, moved, strict=True)):
+        far = [Point(x + 2, y) for x, y in moved]
+        assert not walk_together(ring, far, Fraction(1))
+
+
+@pytest.mark.parametrize(
+    ("ring", "bound", "found"),
+    [
+        # A corner cut by one in x: the walk stays below two.
+        (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "1/2", False),
+        (points((1, 0), (4, 0), (4, 4), (0, 4), (0, 1)), "51/100", True),
+        # The bound itself is too far.
+        (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1", False),
+        (points((-1, 0), (4, 0), (4, 4), (0, 4)), "1001/1000", True),
+        # A slot that is narrow and deep, and one that is narrow and shallow.
+        (points((0, 0), (4, 0), (4, 4), (2, 4), (2, 1), ("19/10", 4), (0, 4)), "1", False),
+        (points((0, 0), (4, 0), (4, 4), (2, 4), (2, "7/2"), ("19/10", 4), (0, 4)), "1", True),
+        # Near everywhere, and the other way round.
+        (SQUARE[::-1], "1", False),
+    ],
+)
+def test_walks_by_hand(ring: Ring, bound: str, found: bool) -> None:
+    assert walk_together(SQUARE, ring, Fraction(bound)) is found
+
+
+def test_a_walk_may_not_turn_back() -> None:
+    # A zigzag of depth 2 along an edge is near it everywhere, but goes back on the way.
+    zigzag = points((0, 0), (3, 0), (1, "1/100"), (4, "1/50"), (4, 4), (0, 4))
+    assert not walk_together(SQUARE, zigzag, Fraction(99, 100))
+    assert walk_together(SQUARE, zigzag, Fraction(101, 100))
+
+
+def test_a_bound_that_is_large_beside_the_loops_is_given_up(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ripple = [Point(Fraction(x), Fraction(x % 2)) for x in range(40)]
+    ring = [*ripple, Point(Fraction(40), Fraction(9)), Point(Fraction(-1), Fraction(9))]
+    turned = [Point(x, y + 20) for x, y in ring]
+    assert walk_together(ring, turned, Fraction(21))
+    monkeypatch.setattr("exactsweep.conform.judge.frechet.MAX_CELLS", 1000)
+    assert not walk_together(ring, turned, Fraction(21))
+    # Fewer cells are enough where edges are close to few others.
+    assert walk_together(ring, [Point(x, y + Fraction(1, 9)) for x, y in ring], Fraction(1, 8))

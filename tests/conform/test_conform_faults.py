@@ -1,0 +1,128 @@
+"""Implementations with one known fault each get the verdict that belongs to it."""
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
+from exactsweep.conform import Verdict
+from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.corpus import Case, cases
+
+IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
+FAULTY = [sys.executable, str(IMPLEMENTATIONS / "faulty.py")]
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
+CASES = {
+    # An undercut, crossings that are no integers, and a reference point off the origin.
+    "notch": Case.of("notch", "", DIRECTRIX, GENERATRIX, ("1/2", 1)),
+    "slot": Case.of("slot", "", SLOT, SQUARE),
+}
+
+EXPECTED = {
+    "sign": "wrong",
+    "swapped-axes": "wrong",
+    "reference": "wrong",
+    "shifted": "wrong",
+    "no-generatrix": "unsound",
+    "vertex-outward": "conservative",
+    "vertex-inward": "unsound",
+    "wrong-side": "unsound",
+    "crossing-cut": "conservative",
+    "hull": "conservative",
+    "sliver": "conservative",
+    "fit-invented": "unsound",
+    "undercut-open": "unsound",
+    "to-integers": "within",
+    "to-floats": "within",
+    "to-one-digit": "wrong",
+    "reversed": "equivalent",
+    "another-start": "exact",
+    "closed": "exact",
+    "duplicate-vertices": "equivalent",
+    "collinear-vertices": "equivalent",
+    "spike": "malformed",
+    "self-crossing": "malformed",
+    "two-vertices": "malformed",
+    "empty": "malformed",
+    "lost-loop": "malformed",
+    "nan": "malformed",
+    "infinite": "malformed",
+    "three-coordinates": "malformed",
+    "text": "malformed",
+    "wrong-id": "malformed",
+    "no-id": "malformed",
+    "error": "crash",
+    "unsupported": "unsupported",
+    "slow": "timeout",
+    "silent": "timeout",
+    "crash": "crash",
+    "segfault": "crash",
+    "half-an-answer": "crash",
+    "garbage": "malformed",
+    "debug-print": "malformed",
+    "binary": "malformed",
+    "list": "malformed",
+    "huge": "malformed",
+}
+AT_THE_SLOT = {"fit-dropped": "equivalent but for exact fits", "outer-hull": "conservative"}
+OF_MORE_THAN_ONE_CASE = {"twice"}
+ALL = [(fault, "notch", EXPECTED[fault]) for fault in EXPECTED] + [
+    (fault, "slot", AT_THE_SLOT[fault]) for fault in AT_THE_SLOT
+]
+
+
+@pytest.fixture
+def peer(request: pytest.FixtureRequest) -> Iterator[ProcessPeer]:
+    peer = ProcessPeer([*FAULTY, request.param], seconds=0.3 if request.param in SLOW else 600)
+    yield peer
+    peer.kill()
+
+
+SLOW = {"slow", "silent"}
+
+
+@pytest.mark.parametrize(("peer", "name", "verdict"), ALL, indirect=["peer"])
+def test_a_fault_gets_its_verdict(peer: ProcessPeer, name: str, verdict: str) -> None:
+    outcome = judged(peer, CASES[name])
+    assert outcome.verdict == verdict, outcome.reason
+    assert bool(outcome.reason) == (verdict not in ("exact", "equivalent"))
+
+
+def test_all_faults_are_tried() -> None:
+    done = subprocess.run([*FAULTY, "--list"], capture_output=True, text=True, check=True)
+    assert set(done.stdout.split()) == {fault for fault, _, _ in ALL} | OF_MORE_THAN_ONE_CASE
+
+
+@pytest.mark.parametrize("peer", ["twice"], indirect=True)
+def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: ProcessPeer) -> None:
+    first, second, third = (judged(peer, CASES[name]) for name in ("notch", "slot", "notch"))
+    assert [first.verdict, second.verdict, third.verdict] == ["exact", "malformed", "exact"]
+    assert "answers 'notch', which was not asked" in second.reason
+
+
+@pytest.mark.parametrize("peer", ["crash"], indirect=True)
+def test_what_it_said_last_is_kept(peer: ProcessPeer) -> None:
+    outcome = judged(peer, CASES["notch"])
+    assert (outcome.reason, outcome.stderr) == ("exited with code 3", "about to fail\n")
+
+
+@pytest.mark.parametrize("peer", ["unsupported"], indirect=True)
+def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
+    assert judged(peer, CASES["notch"]).reason == "says: too hard"
+
+
+def test_the_correct_one_is_exact_everywhere() -> None:
+    peer = ProcessPeer([sys.executable, str(IMPLEMENTATIONS / "correct.py")])
+    try:
+        outcomes = [judged(peer, case) for case in [*CASES.values(), *cases()]]
+        assert peer.close() is None
+    finally:
+        peer.kill()
+    assert len(outcomes) >= 300
+    assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

@@ -1,0 +1,133 @@
+"""Processes that misbehave are survived: in bounded memory, and with nothing left running."""
+
+import resource
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from uuid import uuid4
+
+import pytest
+from command import eventually, processes
+
+from exactsweep.conform.run.channel import Channel, ClosedError
+from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError
+from exactsweep.corpus import Case
+
+HOSTILE = [
+    sys.executable,
+    str(Path(__file__).parents[1] / "support" / "implementations" / "hostile.py"),
+]
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+CASE = Case.of("square", "", SQUARE, SQUARE)
+MEGABYTES = 1024  # of ru_maxrss
+
+SURVIVED = {
+    "endless-line": ("malformed", f"a line of more than {MAX_LINE} bytes"),
+    "endless-lines": ("malformed", "'' is no JSON line"),
+    "gigabyte-line": ("malformed", f"a line of more than {MAX_LINE} bytes"),
+    "deep-json": ("malformed", "nested too deeply"),
+    "long-int": ("malformed", "not JSON that can be read"),
+    "stderr-flood": ("timeout", "no answer within 0.5 s"),
+    "ignores-termination": ("timeout", "no answer within 0.5 s"),
+    "never-reads": ("timeout", "no answer within 0.5 s"),
+    "closes-output": ("crash", "closed its output"),
+    "leaves-children": ("crash", "exited with code 0"),
+    "dies": ("crash", "was ended by signal 9, SIGKILL"),
+}
+REFUSED = {
+    "no-hello": "no hello within 0.5 s",
+    "dies-at-once": "no hello: exited with code 1; it says: no licence",
+    "endless-hello": f"no hello, but a line of more than {MAX_LINE} bytes",
+    "garbage-hello": "'Loading ...' is no JSON line",
+    "deep-hello": "nested too deeply",
+    "partial-hello": 'the hello has no "loops"',
+}
+AFTER_BYE = {
+    "never-ends": "did not end within 0.3 s after bye",
+    "speaks-after-bye": "wrote on after bye: 'one thing more'",
+}
+
+
+@pytest.fixture
+def mark() -> Iterator[str]:
+    """A word for the command line, which no process must have in the end."""
+    word = uuid4().hex
+    yield word
+    eventually(lambda: not processes(word))
+
+
+def peak() -> int:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+
+@pytest.mark.parametrize("kind", SURVIVED)
+def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
+    verdict, reason = SURVIVED[kind]
+    # What is never answered is not waited for; everything else may take as long as it takes.
+    peer = ProcessPeer([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600)
+    before = peak()
+    for _ in range(2):
+        outcome = judged(peer, CASE)
+        assert outcome.verdict == verdict
+        assert reason in outcome.reason
+    assert len(outcome.reason) < 300
+    assert len(outcome.stderr) <= 4096
+    assert peak() - before < 100 * MEGABYTES
+    peer.kill()
+
+
+@pytest.mark.parametrize("kind", REFUSED)
+def test_a_process_without_a_hello_is_refused(kind: str, mark: str) -> None:
+    with pytest.raises(ProtocolError) as refusal:
+        ProcessPeer([*HOSTILE, kind, mark], to_start=0.5 if kind == "no-hello" else 600)
+    assert REFUSED[kind] in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("command", ["no-such-program", "", "/", "\0"])
+def test_what_does_not_start_is_refused(command: str) -> None:
+    with pytest.raises(ProtocolError, match="does not start"):
+        ProcessPeer([command])
+
+
+@pytest.mark.parametrize("kind", AFTER_BYE)
+def test_what_goes_on_after_bye_is_ended_and_told(
+    kind: str, mark: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seconds = 0.3 if kind == "never-ends" else 600
+    monkeypatch.setattr("exactsweep.conform.run.process.TO_END", seconds)
+    peer = ProcessPeer([*HOSTILE, kind, mark])
+    assert judged(peer, CASE).verdict == "unsupported"
+    assert peer.close() == AFTER_BYE[kind]
+
+
+def test_a_case_larger_than_a_pipe_does_not_block(mark: str) -> None:
+    peer = ProcessPeer([*HOSTILE, "never-reads", mark], seconds=0.3)
+    ring = [(k, k * k) for k in range(4000)]
+    large = Case.of("large", "", ring, SQUARE)
+    assert judged(peer, large).verdict == "timeout"
+    peer.kill()
+
+
+def test_an_end_without_a_line_is_told_from_silence() -> None:
+    channel = Channel([sys.executable, "-c", "print('one'); print('half', end='')"])
+    assert channel.receive(600) == "one"
+    with pytest.raises(ClosedError, match="exited with code 0"):
+        channel.receive(600)
+    channel.kill()
+
+
+def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
+    program = tmp_path / "fickle.py"
+    program.write_text(
+        "import json, os, sys\n"
+        "print(json.dumps({'hello': str(os.getpid()), 'loops': ['inner'], 'numbers': 'rational',"
+        " 'reference': 'given'}), flush=True)\n"
+        "sys.stdin.readline()\n"
+    )
+    peer = ProcessPeer([sys.executable, str(program)])
+    assert judged(peer, CASE).reason == "exited with code 0"
+    assert judged(peer, CASE).reason == "did not start again: its hello is another one than before"
+    peer.kill()

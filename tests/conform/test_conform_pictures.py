@@ -1,0 +1,107 @@
+"""Pictures of failures: everything is in sight, however small, large or thin."""
+
+import re
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from exactsweep.conform import Verdict
+from exactsweep.conform.report.html import SIDE, Panel, panels, root
+from exactsweep.conform.run.outcome import Outcome, judged
+from exactsweep.conform.run.peer import CallablePeer
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.run import Run
+from exactsweep.corpus import Case
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+
+def outcome_of(case: Case, trajectory: Any) -> Outcome:
+    return judged(CallablePeer(lambda d, g, r: {"trajectory": trajectory}, Hello("mine")), case)
+
+
+def places(panel: Panel, name: str) -> list[tuple[float, float]]:
+    (path,) = (shape.path for shape in panel.shapes if shape.name == name)
+    return [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path)]
+
+
+def in_sight(panel: Panel, name: str) -> bool:
+    return all(0 <= c <= SIDE for place in places(panel, name) for c in place)
+
+
+@pytest.mark.parametrize("scale", [1, Fraction(1, 10**400), 10**400])
+def test_a_picture_does_not_depend_on_the_scale(scale: Fraction) -> None:
+    ring = [(x * scale, y * scale) for x, y in SQUARE]
+    case = Case.of("a", "", ring, ring)
+    theirs = [(x * scale, y * scale) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 2))]
+    (panel,) = panels(outcome_of(case, theirs))
+    assert all(in_sight(panel, name) for name in ("directrix", "generatrix", "exact", "theirs"))
+    xs, ys = zip(*places(panel, "exact"), strict=True)
+    assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys), abs=0.05)
+    assert panel.witness is not None
+
+
+def test_a_small_error_is_shown_again_enlarged() -> None:
+    case = Case.of("a", "", SQUARE, SQUARE)
+    low = -1 - Fraction(1, 10**20)
+    whole, enlarged = panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
+    assert in_sight(whole, "theirs")
+    assert re.fullmatch(r"\de\+19 times larger, at the witness", enlarged.caption)
+    assert not in_sight(enlarged, "exact")
+    assert enlarged.witness == (SIDE / 2, SIDE / 2)
+
+
+def test_what_is_thin_is_not_a_line() -> None:
+    needle = [(0, 0), (10**9, 0), (10**9, 1)]
+    case = Case.of("a", "", needle, needle)
+    (panel, *_) = panels(outcome_of(case, [(0, 0), (1, 0), (0, 1)]))
+    assert panel.caption == "trajectory; not to scale: each axis has a unit of its own"
+    _, ys = zip(*places(panel, "exact"), strict=True)
+    assert max(ys) - min(ys) > SIDE / 2
+
+
+def test_what_is_far_off_does_not_hide_the_rest() -> None:
+    case = Case.of("a", "", SQUARE, SQUARE)
+    whole, near = panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
+    assert in_sight(near, "exact")
+    assert near.caption.endswith("larger, at D")
+    xs, _ = zip(*places(near, "exact"), strict=True)
+    assert max(xs) - min(xs) > SIDE / 2
+    assert whole.witness is not None
+    assert 0 < whole.witness[0] < SIDE
+
+
+@pytest.mark.parametrize(
+    "theirs", ["text", [], [[]], [1, 2], [("x", 0), (0, float("nan"))], {}, None, [[None]], [[[]]]]
+)
+def test_what_cannot_be_read_is_left_out(theirs: Any) -> None:
+    outcome = outcome_of(Case.of("a", "", SQUARE, SQUARE), theirs)
+    assert outcome.verdict is Verdict.MALFORMED
+    (panel,) = panels(outcome)
+    assert {shape.name for shape in panel.shapes} == {"directrix", "generatrix", "exact"}
+
+
+def test_a_lost_fit_is_shown_as_a_segment() -> None:
+    slot = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
+    case = Case.of("a", "", slot, SQUARE)
+    (panel,) = panels(outcome_of(case, case.trajectory.vertices))
+    assert panel.caption == "exact fits"
+    assert len(places(panel, "exact")) == 2
+    assert len(places(panel, "faint")) == len(case.trajectory)
+
+
+@pytest.mark.parametrize("number", [0, 2, Fraction(1, 10**500), 10**500, Fraction(7, 3)])
+def test_roots_are_near(number: Fraction) -> None:
+    square = Fraction(number)
+    assert abs(root(square) ** 2 - square) <= square / 2**50
+
+
+def test_a_smaller_case_with_another_verdict_is_dropped() -> None:
+    run = Run(Hello("mine"))
+    case: dict[str, Any] = {"directrix": [], "generatrix": []}
+    run.add(Outcome("a", "CC", (), Verdict.WRONG, "why", case=case))
+    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH))
+    assert run.shrunk == {}
+    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.WRONG))
+    assert set(run.shrunk) == {"a"}

@@ -1,0 +1,332 @@
+"""Runs: side by side, interrupted, gone on with, and in this process."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from command import EXACTSWEEP, eventually, processes, run
+
+from exactsweep import sweep
+from exactsweep.conform import Verdict
+from exactsweep.conform.run.cases import SelectionError
+from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.pool import JudgeError, Pool
+from exactsweep.conform.run.protocol import (
+    Hello,
+    ProtocolError,
+    UnsupportedError,
+    asked,
+    read_hello,
+)
+from exactsweep.conform.run.run import SHOWN, Run
+from exactsweep.conform.run.runner import conduct, conform
+from exactsweep.corpus import Case, case_to_json, cases
+
+IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
+CORRECT = [sys.executable, str(IMPLEMENTATIONS / "correct.py")]
+WATCHED = [sys.executable, str(IMPLEMENTATIONS / "watched.py")]
+FAULTY = [sys.executable, str(IMPLEMENTATIONS / "faulty.py")]
+LOOPS = ("trajectory", "inner", "outer")
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+THIRDS = Case.of("thirds", "", [("1/3", 0), (1, "1/3"), (0, 1)], SQUARE, ("1/2", 0))
+FEW = [Case.of(f"case-{k}", "", [(0, 0), (k + 1, 0), (0, 1)], SQUARE) for k in range(20)]
+
+
+def exact(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
+    s = sweep(generatrix, directrix, reference=reference)
+    return {**{name: getattr(s, name).vertices for name in LOOPS}, "exact_fits": s.exact_fits}
+
+
+def write_cases(path: Path, few: list[Case]) -> str:
+    path.write_text("".join(f"{json.dumps(case_to_json(case))}\n" for case in few))
+    return str(path)
+
+
+# In this process.
+
+
+@pytest.mark.parametrize("numbers", ["rational", "integer", "int64", "int32", "binary64"])
+@pytest.mark.parametrize("reference", ["given", "origin", "first"])
+def test_exact_arithmetic_is_exact_in_all_terms(numbers: str, reference: str) -> None:
+    chosen = [*cases(prefix="figures"), *cases(prefix="worked"), THIRDS]
+    run = conform(exact, chosen, name="exact", loops=LOOPS, numbers=numbers, reference=reference)
+    assert run.passed
+    assert set(run.summary.verdicts()) <= {Verdict.EXACT, Verdict.UNSUPPORTED}
+    assert run.summary.total(Verdict.EXACT) > 0
+    if numbers in ("rational", "integer"):
+        assert run.summary.total(Verdict.UNSUPPORTED) == 0
+
+
+def test_a_case_keeps_its_shape_in_all_terms() -> None:
+    whole = asked(THIRDS, Hello("mine", numbers="int32", reference="first"))
+    assert all(c.denominator == 1 for point in whole.directrix_ring for c in point)
+    assert whole.reference == whole.generatrix_ring[0]
+    again = Case.of("", "", whole.directrix_ring, whole.generatrix_ring, whole.reference)
+    for name in ("trajectory", "inner", "outer", "exact_fits", "area", "kind"):
+        assert getattr(whole, name) == getattr(again, name)
+
+
+def test_numbers_that_do_not_hold_a_case_are_not_asked() -> None:
+    large = Case.of("large", "", [(0, 0), (2**70 + 1, 0), (0, 1)], SQUARE)
+    for numbers in ("int32", "int64", "binary64"):
+        with pytest.raises(UnsupportedError, match=f"{numbers} does not hold the case"):
+            asked(large, Hello.of("mine", ["inner"], numbers, "given"))
+    assert asked(large, Hello("mine", numbers="integer")) is large
+
+
+@pytest.mark.parametrize(
+    ("function", "verdict", "reason"),
+    [
+        (lambda d, g, r: 1 // 0, "crash", "ZeroDivisionError: integer division or modulo by zero"),
+        (lambda d, g, r: None, "malformed", "returns NoneType, not a mapping"),
+        (lambda d, g, r: {}, "malformed", "$.trajectory is missing"),
+        (lambda d, g, r: {"trajectory": object()}, "malformed", "$.trajectory is "),
+        (lambda d, g, r: {"error": "why"}, "crash", "says: why"),
+        (lambda d, g, r: {"unsupported": ["why"]}, "unsupported", "says: a list"),
+    ],
+)
+def test_a_function_that_fails_gets_a_verdict(function: Any, verdict: str, reason: str) -> None:
+    (outcome,) = conform(function, [THIRDS], name="mine").outcomes
+    assert outcome.verdict == verdict
+    assert outcome.reason.startswith(reason)
+
+
+def test_not_implemented_is_unsupported() -> None:
+    def function(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
+        raise NotImplementedError("only convex")
+
+    run = conform(function, FEW, name="mine")
+    assert run.summary.verdicts() == [Verdict.UNSUPPORTED]
+    assert not run.passed  # nothing was judged
+
+
+def test_a_late_answer_is_a_timeout() -> None:
+    def late(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
+        time.sleep(0.02)
+        return exact(directrix, generatrix, reference)
+
+    run = conform(late, FEW[:1], name="mine", seconds=0.01)
+    assert run.outcomes[0].verdict == "timeout"
+
+
+def test_two_cases_with_one_id_are_refused() -> None:
+    with pytest.raises(SelectionError, match="two cases have the id 'case-0'"):
+        conform(exact, [FEW[0], FEW[0]], name="mine")
+
+
+@pytest.mark.parametrize(
+    "changes", [{"loops": "inner"}, {"loops": []}, {"numbers": "real"}, {"reference": 1}]
+)
+def test_what_a_function_cannot_be_is_refused(changes: dict[str, Any]) -> None:
+    with pytest.raises(ProtocolError):
+        conform(exact, [], name="mine", **changes)
+
+
+# The hello.
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("", "'' is no JSON line"),
+        ("[]", "'[]' is a list, not an object"),
+        ("{}", 'the first line is no hello: it has no "hello"'),
+        ('{"hello": "a", "hello": "b"}', "the name 'hello' is twice"),
+        ('{"hello": 1, "loops": [], "numbers": 1, "reference": 1}', '"hello" is not a name'),
+        ('{"hello": "a", "loops": [], "numbers": 1, "reference": 1}', '"loops" is [], not a list'),
+        ('{"hello": "a", "loops": ["inner"], "numbers": [], "reference": 1}', '"numbers" is []'),
+    ],
+)
+def test_a_hello_that_is_none_is_refused(line: str, message: str) -> None:
+    with pytest.raises(ProtocolError) as refusal:
+        read_hello(line)
+    assert message in str(refusal.value)
+
+
+def test_a_hello_is_read_as_it_was_written() -> None:
+    hello = Hello("mine", ("trajectory", "outer"), "int64", "first")
+    assert read_hello(json.dumps(hello.to_json())) == hello
+
+
+# Side by side.
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_all_workers_come_to_the_same(workers: int) -> None:
+    with Pool(CORRECT, workers=workers) as pool:
+        outcomes = list(pool.judge(FEW))
+        pool.finish()
+    assert sorted(outcome.id for outcome in outcomes) == sorted(case.id for case in FEW)
+    assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}
+    assert pool.complaints == []
+
+
+def test_cases_are_taken_as_they_are_needed() -> None:
+    taken = []
+
+    def endless() -> Any:
+        for k in range(10**9):
+            taken.append(k)
+            yield FEW[k % len(FEW)]
+
+    with Pool(CORRECT) as pool:
+        outcomes = pool.judge(endless())
+        for _ in range(5):
+            next(outcomes)
+    assert len(taken) < 10
+
+
+def test_a_case_that_contradicts_itself_ends_the_run() -> None:
+    wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
+    run = Run(Hello("mine"))
+    with Pool(CORRECT) as pool:
+        conduct(run, pool, [FEW[2], wrong, *FEW[3:]])
+    assert run.interrupted
+    assert run.complaints[0].startswith("case 'wrong': ")
+    assert [outcome.id for outcome in run.outcomes] == [FEW[2].id]
+
+
+def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    from exactsweep.conform.run import worker
+    from exactsweep.conform.run.peer import CallablePeer
+
+    def endless(*arguments: object, **options: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr(worker, "TO_COMPARE", 0.05)
+    monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
+    peer: Any = CallablePeer(exact, Hello("mine"))
+    outcome = worker.judge(peer, THIRDS)
+    assert outcome.verdict == "timeout"
+    assert "comparing it takes more than 0.05 s" in outcome.reason
+
+
+def test_a_worker_that_is_killed_ends_the_run() -> None:
+    with Pool(CORRECT) as pool:
+        outcomes = pool.judge(FEW)
+        next(outcomes)
+        os.kill(pool._workers[0]._started.process.pid, signal.SIGKILL)
+        with pytest.raises(JudgeError, match=r"^case '.*': the process that judges has ended$"):
+            list(outcomes)
+        with pytest.raises(JudgeError):
+            pool.finish()
+
+
+# Interrupted, and gone on with.
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -> None:
+    journal, log, gate = tmp_path / "journal", tmp_path / "log", tmp_path / "gate"
+    command = [
+        *("conform", "--cases", write_cases(tmp_path / "cases", FEW), "--journal", str(journal)),
+        *("--timeout", "600", "--", *WATCHED, str(log), str(gate)),
+    ]
+    with subprocess.Popen([EXACTSWEEP, *command], stdout=-1, stderr=-1, text=True) as process:
+        eventually(lambda: journal.exists() and journal.read_bytes().count(b"\n") == 10)
+        process.send_signal(how)
+        said, complaint = process.communicate()
+    assert complaint == ""
+    if how != signal.SIGKILL:
+        assert process.returncode == 1
+        assert "interrupted\n" in said
+    done = [json.loads(line)["id"] for line in journal.read_text().splitlines()[1:]]
+    assert len(done) == 9
+    gate.touch()
+    with journal.open("ab") as file:
+        file.write(b'{"id": "case-19", "verd')
+    again = run("conform", "--resume", *command[1:])
+    assert again.exit_code == 0
+    assert "watched: passed, 20 cases, 0 worse than equivalent but for exact fits" in again.stdout
+    kept = [json.loads(line)["id"] for line in journal.read_text().splitlines()[1:]]
+    assert sorted(kept) == sorted(case.id for case in FEW)
+    times = Counter(log.read_text().split())
+    assert all(times[id] == 1 for id in done)
+
+
+def test_what_is_started_ends_at_once_with_a_killed_run(tmp_path: Path) -> None:
+    path = write_cases(tmp_path / "cases", FEW)
+    mark = f"--{os.urandom(8).hex()}"
+    hostile = [sys.executable, str(IMPLEMENTATIONS / "hostile.py"), "ignores-termination", mark]
+    command = [EXACTSWEEP, "conform", "--cases", path, "--timeout", "600", "--", *hostile]
+
+    with subprocess.Popen(command, stdout=-1, stderr=-1) as process:
+        # The command itself bears the mark, and what it starts.
+        eventually(lambda: process.poll() is not None or len(processes(mark)) > 1)
+        process.kill()
+    eventually(lambda: not processes(mark))
+
+
+def journal_of(tmp_path: Path, *options: str, command: list[str] = CORRECT) -> Any:
+    path = write_cases(tmp_path / "cases", FEW[:2])
+    journal = str(tmp_path / "journal")
+    return run("conform", "--cases", path, "--journal", journal, *options, "--", *command)
+
+
+def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
+    assert journal_of(tmp_path).exit_code == 0
+    before = (tmp_path / "journal").read_text()
+    again = journal_of(tmp_path)
+    assert (again.exit_code, again.stdout) == (1, "")
+    assert "is there already; go on with it by --resume, or remove it" in again.stderr
+    assert (tmp_path / "journal").read_text() == before
+    assert journal_of(tmp_path, "--resume").exit_code == 0
+    assert (tmp_path / "journal").read_text() == before
+
+
+def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:
+    journal_of(tmp_path)
+    other = journal_of(tmp_path, "--resume", command=[*FAULTY, "closed"])
+    assert "is the journal of another command" in other.stderr
+    assert "of another timeout" in journal_of(tmp_path, "--resume", "--timeout", "3").stderr
+
+
+@pytest.mark.parametrize(
+    "text", ["[]\n", "{}\n", "x\n", '{"format": "exactsweep conform"}\n', "one line", "7" * 2**24]
+)
+def test_a_file_that_is_no_journal_is_left_alone(tmp_path: Path, text: str) -> None:
+    (tmp_path / "journal").write_text(text)
+    refused = journal_of(tmp_path, "--resume")
+    assert (refused.exit_code, refused.stdout) == (1, "")
+    assert (tmp_path / "journal").read_text() == text
+
+
+def test_a_case_that_changed_is_asked_again(tmp_path: Path) -> None:
+    journal_of(tmp_path)
+    changed = Case.of(FEW[0].id, "", [(0, 0), (9, 0), (0, 9)], SQUARE)
+    path = write_cases(tmp_path / "cases", [changed, FEW[1]])
+    journal = tmp_path / "journal"
+    options = ("--cases", path, "--journal", str(journal), "--resume")
+    assert run("conform", *options, "--", *CORRECT).exit_code == 0
+    assert len(journal.read_text().splitlines()) == 4
+
+
+# What is kept of a run.
+
+
+def test_an_outcome_is_read_as_it_was_written() -> None:
+    run = conform(lambda d, g, r: {"trajectory": [(0.5, 0), (1, 0), (0, 1)]}, FEW[:1], name="mine")
+    (outcome,) = run.outcomes
+    text = json.dumps(outcome.to_json())
+    assert json.dumps(outcome_from_json(json.loads(text)).to_json()) == text
+    assert outcome.result is not None
+    assert outcome.result["trajectory"][0] == [0.5, 0]
+
+
+def test_of_many_failures_the_smallest_are_kept_whole() -> None:
+    run = Run(Hello("mine"))
+    for size in range(3 * SHOWN, 0, -1):
+        case = {"directrix": [0] * size, "generatrix": []}
+        run.add(Outcome(f"case-{size}", "CC", (), Verdict.WRONG, "why", case=case))
+    assert [outcome.id for outcome in run.shown()] == [f"case-{k + 1}" for k in range(SHOWN)]
+    assert sum(outcome.case is not None for outcome in run.outcomes) == SHOWN
+    assert run.summary.total(Verdict.WRONG) == 3 * SHOWN

@@ -1,0 +1,103 @@
+"""Failing cases are made smaller and keep failing in the same way."""
+
+from collections import Counter
+from fractions import Fraction
+
+import pytest
+
+from exactsweep import Polygon
+from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.shrink import ShrinkError, shrink
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.corpus import Case, find_case
+from exactsweep.geometry.point import ORIGIN
+
+
+def convex_hull_of_inner(case: Case) -> Verdict:
+    """An implementation that forgets undercuts."""
+    return compare(case, {"inner": case.directrix.vertices}).verdict
+
+
+def sign_wrong(case: Case) -> Verdict:
+    return compare(case, {"trajectory": case.trajectory.reflected().vertices}).verdict
+
+
+def overflowing(case: Case) -> Verdict:
+    """A verdict that depends on the size of numbers alone."""
+    largest = max(abs(c) for point in case.directrix_ring for c in point)
+    return Verdict.WRONG if largest > 2**20 else Verdict.EXACT
+
+
+def test_an_undercut_is_shrunk_to_a_triangle_and_a_notch() -> None:
+    case = find_case("gen-notched-1-3")
+    assert convex_hull_of_inner(case) is Verdict.UNSOUND
+    small = shrink(case, convex_hull_of_inner)
+    assert convex_hull_of_inner(small) is Verdict.UNSOUND
+    # No undercut has fewer vertices than a quadrilateral with a reflex one, and a triangle.
+    assert (len(small.directrix_ring), len(small.generatrix_ring)) == (4, 3)
+    assert max(abs(c) for point in small.directrix_ring for c in point) <= 4
+    assert small.id == "gen-notched-1-3-shrunk"
+    assert small.reference == ORIGIN
+
+
+def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
+    def loses_fits(case: Case) -> Verdict:
+        return compare(case, {"trajectory": case.trajectory.vertices}).verdict
+
+    case = find_case("gen-fits-1-2")
+    assert loses_fits(case) is Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+    small = shrink(case, loses_fits)
+    assert len(small.exact_fits) == 1
+    assert small.size <= 10
+
+
+def test_numbers_are_no_larger_than_the_failure_needs() -> None:
+    case = Case.of(
+        "large", "", [(0, 0), (10**9, 1), (10**9, 10**9), (7, 10**9)], [(3, 3), (5, 3), (4, 9)]
+    )
+    small = shrink(case, overflowing)
+    assert small.size == 6
+    largest = max(abs(c) for point in small.directrix_ring for c in point)
+    assert 2**20 < largest <= 2**21
+    assert sorted(abs(c) for point in small.directrix_ring for c in point)[-2] <= 1
+
+
+def test_fractions_and_the_reference_point_go() -> None:
+    case = Case.of(
+        "fractions",
+        "",
+        [("1/3", 0), ("22/7", "1/2"), (3, "17/5"), ("-1/9", 4)],
+        [(0, 0), ("5/3", 0), (0, "9/7")],
+        reference=("1/2", 7),
+    )
+    assert sign_wrong(case) is Verdict.WRONG
+    small = shrink(case, sign_wrong)
+    assert sign_wrong(small) is Verdict.WRONG
+    assert small.integer_scale == 1
+    assert small.size == 6
+    assert small.reference == ORIGIN
+
+
+def test_the_budget_is_kept() -> None:
+    asked: Counter[str] = Counter()
+
+    def judge(case: Case) -> Verdict:
+        asked[case.id] += 1
+        return Verdict.CRASH
+
+    shrink(find_case("gen-monotone-1-0"), judge, tries=7)
+    assert asked.total() == 7
+    shrink(find_case("gen-monotone-1-0"), judge, seconds=0)
+    assert asked.total() == 8
+
+
+def test_nothing_smaller_leaves_the_pair_as_it_is() -> None:
+    case = Case.of("tiny", "", [(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+    same = shrink(case, lambda _: Verdict.CRASH)
+    assert Polygon(same.directrix_ring).area == Fraction(1, 2)
+    assert same.size == 6
+
+
+def test_a_case_that_does_not_fail_is_refused() -> None:
+    with pytest.raises(ShrinkError, match="case fits-square does not fail: exact"):
+        shrink(find_case("fits-square"), lambda _: Verdict.EXACT)

@@ -1,0 +1,225 @@
+"""The shipped corpus: its files and flags, the number types, and how cases are found."""
+
+import json
+from collections import Counter
+from collections.abc import Callable
+from fractions import Fraction
+from importlib.resources import files
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from jsonschema import Draft202012Validator
+
+from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
+from exactsweep.corpus.generator.growing import bumps
+from exactsweep.corpus.representable import types_holding
+from exactsweep.corpus.shipped import schema_text
+from exactsweep.procedures.chain import split
+from exactsweep.procedures.mm import outer_mm, trajectory_mm
+
+SCHEMA = json.loads(schema_text())
+A_CASE = Draft202012Validator(SCHEMA)
+A_THEME = A_CASE.evolve(schema=SCHEMA["$defs"]["theme"])
+
+
+@pytest.fixture(scope="module")
+def shipped() -> list[Case]:
+    return list(cases())
+
+
+def theme_file(name: str) -> Any:
+    path = files("exactsweep.corpus").joinpath("data", f"{name}.json")
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def test_there_are_enough_cases_of_each_class(shipped: list[Case]) -> None:
+    kinds = Counter(case.kind for case in shipped)
+    assert len(shipped) >= 300
+    assert min(kinds[kind] for kind in ("CC", "CM", "MM")) >= 100
+
+
+def test_ids_are_unique_and_begin_with_their_theme(shipped: list[Case]) -> None:
+    assert len({case.id for case in shipped}) == len(shipped)
+    for theme in themes():
+        ids = [data["id"] for data in theme_file(theme)["cases"]]
+        assert ids == [case.id for case in shipped if case.id.startswith(f"{theme}-")]
+
+
+def test_schema_describes_every_file() -> None:
+    Draft202012Validator.check_schema(SCHEMA)
+    for theme, title in themes().items():
+        data = theme_file(theme)
+        A_THEME.validate(data)
+        assert (data["theme"], data["title"]) == (theme, title)
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda case: case.pop("reference"),
+        lambda case: case.update(more=1),
+        lambda case: case.update({"id": "Upper-Case"}),
+        lambda case: case.update({"class": "XX"}),
+        lambda case: case.update(integer_scale="0"),
+        lambda case: case.update(representable=["int16"]),
+        lambda case: case["directrix"].pop(),
+        lambda case: case["directrix"][0].append("1"),
+        lambda case: case["directrix"].insert(0, [0, "0"]),
+        lambda case: case["directrix"].insert(0, ["-0", "0"]),
+        lambda case: case["directrix"].insert(0, ["1/0", "0"]),
+        lambda case: case["directrix"].insert(0, ["0.5", "0"]),
+        lambda case: case["directrix"].insert(0, ["01", "0"]),
+        lambda case: case["expected"].pop("area"),
+        lambda case: case["expected"]["counts"].update(trajectory=2),
+        lambda case: case["expected"]["exact_fits"].append([["0", "0"]]),
+    ],
+)
+def test_schema_refuses_what_is_not_a_case(spoil: Callable[[Any], object]) -> None:
+    case = json.loads(json.dumps(theme_file("worked")["cases"][1]))
+    A_CASE.validate(case)
+    spoil(case)
+    assert not A_CASE.is_valid(case)
+
+
+def test_every_flag_has_a_note_and_every_note_a_case(shipped: list[Case]) -> None:
+    used = {flag for case in shipped for flag in case.flags} | {"generated"}
+    assert used == set(notes())
+    assert list(notes()) == sorted(notes())
+    for note in notes().values():
+        assert note.meaning.endswith(".")
+        assert note.catches.endswith((".", "?"))
+
+
+def test_paper_s_figure_10_has_16_outer_edges() -> None:
+    """Lemma 5.6: m_b + n_t + (m_b / 2) (n_t / 2) (n_b - 2) + 2 for (2, 4, 6)."""
+    case = find_case("figures-10-2-4-6")
+    d_bottom, _ = split(case.directrix.vertices)
+    g_bottom, g_top = split(case.generatrix.vertices)
+    assert (len(d_bottom) - 1, len(g_top) - 1, len(g_bottom) - 1) == (2, 4, 6)
+    assert len(list(outer_mm(g_bottom, trajectory_mm(g_top, d_bottom)))) - 1 == 16
+
+
+@pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
+def test_figure_10_s_family_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
+    m_b, n_t, n_b = sizes
+    generatrix, directrix = bumps(*sizes)
+    case = Case.of("bumps", "bumps", directrix, generatrix)
+    d_bottom, _ = split(case.directrix.vertices)
+    g_bottom, g_top = split(case.generatrix.vertices)
+    assert (len(d_bottom) - 1, len(g_top) - 1, len(g_bottom) - 1) == sizes
+    outer = list(outer_mm(g_bottom, trajectory_mm(g_top, d_bottom)))
+    assert len(outer) - 1 == m_b * n_t * n_b // 4 + 4
+
+
+def input_of(case: Case) -> list[Fraction]:
+    rings = case.directrix_ring, case.generatrix_ring, (case.reference,)
+    return [c for ring in rings for point in ring for c in point]
+
+
+def answer_of(case: Case) -> list[Fraction]:
+    loops = [loop.vertices for loop in (case.trajectory, case.inner, case.outer)]
+    return [c for points in (*loops, *case.exact_fits) for point in points for c in point]
+
+
+def fits_binary64(value: Fraction) -> bool:
+    """By the definition: 53 bits, the last of them worth 2**-1074 or more, below 2**1024."""
+    n, d = abs(value.numerator), value.denominator
+    if d & (d - 1):
+        return False
+    last = (n & -n).bit_length() - d.bit_length() if n else 0
+    return (n // (n & -n or 1)).bit_length() <= 53 and last >= -1074 and n < d * 2**1024
+
+
+def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[Case]) -> None:
+    for case in shipped:
+        scale = case.integer_scale
+        assert all((c * scale).denominator == 1 for c in input_of(case))
+        # Whatever makes them integer is a multiple of each denominator, and so of their lcm.
+        assert all(scale % c.denominator == 0 for c in input_of(case))
+        for prime in (p for p in range(2, 50) if scale % p == 0):
+            assert not all((c * scale / prime).denominator == 1 for c in input_of(case))
+
+
+def test_representable_means_that_the_type_holds_every_coordinate(shipped: list[Case]) -> None:
+    for case in shipped:
+        scale = case.integer_scale
+        for values, held in [
+            (input_of(case), case.representable),
+            (answer_of(case), case.answer_representable),
+        ]:
+            expected = set()
+            for bits in 32, 64:
+                whole = {Fraction(c * scale) for c in values}
+                if all(c.denominator == 1 and -(2**bits) <= 2 * c < 2**bits for c in whole):
+                    expected.add(f"int{bits}")
+            if all(map(fits_binary64, values)):
+                expected.add("binary64")
+            assert held == expected, case.id
+
+
+def test_answers_that_integers_cannot_give_are_flagged(shipped: list[Case]) -> None:
+    for case in shipped:
+        scaled = [c * case.integer_scale for c in answer_of(case)]
+        assert ("rounded-answer" in case.flags) == any(c.denominator > 1 for c in scaled)
+        for bits in 32, 64:
+            beyond = any(not -(2**bits) <= 2 * c < 2**bits for c in scaled)
+            held = f"int{bits}" in case.representable
+            assert (f"overflow-int{bits}" in case.flags) == (held and beyond)
+
+
+def test_where_int32_holds_the_input_binary64_holds_it_scaled(shipped: list[Case]) -> None:
+    for case in shipped:
+        if "int32" in case.representable:
+            assert all(fits_binary64(c * case.integer_scale) for c in input_of(case))
+
+
+@given(
+    st.builds(
+        lambda n, e: Fraction(n) * Fraction(2) ** e,
+        st.integers(-(2**54), 2**54) | st.sampled_from([2**53 - 1, 2**53 + 1, 2**63, -(2**63)]),
+        st.integers(-1080, 1024) | st.sampled_from([0, -1074, -1075, 971, 970]),
+    )
+    | st.fractions()
+)
+def test_binary64_is_told_by_its_definition(value: Fraction) -> None:
+    assert ("binary64" in types_holding([value], 1)) == fits_binary64(value)
+
+
+def test_filters_select(shipped: list[Case]) -> None:
+    chosen = list(cases(flags=["exact-fit", "turned"], kind="CM", max_size=12))
+    assert chosen == [
+        case
+        for case in shipped
+        if {"exact-fit", "turned"} <= set(case.flags) and case.kind == "CM" and case.size <= 12
+    ]
+    assert chosen
+    assert list(cases(prefix="fits-h")) == [c for c in shipped if c.id.startswith("fits-h")]
+    assert list(cases(prefix="nothing-")) == []
+
+
+def test_cases_are_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = cases()
+    monkeypatch.setattr(Case, "representable", property(lambda case: 1 / 0))
+    with pytest.raises(ZeroDivisionError):
+        next(found)
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda: cases(flags=["exact-fits"]), "no flag 'exact-fits'; did you mean 'exact-fit'?"),
+        (lambda: cases(kind="cm"), "no class 'cm'; there are CC, CM, MM"),
+        (lambda: find_case("fits-sqare"), "no case 'fits-sqare'; did you mean 'fits-square'?"),
+        (lambda: find_case(""), "no case ''; there are "),
+        (lambda: find_case("gen-fit-1-2"), "no family 'fit'; did you mean 'fits'?"),
+        (lambda: find_case("gen-fits-1"), "'gen-fits-1' is not of the form gen-FAMILY-SEED-NUM"),
+        (lambda: find_case("gen-fits-01-2"), "'gen-fits-01-2' is not of the form"),
+    ],
+)
+def test_unknown_names_get_a_suggestion(ask: Callable[[], object], message: str) -> None:
+    with pytest.raises(UnknownNameError) as error:
+        ask()
+    assert str(error.value).startswith(message)
+    assert issubclass(UnknownNameError, ValueError)

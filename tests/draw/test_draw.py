@@ -1,0 +1,197 @@
+"""Pictures of sweeps and chains."""
+
+import sys
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+from command import EXAMPLE
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from strategies import points
+
+from exactsweep import Sweep, sweep
+from exactsweep.canvas import style
+from exactsweep.draw import (
+    DrawError,
+    Picture,
+    Scale,
+    draw_chains,
+    draw_sub_trajectories,
+    new_figure,
+    plot_sweep,
+    save,
+    telling_positions,
+)
+from exactsweep.draw.sweeps import anchor
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.cm import trajectory_cm
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
+FIT = sweep(SQUARE, SLOT)
+
+
+@pytest.fixture(autouse=True)
+def no_windows() -> Iterator[None]:
+    pyplot.switch_backend("Agg")
+    yield
+    pyplot.close("all")
+
+
+def picture_of(s: Sweep, **options: Any) -> Axes:
+    return plot_sweep(s, new_figure().axes[0], **options)
+
+
+def labels(axes: Axes) -> list[str]:
+    legend = axes.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def corners(axes: Axes, label: str) -> list[tuple[float, float]]:
+    """The corners of all areas and lines of one label."""
+    areas: list[Any] = [p.get_path().vertices for p in axes.patches if p.get_label() == label]
+    lines: list[Any] = [p.get_xydata() for p in axes.lines if p.get_label() == label]
+    # Chains of one line are parted by nan.
+    shapes = [area[:-1] for area in areas] + lines
+    return [(float(x), float(y)) for shape in shapes for x, y in shape if x == x]
+
+
+def scaled(s: Sweep, factor: Fraction) -> Sweep:
+    g, d = ([(x * factor, y * factor) for x, y in p.vertices] for p in (s.generatrix, s.directrix))
+    return sweep(g, d)
+
+
+def test_all_of_a_sweep_is_in_the_picture() -> None:
+    assert labels(picture_of(EXAMPLE)) == [
+        "swept area",
+        "directrix D",
+        "inner loop",
+        "outer loop",
+        "undercut",
+        "trajectory, EV",
+        "trajectory, VE",
+        "trajectory, EE",
+        "generatrix G",
+        "reference point of G",
+        "contact, VE",
+        "contact, VV",
+    ]
+    assert "exact fit" in labels(picture_of(FIT))
+
+
+def test_shapes_are_drawn_where_they_are() -> None:
+    axes = picture_of(EXAMPLE)
+    assert corners(axes, "directrix D") == [
+        (float(x), float(y)) for x, y in EXAMPLE.directrix.vertices
+    ]
+    assert corners(axes, "undercut") == [(2.6, 2.6), (3.0, 1.0), (4.6, 2.6)]
+    inner = [(float(x), float(y)) for x, y in EXAMPLE.inner.vertices]
+    assert corners(axes, "inner loop") == [*inner, inner[0]]
+    assert corners(axes, "trajectory, VE")[:2] == [(-1.0, -2.0), (7.0, -2.0)]
+
+
+@pytest.mark.parametrize("exponent", [30, -30, 900])
+def test_size_changes_labels_only(exponent: int) -> None:
+    plain, large = picture_of(EXAMPLE), picture_of(scaled(EXAMPLE, Fraction(10) ** exponent))
+    assert large.get_xlabel() == rf"$x\,/\,10^{{{exponent}}}$"
+    assert labels(plain) == labels(large)
+    for label in labels(plain):
+        assert corners(plain, label) == corners(large, label)
+
+
+def test_the_generatrix_is_drawn_at_the_positions() -> None:
+    axes = picture_of(EXAMPLE, positions=[(3, -2), ("-2", "1/2")])
+    found: list[Any] = [p for p in axes.patches if p.get_zorder() == style.GENERATRIX.order]
+    assert [tuple(patch.get_xy()[0]) for patch in found] == [(3.0, -2.0), (-2.0, 0.5)]
+    assert telling_positions(FIT) == list(points((1, 3), (1, 1), (-1, -1)))
+
+
+def test_positions_are_read_as_all_numbers_are() -> None:
+    with pytest.raises(ValueError, match=r"^position 1: nan"):
+        picture_of(EXAMPLE, positions=[(0, 0), (float("nan"), 0)])
+    with pytest.raises(ValueError, match=r"^position 0 is not a pair of numbers$"):
+        picture_of(EXAMPLE, positions=[(0, 0, 0)])
+
+
+def test_a_far_reference_point_leaves_the_picture_alone() -> None:
+    far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
+    assert anchor(far) == EXAMPLE.reference
+    axes = picture_of(far)
+    assert "path of vertex 0 of G, VE" in labels(axes)
+    assert corners(axes, "path of vertex 0 of G, VE") == corners(
+        picture_of(EXAMPLE), "trajectory, VE"
+    )
+
+
+def test_plot_makes_a_figure_and_takes_axes() -> None:
+    axes = EXAMPLE.plot()
+    assert pyplot.get_fignums() == [1]
+    _, mine = pyplot.subplots()
+    assert EXAMPLE.plot(mine, positions=[]) is mine
+    assert axes is not mine
+    assert "generatrix G" not in labels(mine)
+
+
+def test_settings_of_the_user_are_left_alone() -> None:
+    before = dict(pyplot.rcParams)
+    EXAMPLE.plot()
+    assert dict(pyplot.rcParams) == before
+
+
+def test_no_two_things_differ_by_colour_alone() -> None:
+    looks = [*style.EVENTS.values(), style.SEVERAL_EVENTS, style.INNER, style.OUTER]
+    assert len({(look.width, str(look.dash)) for look in looks}) == len(looks)
+    solid = [style.EVENTS["EV"], style.INNER, style.EXACT_FIT]
+    assert len({(look.marker, look.width) for look in solid}) == len(solid)
+    areas = [style.DIRECTRIX, style.GENERATRIX, style.UNDERCUT]
+    assert len({(look.width, look.hatch) for look in areas}) == len(areas)
+    assert len({look.marker for look in style.CONTACTS.values()}) == len(style.CONTACTS)
+    chains = [style.chain_look(k) for k in range(7)]
+    assert len({(look.marker, str(look.dash)) for look in chains}) == len(chains)
+
+
+def test_chains_sub_trajectories_and_their_envelope_are_drawn() -> None:
+    _, top = split(EXAMPLE.generatrix.vertices)
+    directrix: list[Vertex] = [(0, 0), (3, 3), (5, 0), (8, 2)]
+    parts = convex_parts(directrix)
+    chains = [trajectory_cc(top, part) for part in parts]
+    envelope = list(trajectory_cm(top, directrix))
+    (axes,) = new_figure().axes
+    picture = Picture(axes, Scale.of(directrix, *chains))
+    draw_chains(picture, {f"D_{k}": part for k, part in enumerate(parts, 1)})
+    draw_sub_trajectories(picture, chains, envelope)
+    picture.text(directrix[1], "reflex")
+    picture.legend()
+    assert labels(axes) == ["D_1", "D_2", "sub-trajectory", "lower envelope"]
+    assert corners(axes, "D_2") == [(3.0, 3.0), (5.0, 0.0), (8.0, 2.0)]
+
+
+@pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])
+def test_files_are_the_same_byte_by_byte(tmp_path: Path, suffix: str) -> None:
+    paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]
+    for path in paths:
+        figure = new_figure()
+        plot_sweep(EXAMPLE, figure.axes[0])
+        save(figure, str(path))
+    first, second = (path.read_bytes() for path in paths)
+    assert first == second
+    assert len(first) > 3000
+    if suffix == "svg":
+        assert ElementTree.fromstring(first).tag == "{http://www.w3.org/2000/svg}svg"
+
+
+def test_without_matplotlib_the_refusal_says_how_to_get_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(DrawError, match=r"pip install 'exactsweep\[plot\]'"):
+        EXAMPLE.plot()
+    with pytest.raises(DrawError, match="pictures need matplotlib"):
+        new_figure()

@@ -1,0 +1,269 @@
+"""What the story of a sweep says, held against the definition."""
+
+from fractions import Fraction
+from itertools import pairwise
+
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep.check import classify
+from exactsweep.check.location import point_in_polygon
+from exactsweep.evidence.contact import Contact, contacts_at
+from exactsweep.evidence.steps import Step, blocks, explain
+from exactsweep.text.story import story
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
+# A step that is short against every feature.
+SHORT = Fraction(1, 10**60)
+
+patient = settings(deadline=None, max_examples=60)
+
+
+def pairs() -> st.SearchStrategy[tuple[Polygon, Polygon]]:
+    return own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
+
+
+def sweeps() -> st.SearchStrategy[Sweep]:
+    directions = st.sampled_from([None, (1, 0)])
+    return st.builds(
+        lambda pair, direction, reference: sweep(*pair, direction=direction, reference=reference),
+        pairs(),
+        directions,
+        st.sampled_from([(0, 0), ("1/3", -2)]),
+    )
+
+
+def turned_sweeps() -> st.SearchStrategy[Sweep]:
+    """The shared direction is another one, and the first vertex somewhere on the way."""
+
+    def turned(polygon: Polygon) -> Polygon:
+        return Polygon([(x - 2 * y, 3 * x + y) for x, y in polygon.vertices])
+
+    return pairs().map(lambda pair: sweep(*map(turned, pair), direction=(1, 2)))
+
+
+def any_sweeps() -> st.SearchStrategy[Sweep]:
+    return sweeps() | turned_sweeps()
+
+
+def verdict(s: Sweep, position: Point) -> str:
+    (x, y), (rx, ry) = position, s.reference
+    return classify(s.directrix, s.generatrix, (x - rx, y - ry)).verdict
+
+
+def beyond(position: Point, way: tuple[Fraction | int, Fraction | int]) -> Point:
+    return Point(position.x + way[0] * SHORT, position.y + way[1] * SHORT)
+
+
+def middle(p: Point, q: Point) -> Point:
+    return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+
+
+def vector(p: Point, q: Point) -> tuple[Fraction, Fraction]:
+    return q.x - p.x, q.y - p.y
+
+
+def share(step: Step, point: Point) -> Fraction:
+    """Where a point of the step's line is: 0 at the start, 1 at the end."""
+    (dx, dy), (px, py) = vector(step.start, step.end), vector(step.start, point)
+    assert dx * py == dy * px
+    return px / dx if dx else py / dy
+
+
+def cross(p: tuple[int, int], q: tuple[int, int]) -> int:
+    return p[0] * q[1] - p[1] * q[0]
+
+
+@patient
+@given(any_sweeps())
+def test_steps_are_the_edges_of_the_trajectory(s: Sweep) -> None:
+    steps = explain(s)
+    assert tuple(step.start for step in steps) == s.trajectory.vertices
+    assert all(p.end == q.start for p, q in pairwise([*steps, steps[0]]))
+    for step in steps:
+        (dx, dy), (p, q) = vector(step.start, step.end), step.direction
+        assert dx * q == dy * p
+        assert dx * p + dy * q > 0
+        assert Fraction(p, q or 1).denominator == abs(q or 1)
+        assert abs(p) + abs(q) == 1 or p * q != 0
+
+
+@patient
+@given(any_sweeps())
+def test_touches_are_the_contacts_and_last_as_said(s: Sweep) -> None:
+    for step, listed in zip(explain(s), s.contacts, strict=True):
+        assert sorted(touch.contact for touch in step.touches) == sorted(listed)
+        reached = Fraction(0)
+        for contact, start, end in step.touches:
+            low, high = share(step, start), share(step, end)
+            # Somebody is always touching.
+            assert 0 <= low <= reached
+            assert low < high <= 1
+            reached = max(reached, high)
+            assert contact in s.contacts_at(middle(start, end))
+            if low > 0:
+                assert contact not in s.contacts_at(middle(step.start, start))
+            if high < 1:
+                assert contact not in s.contacts_at(middle(end, step.end))
+        assert reached == 1
+
+
+@patient
+@given(any_sweeps())
+def test_a_corner_is_where_g_would_leave_and_a_stop_where_it_would_overlap(s: Sweep) -> None:
+    steps = explain(s)
+    for step, following in pairwise([*steps, steps[0]]):
+        straight_on = verdict(s, beyond(step.end, vector(step.start, step.end)))
+        turn = cross(step.direction, following.direction)
+        if step.ending == "corner":
+            assert turn > 0
+            assert straight_on != "OVERLAP"
+            assert {event for event, _, _ in step.reasons} == {"VV"}
+        else:
+            assert turn < 0
+            assert (straight_on == "OVERLAP") == (step.ending == "stop") == bool(step.reasons)
+        assert not {touch.contact for touch in step.touches} & set(step.reasons)
+        assert set(step.reasons) <= set(s.contacts_at(step.end))
+
+
+@patient
+@given(any_sweeps())
+def test_straight_on_into_an_exact_fit_there_is_one(s: Sweep) -> None:
+    for step in explain(s):
+        if step.ending == "exact fit":
+            fits = [mark for mark in step.landmarks if mark.mark == "exact fit"]
+            ways = [vector(*s.exact_fits[f.number]) for f in fits if f.position == step.end]
+            u = vector(step.start, step.end)
+            assert any(u[0] * y == u[1] * x and u[0] * x + u[1] * y > 0 for x, y in ways)
+
+
+@patient
+@given(pairs(), st.data())
+def test_what_blocks_leads_to_overlap_and_all_else_does_not(
+    pair: tuple[Polygon, Polygon], data: st.DataObject
+) -> None:
+    s = sweep(*pair)
+    position = data.draw(st.sampled_from(s.trajectory.vertices))
+    edge = data.draw(st.sampled_from([*pair[0].vertices, *pair[1].vertices]))
+    compass = st.tuples(own.tiny(-2, 2), own.tiny(-2, 2)).filter(any)
+    aside = data.draw(compass | st.just(vector(edge, position)).filter(any))
+    loops = s._boundaries
+    way = s._frame.turned([aside])[0]
+    t = s._frame.turned(s._frame.raised([position], s.reference))[0]
+    stopped = any(blocks(c, way, loops[0].loop, loops[1].loop) for c in contacts_at(*loops, t))
+    assert stopped == (verdict(s, beyond(position, aside)) == "OVERLAP")
+
+
+@patient
+@given(any_sweeps())
+def test_landmarks_are_on_their_step(s: Sweep) -> None:
+    for step in explain(s):
+        shares = [share(step, mark.position) for mark in step.landmarks]
+        assert shares == sorted(shares)
+        assert all(0 < where <= 1 for where in shares)
+
+
+@patient
+@given(any_sweeps())
+def test_every_undercut_is_closed_once(s: Sweep) -> None:
+    marks = [mark for step in explain(s) for mark in step.landmarks]
+    for number, undercut in enumerate(s.undercuts):
+        own_marks = {m.mark: m.position for m in marks if m.number == number and "f" not in m.mark}
+        if len(undercut.positions) == 1:
+            assert own_marks == {"undercut": undercut.positions[0]}
+            # G touches D there in both of the extreme points.
+            (x, y), (rx, ry) = undercut.positions[0], s.reference
+            there = s.generatrix.translated((x - rx, y - ry))
+            for point in undercut.extremes:
+                assert point_in_polygon(point, there) == point_in_polygon(point, s.directrix) == 0
+        else:
+            assert own_marks.keys() == {"undercut opens", "undercut closes"}
+            assert set(own_marks.values()) <= set(undercut.positions)
+    fits = [m for m in marks if m.mark == "exact fit"]
+    assert sorted(m.number for m in fits) == list(range(len(s.exact_fits)))
+    assert all(m.position == s.exact_fits[m.number][0] for m in fits)
+    undercuts = [m.number for m in marks if m.mark in ("undercut", "undercut opens")]
+    assert sorted(undercuts) == list(range(len(s.undercuts)))
+    assert len(undercuts) + len(fits) + sum(m.mark == "undercut closes" for m in marks) == len(
+        marks
+    )
+
+
+@patient
+@given(any_sweeps())
+def test_an_undercut_is_begun_before_it_is_done_with(s: Sweep) -> None:
+    steps = explain(s)
+    p, q = s.direction
+    # From the beginning of the lower sweep, wherever the trajectory begins.
+    start = min(
+        range(len(steps)),
+        key=lambda k: (
+            p * steps[k].start.x + q * steps[k].start.y,
+            p * steps[k].start.y - q * steps[k].start.x,
+        ),
+    )
+    open_ones = set()
+    for step in steps[start:] + steps[:start]:
+        for mark, number, _ in step.landmarks:
+            if mark == "undercut opens":
+                open_ones.add(number)
+            elif mark == "undercut closes":
+                open_ones.remove(number)
+    assert not open_ones
+
+
+@patient
+@given(any_sweeps())
+def test_the_halves_follow_each_other(s: Sweep) -> None:
+    halves = [step.half for step in explain(s)]
+    changes = sum(p != q for p, q in pairwise([*halves, halves[0]]))
+    assert changes == len(set(halves))
+    assert {"lower", "upper"} <= set(halves)
+    for step in explain(s):
+        along = step.direction[0] * s.direction[0] + step.direction[1] * s.direction[1]
+        assert along == 0 or (along > 0) == (step.half == "lower")
+        assert along == 0 or step.half in ("lower", "upper")
+
+
+@patient
+@given(pairs(), st.data())
+def test_features_are_numbered_as_in_the_input(
+    pair: tuple[Polygon, Polygon], data: st.DataObject
+) -> None:
+    g, d = (Polygon(data.draw(own.spellings(polygon))) for polygon in pair)
+
+    def as_given(contact: Contact) -> Contact:
+        event, i, j = contact
+        return Contact(
+            event,
+            g.edge_index(i) if event[0] == "E" else g.vertex_index(i),
+            d.edge_index(j) if event[1] == "E" else d.vertex_index(j),
+        )
+
+    canonical = [Polygon(list(polygon.vertices)) for polygon in pair]
+    for plain, spelled in zip(explain(sweep(*canonical)), explain(sweep(g, d)), strict=True):
+        touches = {touch._replace(contact=as_given(touch.contact)) for touch in plain.touches}
+        assert touches == set(spelled.touches)
+        assert sorted(map(as_given, plain.reasons)) == list(spelled.reasons)
+
+
+@patient
+@given(any_sweeps())
+def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
+    lines = list(story(s))
+    text = "\n".join(lines)
+    assert text.isascii()
+    assert "\n\n\n" not in text
+    assert [line for line in lines if line != line.rstrip() or "\n" in line] == []
+    starts = [line.split(":")[0] for line in lines if line.startswith("Step ")]
+    assert starts == [f"Step {k}" for k in range(len(s.trajectory))]
+    for k in range(len(s.undercuts)):
+        assert text.count(f"undercut {k}, of area") == 1
+    for k in range(len(s.exact_fits)):
+        assert text.count(f"exact fit {k} hangs") == 1
+    told = [line.split(":")[0].strip() for line in lines if line.startswith("  ")]
+    assert told.count("Stop") == sum(step.ending == "stop" for step in explain(s))
+    assert told.count("Corner") == sum(step.ending == "corner" for step in explain(s))

@@ -1,0 +1,239 @@
+"""Undercuts: the regions between D and the inner loop, and what closes them."""
+
+import random
+from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import Any
+
+import families
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Point, Polygon, sweep
+from exactsweep.check import classify, point_in_polygon
+from exactsweep.evidence.undercut import Undercut
+
+Pair = tuple[Polygon, Polygon]
+Edge = tuple[Point, Point]
+
+often = settings(deadline=None, max_examples=100)
+walled_pairs = st.integers(0, 10**9).map(
+    lambda seed: families.random_pair(random.Random(seed), ["same", "mould", "walls"])
+)
+any_pair = (
+    own.pairs("CM")
+    | own.pairs("MM")
+    | walled_pairs.map(lambda pair: (Polygon(pair.generatrix), Polygon(pair.directrix)))
+)
+
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+
+def edges(polygon: Polygon) -> list[Edge]:
+    v = polygon.vertices
+    return list(zip(v, (*v[1:], v[0]), strict=True))
+
+
+def middle(p: Point, q: Point) -> Point:
+    return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+
+
+def along(edge: Edge, p: Point, q: Point) -> bool:
+    """Whether p to q is a piece of a directed edge, the same way round."""
+    (ax, ay), (bx, by) = edge
+    if not all(min(edge) <= v <= max(edge) for v in (p, q)):
+        return False
+    turns = [(bx - ax) * (v.y - ay) - (by - ay) * (v.x - ax) for v in (p, q)]
+    return turns == [0, 0] and (bx - ax) * (q.x - p.x) + (by - ay) * (q.y - p.y) > 0
+
+
+@given(any_pair)
+@often
+def test_directrix_and_undercuts_make_up_the_inner_loop(pair: Pair) -> None:
+    s = sweep(*pair)
+    regions = [undercut.polygon for undercut in s.undercuts]
+    assert sum(region.area for region in regions) + s.directrix.area == s.inner.area
+    for region in regions:
+        assert classify(s.directrix, region, (0, 0)).verdict == "CONTACT"
+        assert all(point_in_polygon(v, s.inner) >= 0 for v in region.vertices)
+    for one, other in combinations(regions, 2):
+        assert classify(one, other, (0, 0)).verdict != "OVERLAP"
+
+
+@given(any_pair)
+@often
+def test_bottom_chain_is_a_piece_of_the_inner_loop(pair: Pair) -> None:
+    """And of the region's boundary, which runs with the region on its left."""
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        assert undercut.extremes == (undercut.bottom[0], undercut.bottom[-1])
+        for p, q in pairwise(undercut.bottom):
+            assert any(along(edge, p, q) for edge in edges(s.inner))
+            assert any(along(edge, p, q) for edge in edges(undercut.polygon))
+            assert point_in_polygon(middle(p, q), s.directrix) == -1
+
+
+@given(any_pair)
+@often
+def test_extremes_lie_on_the_directrix(pair: Pair) -> None:
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        for extreme in undercut.extremes:
+            assert point_in_polygon(extreme, s.directrix) == 0
+            assert point_in_polygon(extreme, s.inner) == 0
+            assert point_in_polygon(extreme, undercut.polygon) == 0
+
+
+def covers(generatrix: Polygon, position: Point, undercut: Undercut) -> bool:
+    """Whether the bottom chain lies on the boundary of G at a position, edge in edge."""
+    boundary = edges(generatrix.translated(position))
+    return all(
+        # The region is on the left of the chain, G on its right.
+        any(along(edge, q, p) for edge in boundary)
+        for p, q in pairwise(undercut.bottom)
+    )
+
+
+@given(any_pair)
+@often
+def test_generatrix_closes_undercuts_where_it_is_said_to(pair: Pair) -> None:
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        assert undercut.positions
+        for position in undercut.positions:
+            assert point_in_polygon(position, s.trajectory) == 0
+            assert classify(s.directrix, s.generatrix, position).verdict == "CONTACT"
+        if len(undercut.positions) == 1:
+            assert undercut.intersection == "point"
+        if len(undercut.positions) == 1 or undercut.intersection == "segment":
+            assert all(covers(s.generatrix, p, undercut) for p in undercut.positions)
+
+
+@given(own.pairs("CM"))
+@often
+def test_convex_generatrix_closes_an_undercut_in_one_place(pair: Pair) -> None:
+    """Figure 7: in a point, or in a segment along a straight bottom chain."""
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        if undercut.intersection == "point":
+            assert len(undercut.positions) == 1
+        else:
+            assert len(undercut.positions) == len(undercut.bottom) == 2
+
+
+@given(any_pair)
+@often
+def test_one_position_is_given_where_one_will_do(pair: Pair) -> None:
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        closing = [t for t in s.trajectory.vertices if covers(s.generatrix, t, undercut)]
+        if len(undercut.bottom) > 2 and closing:
+            assert len(undercut.positions) == 1
+            assert {*undercut.positions} <= {*closing}
+
+
+@given(any_pair)
+@often
+def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        if undercut.intersection == "segment":
+            p, q = undercut.positions
+            assert p != q
+            for a, b in (p, q), (q, p):
+                share = Fraction(1, 10**20)
+                beyond = Point(b.x + share * (b.x - a.x), b.y + share * (b.y - a.y))
+                on_path = point_in_polygon(beyond, s.trajectory) == 0
+                assert not (on_path and covers(s.generatrix, beyond, undercut))
+                assert covers(s.generatrix, middle(a, b), undercut)
+
+
+@given(own.pairs("CC"))
+@settings(deadline=None, max_examples=30)
+def test_convex_polygons_have_no_undercuts(pair: Pair) -> None:
+    assert sweep(*pair).undercuts == ()
+
+
+@given(any_pair, own.translations())
+@settings(deadline=None, max_examples=50)
+def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fraction]) -> None:
+    generatrix, directrix = pair
+    s, moved = sweep(generatrix, directrix), sweep(generatrix, directrix.translated(by))
+    assert len(moved.undercuts) == len(s.undercuts)
+    for before, after in zip(s.undercuts, moved.undercuts, strict=True):
+        assert after.polygon == before.polygon.translated(by)
+        assert after.intersection == before.intersection
+
+
+@given(own.turned_pairs("MM"), st.booleans())
+@settings(deadline=None, max_examples=50)
+def test_undercuts_do_not_depend_on_the_frame(
+    pair: tuple[Polygon, Polygon, Any], exchanged: bool
+) -> None:
+    generatrix, directrix, direction = pair
+    if exchanged:
+        generatrix, directrix = directrix, generatrix
+    s = sweep(generatrix, directrix, direction=direction)
+    regions = {undercut.polygon for undercut in s.undercuts}
+    assert len(regions) == len(s.undercuts)
+    assert regions == {undercut.polygon for undercut in sweep(generatrix, directrix).undercuts}
+
+
+def test_two_pockets_that_touch_are_two() -> None:
+    r"""Two notches side by side share the tip between them.
+
+    ::
+
+        # # # # # # # # #
+        # + + # + # + + #
+        =================
+    """
+    ridge = [(0, 0), (1, 0), (2, 2), (3, 0), (4, 2), (5, 0), (6, 0), (6, 3), (0, 3)]
+    s = sweep([(0, 0), (5, 0), (5, 1), (0, 1)], ridge)
+    assert [undercut.polygon for undercut in s.undercuts] == [
+        Polygon([(1, 0), (3, 0), (2, 2)]),
+        Polygon([(3, 0), (5, 0), (4, 2)]),
+    ]
+    # The bar is on one notch's both rims for a way of 3, and on the other's.
+    assert [undercut.positions for undercut in s.undercuts] == [
+        own.points((-2, -1), (1, -1)),
+        own.points((0, -1), (3, -1)),
+    ]
+
+
+def test_pocket_behind_a_wall_ends_on_the_wall() -> None:
+    r"""A step down behind which the square cannot get under the slope.
+
+    ::
+
+        # # # # #      D_b: 1 on [0, 1], a wall up to 3, a slope down to 0 at x = 4
+        #   + + #
+        #   /---\#     the square comes to rest with its left side at the wall
+    """
+    notch = [(0, 1), (1, 1), (1, 3), (4, 0), (5, 0), (5, 4), (0, 4)]
+    s = sweep(UNIT, notch)
+    (undercut,) = s.undercuts
+    # Its upper right corner is on the slope, y = 4 - x, at (2, 2).
+    assert undercut.polygon == Polygon([(1, 2), (2, 2), (1, 3)])
+    assert undercut.extremes == own.points((1, 2), (2, 2))
+    assert undercut.positions == own.points((1, 1))
+
+
+def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
+    """Once the upper end of G's wall was taken for the contact, a point that is not on D.
+
+    D around itself: the overhang at G's right end keeps it out of the corner before D's tower.
+
+    ::
+
+                    #
+                  + #       G at (-1, 3): its floor on D, its overhang at the tower
+        # # # # # # #
+        # # # # # #
+    """
+    tower = [(0, 0), (6, 0), (6, 1), (7, 1), (7, 5), (6, 5), (6, 3), (0, 3)]
+    (undercut,) = sweep(tower, tower).undercuts
+    assert undercut.polygon == Polygon([(5, 3), (6, 3), (6, 4), (5, 4)])
+    assert undercut.bottom == own.points((6, 4), (5, 4), (5, 3))
+    assert undercut.positions == own.points((-1, 3))

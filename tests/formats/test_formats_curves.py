@@ -1,0 +1,216 @@
+"""Curves as lines: their distance from the true curve is checked in rational arithmetic.
+
+For a circle that is decided from its equation; for other curves by points of them, and by the
+corners of the lines.
+"""
+
+from fractions import Fraction
+from itertools import pairwise
+from math import atan2, comb, cos, pi, sin, tau
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+
+from exactsweep.formats import FormatError, parse_polygon
+from exactsweep.formats.curved.affine import IDENTITY
+from exactsweep.formats.curved.curves import (
+    MAX_VERTICES,
+    chord_arc_center,
+    flatten_arc,
+    flatten_bezier,
+    root_above,
+)
+from exactsweep.formats.curved.dxf_arc import unit_point
+from exactsweep.formats.curved.svg_path import elliptic_arc
+from exactsweep.geometry.point import Point
+
+fewer = settings(deadline=None, max_examples=25)
+small = st.fractions(-9, 9, max_denominator=10)
+points = st.builds(Point, small, small)
+tolerances = st.sampled_from([Fraction(1), Fraction(1, 7), Fraction(1, 100)])
+
+
+def distance(p: Point, line: list[Point]) -> Fraction:
+    """The square of the distance of a point from a line."""
+    return min(squared_distance(p, a, b) for a, b in pairwise(line))
+
+
+def squared_distance(p: Point, a: Point, b: Point) -> Fraction:
+    """Of a point from a line segment."""
+    dx, dy = b.x - a.x, b.y - a.y
+    length = dx * dx + dy * dy
+    t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / length if length else Fraction(0)
+    t = min(max(t, Fraction(0)), Fraction(1))
+    return (a.x + t * dx - p.x) ** 2 + (a.y + t * dy - p.y) ** 2
+
+
+def assert_close_to_circle(
+    line: list[Point], center: Point, square: Fraction, tolerance: Fraction
+) -> None:
+    """All of the line is in the ring of points within the tolerance of a circle."""
+    # r lies between these two.
+    above = root_above(square)
+    below = square / above if above else Fraction(0)
+    for a, b in pairwise(line):
+        assert (a.x - center.x) ** 2 + (a.y - center.y) ** 2 <= (below + tolerance) ** 2
+        if above > tolerance:
+            assert squared_distance(center, a, b) >= (above - tolerance) ** 2
+
+
+@given(st.fractions(0, 10**40))
+def test_a_root_is_enclosed(square: Fraction) -> None:
+    above = root_above(square)
+    assert above * above >= square
+    assert (above * (1 - Fraction(1, 2**28))) ** 2 <= square
+
+
+@given(st.integers(0, 10**12), st.sampled_from([1, 10**6, 10**60]))
+def test_a_root_is_as_fine_as_asked_for(square: int, scale: int) -> None:
+    above = root_above(Fraction(square), scale)
+    assert max(above - Fraction(1, scale), Fraction(0)) ** 2 <= square <= above * above
+
+
+@given(st.fractions(Fraction(1, 100), 1000, max_denominator=100), points, tolerances)
+@fewer
+def test_circles_stay_within_the_tolerance(
+    radius: Fraction, center: Point, tolerance: Fraction
+) -> None:
+    tolerance = max(tolerance, radius / 10**4)
+    start = Point(center.x + radius, center.y)
+    line = flatten_arc(center, start, start, True, IDENTITY, tolerance)
+    assert line[0] == line[-1] == start
+    assert_close_to_circle(line, center, radius * radius, tolerance)
+    assert len(line) <= 16 + 8 * root_above(radius / tolerance)
+
+
+@given(points, points, st.fractions(-9, 9, max_denominator=9), tolerances)
+@fewer
+def test_arcs_over_a_chord_stay_within_the_tolerance(
+    first: Point, last: Point, bulge: Fraction, tolerance: Fraction
+) -> None:
+    if first == last or bulge == 0:
+        return
+    center = chord_arc_center(first, last, (1 - bulge**2) / (2 * bulge))
+    line = flatten_arc(center, first, last, bulge > 0, IDENTITY, tolerance)
+    assert (line[0], line[-1]) == (first, last)
+    square = (first.x - center.x) ** 2 + (first.y - center.y) ** 2
+    assert_close_to_circle(line, center, square, tolerance)
+    # The top of the arc is bulge half chords to the right of the middle of the chord.
+    dx, dy = (last.x - first.x) / 2, (last.y - first.y) / 2
+    top = Point(first.x + dx + bulge * dy, first.y + dy - bulge * dx)
+    assert distance(top, line) <= tolerance**2
+
+
+@given(st.lists(points, min_size=3, max_size=4), tolerances, st.fractions(0, 1))
+@fewer
+def test_bezier_curves_stay_within_the_tolerance(
+    controls: list[Point], tolerance: Fraction, t: Fraction
+) -> None:
+    line = flatten_bezier(controls, tolerance)
+    assert (line[0], line[-1]) == (controls[0], controls[-1])
+    assert distance(bernstein(controls, t), line) <= tolerance**2
+
+
+def bernstein(controls: list[Point], t: Fraction) -> Point:
+    n = len(controls) - 1
+    weights = [comb(n, k) * t**k * (1 - t) ** (n - k) for k in range(n + 1)]
+    x, y = (
+        sum((w * p[i] for w, p in zip(weights, controls, strict=True)), Fraction(0)) for i in (0, 1)
+    )
+    return Point(x, y)
+
+
+radii = st.fractions(Fraction(1, 10), 20, max_denominator=10)
+
+
+@given(points, points, radii, radii, st.booleans(), st.booleans(), tolerances)
+@fewer
+def test_elliptic_arcs_stay_within_the_tolerance(
+    first: Point,
+    last: Point,
+    rx: Fraction,
+    ry: Fraction,
+    large: bool,
+    left: bool,
+    tol: Fraction,
+) -> None:
+    if first == last:
+        return
+    line = elliptic_arc(first, last, (rx, ry), large, left, IDENTITY, tol)
+    assert (line[0], line[-1]) == (first, last)
+    # The center, found again in floats; it is as good as it needs to be.
+    x0, y0, x1, y1 = (float(c) for c in (*first, *last))
+    a, b = float(rx), float(ry)
+    hx, hy = (x0 - x1) / 2, (y0 - y1) / 2
+    need = hx * hx / a / a + hy * hy / b / b
+    grow = max(1.0, need) ** 0.5
+    a, b = a * grow, b * grow
+    factor = (1 / need - 1) ** 0.5 if need < 1 else 0.0
+    factor = -factor if large == left else factor
+    cx, cy = factor * a * hy / b, -factor * b * hx / a
+    cx, cy = cx + (x0 + x1) / 2, cy + (y0 + y1) / 2
+    start = atan2((y0 - cy) / b, (x0 - cx) / a)
+    span = (atan2((y1 - cy) / b, (x1 - cx) / a) - start) % tau
+    span = span if left else span - tau
+    for k in range(1, 8):
+        angle = start + span * k / 8
+        true = Point(Fraction(cx + a * cos(angle)), Fraction(cy + b * sin(angle)))
+        assert distance(true, line) <= (tol + Fraction(1, 10**6)) ** 2
+
+
+@given(st.fractions(-720, 720, max_denominator=1000), st.integers(3, 60))
+@fewer
+def test_points_of_the_unit_circle_are_close_to_their_angle(degrees: Fraction, digits: int) -> None:
+    x, y = unit_point(degrees, Fraction(1, 10**digits))
+    assert x * x + y * y == 1
+    with mp.workdps(digits + 20):
+        angle = mp.mpf(degrees.numerator) * mp.pi / (180 * degrees.denominator)
+        off = abs(mp.cos(angle) - mp.mpf(x.numerator) / x.denominator)
+        off += abs(mp.sin(angle) - mp.mpf(y.numerator) / y.denominator)
+        assert off < 2 * mp.mpf(10) ** -digits
+
+
+@pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90])
+def test_quarters_are_exact(degrees: int) -> None:
+    assert {abs(c) for c in unit_point(Fraction(degrees), Fraction(1))} == {0, 1}
+
+
+SHAPES = {
+    '<circle r="1"/>': pi,
+    '<circle cx="5" cy="-5" r="1" transform="scale(2)"/>': 4 * pi,
+    '<ellipse rx="2" ry="1"/>': 2 * pi,
+    '<rect width="4" height="4" rx="1"/>': 12 + pi,
+    '<rect width="4" height="4" ry="9"/>': 4 * pi,
+    '<path d="M-1 0A1 1 0 0 1 1 0A1 1 33 0 1-1 0z"/>': pi,
+    '<path d="M-1 0A.5.5 0 111 0A.5.5 0 11-1 0"/>': pi,
+    '<path d="m-1 0a1 1 0 00 2 0a1 1 0 00-2 0"/>': pi,
+    '<path d="M0-2A1 2 0 0 1 0 2 2 1 90 0 1 0-2"/>': 2 * pi,
+    '<path d="M1 0A1 1 0 1 1 0-1z"/>': 0.75 * pi + 0.5,
+    '<path d="M1 0A1 1 0 0 0 0-1z"/>': pi / 4 - 0.5,
+    '<path d="M0 0Q1 2 2 0z"/>': 4 / 3,
+    '<path d="M0 0Q1 2 2 0T4 0V-3H0z"/>': 12,
+    '<path d="M0 0q1 2 2 0t2 0v-3h-4z"/>': 12,
+    '<path d="M0 0C0 1 1 1 1 0z"/>': 0.6,
+    '<path d="M0 0c0 1 1 1 1 0s1-1 1 0v-3h-2z"/>': 6,
+    '<path d="M0 0S1 1 1 0V-1z"/>': 0.8,
+    '<path d="M0 0A0 1 0 0 0 1 0L0 1z"/>': 0.5,
+}
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_areas_come_close_to_the_true_ones(shape: str) -> None:
+    polygon = parse_polygon(f"<svg>{shape}</svg>", tolerance="1e-5")
+    assert abs(float(polygon.area) - SHAPES[shape]) < 2e-4
+
+
+def test_too_many_vertices_are_refused() -> None:
+    with pytest.raises(FormatError, match=f"more than {MAX_VERTICES} vertices"):
+        parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-30")
+
+
+@pytest.mark.parametrize("tolerance", [0, "-1", "x", float("nan"), True])
+def test_a_tolerance_is_a_positive_number(tolerance: object) -> None:
+    with pytest.raises(FormatError, match=r"^the tolerance"):
+        parse_polygon("<svg/>", tolerance=tolerance)

@@ -1,0 +1,236 @@
+"""Directions of monotonicity against a count of sign changes, one direction at a time."""
+
+from itertools import pairwise
+from math import gcd
+from typing import Any
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import DirectionError, Polygon, sweep
+from exactsweep.geometry.direction import (
+    X_AXIS,
+    Directions,
+    monotone_directions,
+    primitive,
+    read_direction,
+    shared_direction,
+)
+
+Vector = tuple[int, int]
+
+often = settings(deadline=None, max_examples=100)
+
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+#  ____     a notch from the left: vertical lines
+#  \\   |    meet it twice, horizontal lines once
+#  /___|
+NOTCHED = [(0, 0), (3, 0), (3, 2), (0, 2), (2, 1)]
+# The same notch from all four sides.
+STAR = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0), (6, 2), (4, 3), (6, 4)]
+STAR += [(6, 6), (4, 6), (3, 4), (2, 6), (0, 6), (0, 4), (2, 3), (0, 2)]
+#  |\\_/|  to the x-axis alone: vertical walls on both sides of a slot
+SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+PLUS = [(1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2)]
+PLUS += [(2, 3), (1, 3), (1, 2), (0, 2), (0, 1), (1, 1)]
+
+
+def ascents(polygon: Polygon, direction: Vector) -> list[int]:
+    """The sign of each edge along a direction."""
+    p, q = direction
+    v = polygon.vertices
+    steps = [p * (b.x - a.x) + q * (b.y - a.y) for a, b in zip(v, (*v[1:], v[0]), strict=True)]
+    return [(step > 0) - (step < 0) for step in steps]
+
+
+def is_weakly_monotone(polygon: Polygon, direction: Vector) -> bool:
+    signs = [sign for sign in ascents(polygon, direction) if sign]
+    return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True)) == 2
+
+
+def is_strictly_monotone(polygon: Polygon, direction: Vector) -> bool:
+    return all(ascents(polygon, direction)) and is_weakly_monotone(polygon, direction)
+
+
+def trials(*polygons: Polygon) -> list[Vector]:
+    """All critical directions of some polygons, one between each two, and a few more."""
+    critical: set[Vector] = {(1, 0), (0, 1)}
+    for polygon in polygons:
+        v = polygon.lattice()[1]
+        for (ax, ay), (bx, by) in zip(v, (*v[1:], v[0]), strict=True):
+            critical |= {primitive((ay - by, bx - ax))}
+    turned = sorted(critical, key=lambda u: (u[0] == 0, u[1] * 10**40 // u[0] if u[0] else 0))
+    between = [(a + c, b + d) for (a, b), (c, d) in pairwise(turned)]
+    (a, b), (c, d) = turned[0], turned[-1]
+    small = [(p, q) for p in range(3) for q in range(-2, 3) if gcd(p, q) == 1]
+    return [*turned, *between, primitive((c - a, d - b)), *map(primitive, small)]
+
+
+@given(own.simple_polygons())
+@often
+def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
+    found = monotone_directions(polygon)
+    for u in trials(polygon):
+        assert (u in found) == is_weakly_monotone(polygon, u), u
+        assert found.strict(u) == is_strictly_monotone(polygon, u), u
+        assert ((-u[0], -u[1]) in found) == (u in found)
+    assert bool(found) == any(is_weakly_monotone(polygon, u) for u in trials(polygon))
+
+
+@given(own.simple_polygons(), own.simple_polygons())
+@often
+def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> None:
+    shared = monotone_directions(one) & monotone_directions(other)
+    for u in trials(one, other):
+        assert (u in shared) == (is_weakly_monotone(one, u) and is_weakly_monotone(other, u)), u
+        strictly = is_strictly_monotone(one, u) and is_strictly_monotone(other, u)
+        assert shared.strict(u) == strictly, u
+
+
+@given(own.simple_polygons())
+@often
+def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
+    found = monotone_directions(polygon)
+    if polygon.is_convex:
+        first = found.critical[0]
+        assert found.arcs() == ((first, first),)
+        return
+    for u in trials(polygon):
+        within = any(on_arc(u, first, last) for first, last in found.arcs())
+        assert within == (u in found), u
+    # The arcs are maximal: what lies between two of them is not monotone.
+    assert len({first for first, _ in found.arcs()}) == len(found.arcs())
+
+
+def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
+    """Whether u or -u lies on an arc of at most half a turn, counter-clockwise."""
+
+    def cross(a: Vector, b: Vector) -> int:
+        return a[0] * b[1] - a[1] * b[0]
+
+    if first == last:
+        return primitive(u) == first
+    return any(cross(first, v) >= 0 and cross(v, last) >= 0 for v in (u, (-u[0], -u[1])))
+
+
+@given(own.convex_polygons())
+@settings(deadline=None, max_examples=30)
+def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
+    found = monotone_directions(polygon)
+    assert str(found) == "all directions"
+    assert all(u in found for u in trials(polygon))
+
+
+@given(own.simple_polygons(), own.simple_polygons())
+@often
+def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
+    """The x-axis, else strict, else any; then the least squared length."""
+    tried = [primitive(u) for u in trials(one, other)]
+    tried += [(p, q) for p in range(12) for q in range(-11, 12) if gcd(p, q) == 1]
+    shared = {u for u in tried if is_weakly_monotone(one, u) and is_weakly_monotone(other, u)}
+    if not shared:
+        with pytest.raises(DirectionError):
+            shared_direction(one, other)
+        return
+    strict = {u for u in shared if is_strictly_monotone(one, u) and is_strictly_monotone(other, u)}
+    chosen = shared_direction(one, other)
+    assert chosen == primitive(chosen)
+    if X_AXIS in shared:
+        assert chosen == X_AXIS
+    else:
+        least = min(p * p + q * q for p, q in strict or shared)
+        assert chosen[0] ** 2 + chosen[1] ** 2 <= least
+        assert is_weakly_monotone(one, chosen)
+        assert is_weakly_monotone(other, chosen)
+        if strict:
+            assert is_strictly_monotone(one, chosen)
+            assert is_strictly_monotone(other, chosen)
+
+
+@given(own.turned_pairs("MM"))
+@often
+def test_choice_serves_every_pair_with_a_shared_direction(
+    pair: tuple[Polygon, Polygon, Vector],
+) -> None:
+    one, other, direction = pair
+    assert is_weakly_monotone(one, direction)
+    chosen = shared_direction(one, other)
+    assert is_weakly_monotone(one, chosen)
+    assert is_weakly_monotone(other, chosen)
+
+
+@pytest.mark.parametrize(
+    ("vertices", "text"),
+    [
+        (UNIT, "all directions"),
+        # Perpendicular to the notch's edges, (2, 1) and (2, -1).
+        (NOTCHED, "all from (1, 2) to (-1, 2)"),
+        ([(y, x) for x, y in NOTCHED], "all from (2, -1) to (2, 1)"),
+        (SLOT, "just (1, 0)"),
+        (PLUS, "just (1, 0) and just (0, 1)"),
+        (STAR, "no direction"),
+    ],
+)
+def test_ranges_worked_by_hand(vertices: Any, text: str) -> None:
+    assert str(monotone_directions(Polygon(vertices))) == text
+
+
+def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
+    # (0, 1) is shared, but perpendicular to edges. Of the slopes beyond 2, (1, 3) and (1, -3)
+    # are the simplest.
+    assert shared_direction(Polygon(NOTCHED), Polygon(UNIT)) == (1, -3)
+
+
+def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
+    lying, standing = Polygon(NOTCHED), Polygon([(y, x) for x, y in NOTCHED])
+    with pytest.raises(DirectionError) as caught:
+        sweep(lying, standing)
+    message = str(caught.value)
+    assert message.startswith("the polygons share no direction of monotonicity: ")
+    one, other = (
+        f"{name}: {monotone_directions(p)}"
+        for name, p in (("generatrix", lying), ("directrix", standing))
+    )
+    assert one in message
+    assert other in message
+
+
+def test_not_monotone_at_all_is_said() -> None:
+    with pytest.raises(DirectionError, match="the directrix: no direction"):
+        sweep(UNIT, STAR)
+
+
+def test_direction_asked_for_is_refused_with_those_there_are() -> None:
+    with pytest.raises(DirectionError) as caught:
+        sweep(UNIT, NOTCHED, direction=("1/2", 0))
+    assert str(caught.value).startswith("the directrix is not monotone to (1, 0); ")
+    assert str(caught.value).endswith(str(monotone_directions(Polygon(NOTCHED))))
+
+
+@pytest.mark.parametrize(
+    ("given_", "expected"),
+    [
+        ((-4, 6), (2, -3)),
+        ((0, -5), (0, 1)),
+        (("1/2", "1/3"), (3, 2)),
+        ((0.5, 1), (1, 2)),
+        (iter((1, 0)), (1, 0)),
+    ],
+)
+def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector) -> None:
+    assert read_direction(given_) == expected
+
+
+@given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
+@settings(deadline=None, max_examples=30)
+def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
+    a, b, c = map(monotone_directions, polygons)
+
+    def members(directions: Directions) -> list[bool]:
+        return [u in directions for u in trials(*polygons)]
+
+    assert members(a & b) == members(b & a)
+    assert members((a & b) & c) == members(a & (b & c))
+    assert members(a & a) == members(a)

@@ -1,0 +1,191 @@
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import gmpy2
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from exactsweep.geometry.number import NumberError, format_fraction, limits, to_fraction
+
+NINES = "9" * 5000
+NOT_A_FRACTION = r"is not a rational number$"
+OUT_OF_GRAMMAR = r"is not a number such as 3, -7/2, 0\.125 or 1e-3$"
+
+
+class Unprintable:
+    def __repr__(self) -> str:
+        raise RuntimeError
+
+
+@given(st.fractions())
+def test_format_and_read_are_inverse(value: Fraction) -> None:
+    assert to_fraction(format_fraction(value)) == value
+
+
+@given(st.decimals(allow_nan=False, allow_infinity=False))
+def test_decimals_are_exact_as_objects_and_as_text(value: Decimal) -> None:
+    assert to_fraction(value) == to_fraction(str(value).replace("E", "e")) == Fraction(value)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_floats_are_the_binary_value_that_they_are(value: float) -> None:
+    expected = Fraction(*value.as_integer_ratio())
+    assert to_fraction(value) == to_fraction(np.float64(value)) == expected
+    assert to_fraction(sympy.Float(value)) == to_fraction(gmpy2.mpfr(value)) == expected
+
+
+@given(st.floats(width=32, allow_nan=False, allow_infinity=False))
+def test_short_floats_are_exact(value: float) -> None:
+    assert to_fraction(np.float32(value)) == Fraction(value)
+
+
+@given(st.fractions())
+def test_rationals_of_other_libraries_are_exact(value: Fraction) -> None:
+    n, d = value.numerator, value.denominator
+    assert to_fraction(sympy.Rational(n, d)) == to_fraction(gmpy2.mpq(n, d)) == value
+
+
+@pytest.mark.parametrize("three", [3, np.int8(3), np.uint64(3), gmpy2.mpz(3), sympy.Integer(3)])
+def test_integers_of_any_library_are_exact(three: Any) -> None:
+    found = to_fraction(three)
+    assert found == 3
+    assert type(found) is Fraction
+    assert type(found.numerator) is int
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("3", Fraction(3)),
+        ("-0", Fraction(0)),
+        ("-7/2", Fraction(-7, 2)),
+        ("6/4", Fraction(3, 2)),
+        ("0.125", Fraction(1, 8)),
+        ("-0.50", Fraction(-1, 2)),
+        ("1e-3", Fraction(1, 1000)),
+        ("1.5E+2", Fraction(150)),
+        ("1e0002", Fraction(100)),
+        (np.str_("1/2"), Fraction(1, 2)),
+    ],
+)
+def test_grammar_accepts(text: str, value: Fraction) -> None:
+    assert to_fraction(text) == value
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        " 1",
+        "1 ",
+        "1\n",
+        "+1",
+        "01",
+        "-01",
+        "1_0",
+        "1.",
+        ".5",
+        "--1",
+        "1e",
+        "1e1.5",
+        "1/2/3",
+        "1/-2",
+        "1/02",
+        "1/00",
+        "1.5/2",
+        "1/2e3",
+        "0x1",
+        "nan",
+        "inf",
+        "Infinity",
+        "\u0663",
+        "1\u00b2",
+        "1,5",
+    ],
+)
+def test_grammar_refuses(text: str) -> None:
+    with pytest.raises(NumberError, match=OUT_OF_GRAMMAR):
+        to_fraction(text)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (True, r"^True is a truth value, not a number$"),
+        (np.True_, NOT_A_FRACTION),
+        (sympy.true, NOT_A_FRACTION),
+        (float("nan"), r"^nan is not a finite number$"),
+        (float("-inf"), r"^-inf is not a finite number$"),
+        (np.float32("nan"), r"nan.* is not a finite number$"),
+        (Decimal("NaN"), r"is not a finite number$"),
+        (Decimal("sNaN"), r"is not a finite number$"),
+        (Decimal("-Infinity"), r"is not a finite number$"),
+        (1j, r"^1j is not a rational number$"),
+        (np.complex64(1), NOT_A_FRACTION),
+        (None, r"^None is not a rational number$"),
+        (b"1", NOT_A_FRACTION),
+        ([1], r"^\[1\] is not a rational number$"),
+        (int, r"^<class 'int'> is not a number$"),
+        (np.array([1, 2]), r"is not a number$"),
+        (Unprintable(), r"^<Unprintable> is not a rational number$"),
+        (sympy.pi, r"^pi is not a rational number$"),
+        (sympy.sqrt(2), r"^sqrt\(2\) is not a rational number$"),
+        (sympy.Symbol("x"), r"^x is not a rational number$"),
+        (sympy.I, NOT_A_FRACTION),
+        (sympy.oo, NOT_A_FRACTION),
+        (sympy.zoo, NOT_A_FRACTION),
+        (sympy.nan, NOT_A_FRACTION),
+        (sympy.Float("0.1", 50), r"has no exact value as a float; give it as a fraction$"),
+        (gmpy2.mpfr("nan"), r"is not a finite number$"),
+        (gmpy2.mpfr("1e99999999"), r"is not a finite number$"),
+        ("1/0", r"^'1/0' has a zero denominator$"),
+        ("1e999999999", r"^'1e999999999' has an exponent beyond 4000 \(max_exponent\)$"),
+        ("0e999999999", r"exponent beyond 4000"),
+        ("1e" + NINES, r"exponent beyond 4000"),
+        (NINES[:9] + "e" + "9" * 15, r"exponent beyond 4000"),
+        (Decimal("1e999999999"), r"exponent beyond 4000"),
+        (Decimal("1e-4001"), r"exponent beyond 4000"),
+        (NINES, r"^'9{36}\.\.\. has more than 4000 digits \(max_digits\)$"),
+        ("1/" + NINES, r"has more than 4000 digits"),
+        ("0." + NINES, r"has more than 4000 digits"),
+        (Decimal(NINES), r"has more than 4000 digits"),
+    ],
+)
+def test_refusals_name_the_value(value: object, message: str) -> None:
+    with pytest.raises(NumberError, match=message) as caught:
+        to_fraction(value)
+    assert len(str(caught.value)) < 100
+
+
+def test_limits_can_be_moved_and_end_with_their_block() -> None:
+    with limits(max_digits=5000, max_exponent=6000):
+        assert to_fraction(NINES) == to_fraction("-" + NINES) * -1 == 10**5000 - 1
+        assert to_fraction("1/" + NINES) == Fraction(1, 10**5000 - 1)
+        assert to_fraction("1e6000") == to_fraction(Decimal("1e6000")) == 10**6000
+        with limits(max_digits=2), pytest.raises(NumberError, match="more than 2 digits"):
+            to_fraction("123")
+        with pytest.raises(NumberError, match="beyond 6000"):
+            to_fraction("1e6001")
+    with pytest.raises(NumberError, match="more than 4000 digits"):
+        to_fraction(NINES)
+
+
+def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:
+    with limits(max_digits=2, max_exponent=1):
+        assert to_fraction("0.12") == Fraction(3, 25)
+        assert to_fraction(12345) == 12345
+        assert to_fraction(Fraction(1, 10**5)) == Fraction(1, 10**5)
+
+
+@pytest.mark.parametrize("name", ["max_digits", "max_exponent"])
+def test_limits_are_positive(name: str) -> None:
+    with pytest.raises(ValueError, match=f"^{name} must be at least 1$"), limits(**{name: 0}):
+        pass
+
+
+def test_any_digit_count_is_written() -> None:
+    assert format_fraction(Fraction(-(10**5000 - 1), 10**5000)) == f"-{NINES}/1{'0' * 5000}"

@@ -1,0 +1,146 @@
+"""The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
+
+import random
+from itertools import combinations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from exactsweep import Polygon, PolygonError
+from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.simplicity import Conflict, find_conflict
+
+
+def turn(a: LatticePoint, b: LatticePoint, c: LatticePoint) -> int:
+    product = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    return (product > 0) - (product < 0)
+
+
+def on_segment(p: LatticePoint, a: LatticePoint, b: LatticePoint) -> bool:
+    return turn(a, b, p) == 0 and min(a, b) <= p <= max(a, b)
+
+
+def segments_meet(a: LatticePoint, b: LatticePoint, c: LatticePoint, d: LatticePoint) -> bool:
+    if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
+        return True
+    return on_segment(c, a, b) or on_segment(d, a, b) or on_segment(a, c, d) or on_segment(b, c, d)
+
+
+def is_simple(points: list[LatticePoint]) -> bool:
+    """From the definition: neighbours meet in their common vertex alone, others nowhere."""
+    ring = [p for i, p in enumerate(points) if p != points[i - 1]]
+    n = len(ring)
+    if n < 3:
+        return False
+    for i, j in combinations(range(n), 2):
+        a, b, c, d = ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]
+        if j == i + 1:
+            if on_segment(d, a, b) or on_segment(a, c, d):
+                return False
+        elif (j + 1) % n == i:
+            if on_segment(c, a, b) or on_segment(b, c, d):
+                return False
+        elif segments_meet(a, b, c, d):
+            return False
+    return True
+
+
+def holds(conflict: Conflict, ring: list[LatticePoint]) -> bool:
+    """Whether the features named really meet in the way named."""
+    kind, i, j = conflict
+    p, q = ring[i], ring[j]
+    p_next, q_next = ring[(i + 1) % len(ring)], ring[(j + 1) % len(ring)]
+    if kind == "vertices coincide":
+        return i != j and p == q
+    if kind == "vertex touches edge":
+        return p not in (q, q_next) and on_segment(p, q, q_next)
+    sides = [
+        turn(p, p_next, q),
+        turn(p, p_next, q_next),
+        turn(q, q_next, p),
+        turn(q, q_next, p_next),
+    ]
+    return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0
+
+
+def agrees(points: list[LatticePoint]) -> bool:
+    """Compare with the definition; tell whether the ring is simple."""
+    expected = is_simple(points)
+    try:
+        canonical_ring(points)
+    except PolygonError:
+        assert not expected, points
+    else:
+        assert expected, points
+    ring = [p for i, p in enumerate(points) if p != points[i - 1]]
+    turns_back = any(
+        turn(a, b, c) == 0 and not min(a, c) < b < max(a, c)
+        for a, b, c in zip(ring, ring[1:] + ring[:1], ring[2:] + ring[:2], strict=True)
+    )
+    if len(ring) > 2 and not turns_back:
+        conflict = find_conflict(ring)
+        assert (conflict is None) == expected, ring
+        assert conflict is None or holds(conflict, ring), (conflict, ring)
+    return expected
+
+
+@pytest.mark.parametrize("side", [2, 3, 5, 9])
+def test_sweep_agrees_with_all_pairs_on_random_rings(side: int) -> None:
+    rng = random.Random(side)
+    simple = 0
+    for _ in range(4000):
+        count = rng.randint(3, 9)
+        points: list[LatticePoint] = [
+            (rng.randrange(side), rng.randrange(side)) for _ in range(count)
+        ]
+        simple += agrees(points)
+    assert simple > 50
+
+
+@pytest.mark.parametrize("side", [4, 8])
+def test_sweep_agrees_with_all_pairs_on_nearly_simple_rings(side: int) -> None:
+    """Rings made simple by reversing crossed stretches, then one vertex moved."""
+    rng = random.Random(side)
+    simple = 0
+    for _ in range(500):
+        grid = [(x, y) for x in range(side) for y in range(side)]
+        ring = untangled(rng.sample(grid, rng.randint(5, 12)))
+        simple += agrees(ring)
+        ring[rng.randrange(len(ring))] = rng.choice(grid)
+        agrees(ring)
+    assert simple > 100
+
+
+def untangled(ring: list[LatticePoint]) -> list[LatticePoint]:
+    n = len(ring)
+    for _ in range(4 * n):
+        for i, j in combinations(range(n), 2):
+            a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
+            if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
+                ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+                break
+        else:
+            break
+    return ring
+
+
+@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=8))
+def test_sweep_agrees_with_all_pairs(points: list[LatticePoint]) -> None:
+    agrees(points)
+
+
+def test_a_ring_that_goes_round_twice_is_not_convex() -> None:
+    pentagram = [(0, 3), (-2, -3), (3, 1), (-3, 1), (2, -3)]
+    assert find_conflict(pentagram) is not None
+
+
+def test_many_vertices_are_checked_by_a_sweep() -> None:
+    """All pairs would be 5 * 10**7 here."""
+    teeth = [(x, 10**6 * (x % 2)) for x in range(5000)]
+    ring = [*teeth, *((x, 10**6 * (x % 2) + 1) for x, _ in reversed(teeth))]
+    assert len(Polygon(ring)) == len(ring)
+    ring[7000] = (ring[7000][0], ring[7000][1] - 2)
+    with pytest.raises(PolygonError, match=r"edges 2998 and 7000 cross|edges 2999 and 6999 cross"):
+        Polygon(ring)

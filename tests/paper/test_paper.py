@@ -1,0 +1,183 @@
+"""The ledger of the paper: complete, tied to the code, and borne out by its evidence."""
+
+import random
+import re
+from pathlib import Path
+from pkgutil import resolve_name
+
+import pytest
+
+from exactsweep.paper.claim import Claim, Counterexample, Evidence, Row, Run, Status, reproduce
+from exactsweep.paper.growth import Growth, Point, doubled
+from exactsweep.paper.laws import Trial, broken, shrunk
+from exactsweep.paper.ledger import CLAIMS, ORDER, UnknownClaimError, find
+from exactsweep.paper.pairs import Pair, random_pair, random_pairs
+from exactsweep.paper.tiny import is_convex, is_strict, is_weak, polygons, smallest_pair
+
+TRIANGLE = [(0, 0), (1, 0), (0, 1)]
+NUMBERED = {
+    "Definition": "1.1 1.2 1.3 2.1 3.1 5.1 5.2",
+    "Theorem": "2.1 2.2",
+    "Lemma": "3.1 3.2 4.1 4.2 5.1 5.2 5.3 5.5 5.6 A.1 A.2 A.3",
+    "Corollary": "3.3 3.4 4.3 4.4 4.5 4.6 5.4 5.7 5.8 A.4",
+    "Table": "1",
+}
+PROCEDURES = [
+    *(f"{name}_{kind}" for name in ("Trajectory", "SweepI", "SweepO") for kind in ("CC", "CM")),
+    *("Trajectory_MM", "Sweep_MM", "LowerEnvelope_CM", "LowerEnvelope_MM"),
+]
+
+
+def test_everything_with_a_number_or_a_name_in_the_paper_has_a_row() -> None:
+    names = [f"{kind} {number}" for kind, all_ in NUMBERED.items() for number in all_.split()]
+    assert set(names + PROCEDURES) <= set(ORDER)
+    assert len(ORDER) == len(set(ORDER)) == len(CLAIMS)
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
+def test_a_claim_names_code_that_exists(claim: Claim) -> None:
+    assert claim.code
+    for name in claim.code:
+        assert (
+            callable(resolve_name(name))
+            or isinstance(resolve_name(name), property)
+            or hasattr(resolve_name(name), "func")
+        )
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
+def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
+    assert claim.says.endswith((".", ")."))
+    assert claim.status is Status.REPRODUCED or claim.corrected
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
+def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
+    (row,) = reproduce([claim], Run(seed=2, quick=True))
+    assert row.disagreement == ""
+    assert row.evidence.tried
+
+
+def test_the_readme_names_the_same_errata() -> None:
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    errata = readme.split("## Where the paper is corrected")[1].split("\n## ")[0]
+    refuted, condition = errata.split("Right under a condition:")
+    for text, status in ((refuted, Status.REFUTED), (condition, Status.CONDITION)):
+        named = set(re.findall(r"\*\*(.*?)\*\*", text))
+        assert named == {claim.name for claim in CLAIMS if claim.status is status}
+
+
+def row_of(status: Status, evidence: Evidence) -> Row:
+    claim = Claim("A claim", "1", "It holds.", status, (), lambda run: evidence)
+    return next(reproduce([claim], Run()))
+
+
+def test_a_failure_disagrees_with_every_status() -> None:
+    for status in Status:
+        assert row_of(status, Evidence("much", "it fails")).disagreement == "it fails"
+
+
+def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
+    against = Evidence("much", against=Counterexample("a case", "by chance"))
+    for status in Status:
+        announced = status in (Status.CONDITION, Status.REFUTED)
+        assert bool(row_of(status, Evidence("much")).disagreement) == announced
+        assert bool(row_of(status, against).disagreement) != announced
+
+
+def test_a_check_that_breaks_off_fails() -> None:
+    def check(run: Run) -> Evidence:
+        raise ZeroDivisionError("by zero")
+
+    claim = Claim("A claim", "1", "It holds.", Status.REPRODUCED, (), check)
+    (row,) = reproduce([claim], Run())
+    assert row.disagreement == "ZeroDivisionError: by zero"
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("Lema 5.3", "did you mean 'Lemma 5.3'?"),
+        ("5.8", "did you mean 'Corollary 5.8'?"),
+        ("trajectory", "'Trajectory_CC' or 'Trajectory_CM'"),
+        ("", "'--list' shows them all"),
+        ("xyzzy", "'--list' shows them all"),
+    ],
+)
+def test_an_unknown_name_is_refused_with_a_suggestion(name: str, meant: str) -> None:
+    with pytest.raises(UnknownClaimError) as refusal:
+        find(name)
+    assert meant in str(refusal.value)
+
+
+def test_names_are_found_in_any_spelling() -> None:
+    assert find("  lemma   A.1").name == "Lemma A.1"
+
+
+def test_pairs_depend_on_seed_class_and_number_alone() -> None:
+    few, many = (list(random_pairs(Run(3), "MM", count)) for count in (4, 9))
+    assert many[:4] == few
+    assert list(random_pairs(Run(4), "MM", 4)) != few
+
+
+@pytest.mark.parametrize("strict", [True, False])
+def test_random_pairs_are_of_their_class(strict: bool) -> None:
+    for number in range(60):
+        pair = random_pair(random.Random(number), "CM", strict=strict)
+        shape = is_strict if strict else is_weak
+        assert is_convex(pair.generatrix)
+        assert shape(pair.generatrix)
+        assert shape(pair.directrix)
+
+
+def test_all_polygons_of_a_tiny_grid_are_there() -> None:
+    # On the 2 by 2 grid: a square and its four halves; on 3 by 3, 76 triangles up to where they
+    # lie in it, 44 of which touch both axes.
+    assert [len(polygons(1, n)) for n in (3, 4, 5)] == [4, 1, 0]
+    assert len(polygons(2, 3)) == 44
+    assert all(min(x for x, _ in ring) == 0 for ring in polygons(2, 5))
+
+
+def test_the_smallest_pair_comes_first() -> None:
+    found = smallest_pair(2, 7, is_weak, is_weak, lambda p: "" if len(p[0]) < 4 else "four")
+    assert found is not None
+    assert found[0] == Pair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+    assert smallest_pair(1, 6, is_weak, is_weak, lambda p: "") is None
+
+
+def test_a_broken_law_is_shown_with_a_small_pair() -> None:
+    pair = Pair(TRIANGLE, [(0, 0), (9, 0), (9, 7), (5, 9), (0, 8)])
+    least = shrunk(lambda p: "" if len(p.directrix) < 4 else "four corners", pair)
+    assert len(least.directrix) == 4
+    assert max(x for x, _ in least.directrix) < 9
+
+
+def test_a_law_that_raises_is_broken() -> None:
+    def law(pair: Pair) -> str:
+        raise IndexError("beyond")
+
+    assert broken(law, [Pair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
+
+
+def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
+    def law(pair: Pair) -> str:
+        """It always fails."""
+        return "of course"
+
+    trial = Trial(Run(quick=True)).of(law, "CC", 20).of(law, "CM", 20, strict=False)
+    assert trial.failure.startswith("of course; G = ")
+    assert trial.tried == "It always fails. Pairs: 2 CC, 2 CM with vertical edges."
+
+
+def test_growth_tells_flat_rising_and_falling() -> None:
+    sizes = doubled(8, 3)
+
+    def series(power: float) -> Growth:
+        points = tuple(Point(m, n, round(1000 * n**power), n) for m, n in sizes)
+        return Growth("vertices", "ints", "n", points)
+
+    assert series(1).is_flat()
+    assert series(1).is_attained
+    assert not series(1.2).is_flat()
+    assert "rose by a factor" in series(2).failure()
+    assert not series(0.2).is_attained

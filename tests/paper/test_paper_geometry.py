@@ -1,0 +1,140 @@
+"""The ledger's own computations: free parts of the plane, envelopes of segments, families."""
+
+import random
+from fractions import Fraction
+
+import pytest
+
+from exactsweep import sweep
+from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, needles, printed_count
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.paper.checks.planar import (
+    Groups,
+    contact_pieces,
+    convex_cells,
+    free_parts,
+    swept_polygons,
+)
+from exactsweep.paper.checks.section2 import CAVE, sweep_pieces
+from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
+from exactsweep.paper.functions import between, clipped, common_points, value
+from exactsweep.paper.pairs import Pair, random_pair
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+U_SHAPE = [(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)]
+# Davenport-Schinzel sequences of order 3 of s symbols have at most so many members.
+LONGEST = {1: 1, 2: 4, 3: 8, 4: 12, 5: 17, 6: 22}
+
+
+def box(left: int, low: int, right: int, high: int) -> list[Point]:
+    return list(Polygon([(left, low), (right, low), (right, high), (left, high)]).vertices)
+
+
+@pytest.mark.parametrize(
+    ("boxes", "parts"),
+    [
+        ([(0, 0, 1, 1)], 1),
+        ([(0, 0, 1, 1), (3, 0, 4, 1)], 1),
+        ([(0, 0, 3, 1), (0, 2, 3, 3), (0, 0, 1, 3), (2, 0, 3, 3)], 2),
+        # Corners that touch close a ring.
+        ([(0, 1, 1, 2), (1, 0, 2, 1), (2, 1, 3, 2), (1, 2, 2, 3)], 2),
+        ([(0, 0, 5, 1), (0, 2, 5, 3), (0, 0, 1, 3), (2, 0, 3, 3), (4, 0, 5, 3)], 3),
+        ([(0, 0, 3, 1), (0, 2, 3, 3), (0, 0, 1, 3)], 1),
+    ],
+)
+def test_free_parts_are_counted(boxes: list[tuple[int, int, int, int]], parts: int) -> None:
+    assert free_parts([box(*corners) for corners in boxes]) == parts
+
+
+def test_contact_pieces_are_the_trajectory_of_a_monotone_pair() -> None:
+    for number in range(12):
+        pair = random_pair(random.Random(number), "CM")
+        s = sweep(*pair)
+        if s.exact_fits:
+            continue
+        found = contact_pieces(*pair)
+        length = sum(_squared(p, q) ** 0.5 for p, q in found)
+        assert length == pytest.approx(sum(_squared(p, q) ** 0.5 for p, q in sweep_pieces(s)))
+
+
+def _squared(p: Point, q: Point) -> Fraction:
+    return (p.x - q.x) ** 2 + (p.y - q.y) ** 2
+
+
+def test_a_closed_cave_is_not_entered_and_an_open_one_is_no_hole() -> None:
+    for generatrix in (SQUARE, [(0, 0), (4, 0), (4, 1), (0, 1)]):
+        assert free_parts(swept_polygons(generatrix, contact_pieces(generatrix, U_SHAPE))) == 2
+
+
+def test_the_cave_of_theorem_2_2_has_a_middle_that_is_passed_by() -> None:
+    assert free_parts(swept_polygons(CAVE.generatrix, contact_pieces(*CAVE))) == 3
+
+
+def test_convex_cells_cover_a_polygon() -> None:
+    for number in range(20):
+        ring = random_pair(random.Random(number), "MM", strict=False).generatrix
+        cells = [Polygon(cell) for cell in convex_cells(ring)]
+        assert sum(cell.area for cell in cells) == Polygon(ring).area
+        assert all(cell.is_convex for cell in cells)
+
+
+def test_joined_groups_count_as_one() -> None:
+    groups: Groups[int] = Groups()
+    for k in range(10):
+        groups.join(k, k // 2)
+    assert groups.count == 1
+
+
+@pytest.mark.parametrize("segments", BEST)
+def test_segments_have_about_as_many_pieces_as_there_can_be(
+    segments: tuple[tuple[int, int, int, int], ...],
+) -> None:
+    most = LONGEST[len(segments)]
+    assert most - (len(segments) > 5) <= pieces(segments) <= most
+
+
+def test_windows_lay_segments_over_one_another() -> None:
+    pair = windows(BEST[2])
+    assert len(sweep(*pair).directrix) == 27
+    assert sweep(*pair).kind == "MM"
+
+
+def test_windows_of_windows_lay_segments_over_one_another_twice() -> None:
+    segments = BEST[2]
+    s = sweep(*windows_of_windows(segments))
+    assert s.kind == "MM"
+    assert len(s.generatrix) <= 7 * len(segments)
+    assert len(s.directrix) <= 5 * len(segments)
+    corners = s.outer.vertices
+    lower = corners[: corners.index(max(corners)) + 1]
+    assert pieces_in(lower, segments) >= 7 * pieces(segments)
+
+
+def test_the_family_of_figure_10_agrees_with_the_formula_for_one_tooth_or_one_peak() -> None:
+    for size in (2, 4, 6):
+        assert edges_of_bumps(2, size, 6) == printed_count(2, size, 6)
+        assert edges_of_bumps(size, 2, 6) == printed_count(size, 2, 6)
+    assert edges_of_bumps(4, 4, 6) != printed_count(4, 4, 6)
+    assert len(bumps(2, 4, 6)[0]) == 10
+
+
+def test_needles_have_an_inner_loop_beyond_m_n() -> None:
+    s = sweep(*needles(9, 18))
+    assert len(s.inner) > len(s.directrix) * len(s.generatrix)
+
+
+def test_chains_are_evaluated_and_cut() -> None:
+    chain = [(0, 0), (2, 4), (2, 6), (4, 6)]
+    assert value(chain, Fraction(1, 2)) == 1
+    assert clipped(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
+    assert list(between([(0, 0), (8, 0)])) == [3]
+    assert common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
+    assert common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
+    with pytest.raises(ValueError, match="does not reach 5"):
+        value(chain, Fraction(5))
+
+
+def test_a_mirrored_pair_has_the_upper_sweep_as_its_lower_one() -> None:
+    pair = Pair(SQUARE, U_SHAPE)
+    assert sweep(*pair.mirrored).trajectory == sweep(*pair).trajectory.reflected()

@@ -1,0 +1,154 @@
+"""`exactsweep reproduce` and its report."""
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from mutations import MUTATIONS, mutated
+
+from exactsweep import __version__
+from exactsweep.cli import main
+from exactsweep.paper import plots
+from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status, Table, reproduce
+from exactsweep.paper.ledger import CLAIMS, find
+from exactsweep.paper.report import bibtex, citation, write
+
+FEW = ("Slope", "Corollary 3.4", "Lemma 5.3", "Lemma A.3")
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(main, ["reproduce", *arguments])
+
+
+def timeless(text: str) -> str:
+    text = re.sub(r'<span class="time">[^<]*</span>', "", text)
+    return re.sub(r"\*Time:\* [0-9.]+ s", "", text)
+
+
+class Checker(HTMLParser):
+    """Follows the nesting of tags, and keeps what the file refers to."""
+
+    VOID = ("meta", "img", "br")
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.references: list[str] = []
+        self.ids: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in self.VOID:
+            self.open.append(tag)
+        found = dict(attrs)
+        self.references += [found[name] or "" for name in ("href", "src") if name in found]
+        self.ids += [found["id"] or ""] if "id" in found else []
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        pass
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> None:
+    texts = []
+    for name in ("one", "two"):
+        rows = list(reproduce(map(find, FEW), Run(5, quick=True)))
+        paths = write(tmp_path / name, rows, Run(5, quick=True))
+        texts.append([timeless(path.read_text(encoding="utf-8")) for path in paths])
+    assert texts[0] == texts[1]
+    pictures = [sorted((tmp_path / name).glob("*.svg")) for name in ("one", "two")]
+    assert [p.read_bytes() for p in pictures[0]] == [p.read_bytes() for p in pictures[1]]
+
+
+def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None:
+    rows = list(reproduce(map(find, FEW), Run(quick=True)))
+    html, markdown = write(tmp_path, rows, Run(quick=True))
+    checker = Checker()
+    checker.feed(html.read_text(encoding="utf-8"))
+    assert checker.open == []
+    assert len(checker.ids) == len(set(checker.ids)) == len(FEW)
+    assert all(r.startswith(("#", "data:image/svg+xml;base64,")) for r in checker.references)
+    assert {r[1:] for r in checker.references if r[0] == "#"} == set(checker.ids)
+    text = markdown.read_text(encoding="utf-8")
+    for name in re.findall(r"!\[[^]]*\]\(([^)]*)\)", text):
+        assert (tmp_path / name).is_file()
+    assert f"exactsweep {__version__}" in text
+    assert "seed 1" in text
+
+
+def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
+    nasty = "<script>alert(1)</script> | & m_b"
+    evidence = Evidence(
+        nasty, nasty, Counterexample(nasty, nasty), (Table(nasty, (nasty,), [[nasty]]),)
+    )
+    claim = Claim(nasty, "1", nasty, Status.REFUTED, (nasty,), lambda run: evidence, nasty)
+    html, markdown = write(tmp_path, list(reproduce([claim], Run())), Run())
+    assert "<script>" not in html.read_text(encoding="utf-8")
+    assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
+
+
+def test_without_matplotlib_there_are_tables_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plots, "find_spec", lambda name: None)
+    rows = list(reproduce([find("Corollary 3.4")], Run(quick=True)))
+    html, markdown = write(tmp_path, rows, Run(quick=True))
+    assert "<img" not in html.read_text(encoding="utf-8")
+    assert "count / (m + n)" in markdown.read_text(encoding="utf-8")
+    assert not list(tmp_path.glob("*.svg"))
+
+
+def test_one_row_is_shown_in_full() -> None:
+    result = run("lemma 5.3", "--quick")
+    assert result.exit_code == 0
+    assert result.output.startswith("### Lemma 5.3: reproduced with a condition\n\n")
+    assert "*Counterexample:* Trajectory_MM along the inside of T goes from" in result.output
+
+
+def test_rows_that_are_named_are_reported_if_asked_for(tmp_path: Path) -> None:
+    result = run("Slope", "Lemma 3.1", "--quick", "--out", str(tmp_path / "a" / "b"))
+    assert result.exit_code == 0
+    assert (tmp_path / "a" / "b" / "report.html").is_file()
+
+
+def test_a_row_whose_evidence_fails_gives_exit_code_1(tmp_path: Path) -> None:
+    with mutated(MUTATIONS[0]):
+        result = run("Trajectory_CC", "--quick", "--out", str(tmp_path))
+    assert result.exit_code == 1
+    assert "**The evidence fails:** Trajectory_CC is " in result.output
+    assert "evidence fails" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Rows whose evidence fails" in (tmp_path / "report.md").read_text(encoding="utf-8")
+
+
+def test_an_unknown_name_is_one_line_on_standard_error() -> None:
+    result = run("Lemma 5.33")
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert re.fullmatch(
+        r"Error: no claim 'Lemma 5.33'; did you mean 'Lemma 5.3'[^\n]*\?\n", result.stderr
+    )
+
+
+def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("")
+    result = run("Slope", "--quick", "--out", str(file / "folder"))
+    assert result.exit_code == 1
+    assert result.stderr.startswith("Error: ")
+
+
+def test_all_names_are_listed() -> None:
+    lines = run("--list").output.splitlines()
+    assert lines == [f"{claim.name}: {claim.status.value}" for claim in CLAIMS]
+    assert run("--list", "Slope").output == "Slope: refuted as stated\n"
+
+
+def test_the_citation_is_that_of_this_version() -> None:
+    assert run("--cite").output == citation()
+    assert f"version: {__version__}\n" in citation()
+    assert f"version = {{{__version__}}}" in bibtex()
+    assert bibtex().count("{") == bibtex().count("}")
+    assert "10.1016" not in citation()

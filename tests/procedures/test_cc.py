@@ -1,0 +1,125 @@
+"""The CC procedures on chains: Lemmas 3.1 and 3.2."""
+
+from fractions import Fraction
+from itertools import pairwise
+
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Polygon, sweep
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import inverse, split
+
+Pair = tuple[Polygon, Polygon]
+usually = settings(deadline=None, max_examples=100)
+
+
+def steps(*chains: list[Vertex]) -> list[Vertex]:
+    """The edges as vectors, by slope, parallel ones added up."""
+    found: list[Vertex] = []
+    vectors = [(q[0] - p[0], q[1] - p[1]) for chain in chains for p, q in pairwise(chain)]
+    for x, y in sorted(vectors, key=lambda v: Fraction(v[1]) / v[0]):
+        if found and found[-1][0] * y == found[-1][1] * x:
+            x, y = x + found[-1][0], y + found[-1][1]
+            found.pop()
+        found.append((x, y))
+    return found
+
+
+def plus(p: Vertex, q: Vertex) -> Vertex:
+    return p[0] + q[0], p[1] + q[1]
+
+
+@given(own.pairs("CC"))
+@usually
+def test_trajectory_is_the_edges_in_order_of_slope(pair: Pair) -> None:
+    """Lemma 3.1."""
+    (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    found = trajectory_cc(top, bottom)
+    assert steps(found) == steps(inverse(top), bottom)
+    assert steps(found) == [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)]
+    assert found[0] == plus(bottom[0], inverse(top)[0])
+    assert found[-1] == plus(bottom[-1], inverse(top)[-1])
+
+
+@given(own.pairs("CC"))
+@usually
+def test_outer_boundary_is_three_chains_in_order_of_slope(pair: Pair) -> None:
+    """Lemma 3.2."""
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    found = sweep_outer_cc(g_top, g_bottom, bottom)
+    assert steps(found) == steps(inverse(g_top), g_bottom, bottom)
+    assert found[0] == plus(plus(bottom[0], inverse(g_top)[0]), g_bottom[0])
+    assert found == merge_by_slope(g_bottom, trajectory_cc(g_top, bottom))
+
+
+@given(own.pairs("CC"))
+@usually
+def test_inner_boundary_is_the_directrix(pair: Pair) -> None:
+    """Lemma 3.2."""
+    (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    assert sweep_inner_cc(top, bottom) == bottom
+
+
+@given(own.pairs("CC"))
+@usually
+def test_merging_is_commutative_and_inverse_to_nothing(pair: Pair) -> None:
+    one, other = (split(polygon.vertices)[0] for polygon in pair)
+    assert merge_by_slope(one, other) == merge_by_slope(other, one)
+    assert merge_by_slope(one, [(0, 0)]) == one
+    assert merge_by_slope([(1, 2)], one) == [plus(v, (1, 2)) for v in one]
+
+
+@given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
+@usually
+def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
+    pair: Pair, cut: tuple[bool, bool, bool, bool]
+) -> None:
+    one, other = (split(polygon.vertices)[0] for polygon in pair)
+    found = merge_by_slope(one, other, cut[:2], cut[2:])
+    slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
+    ends = [s[k] for s in slopes for k in (0, -1)]
+    low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
+    high = min((e for e, c in zip(ends[1::2], cut[1::2], strict=True) if c), default=None)
+    kept = [
+        (x, y)
+        for x, y in steps(one, other)
+        if (low is None or y / x >= low) and (high is None or y / x <= high)
+    ]
+    assert [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)] == kept
+    assert not kept or set(found) <= set(merge_by_slope(one, other))
+
+
+@given(own.pairs("CC"))
+@usually
+def test_ints_and_fractions_give_the_same(pair: Pair) -> None:
+    g, d = (list(polygon.lattice()[1]) for polygon in pair)
+    (g_bottom, g_top), (bottom, _) = split(g), split(d)
+
+    def shrunk(chain: list[Vertex]) -> list[Vertex]:
+        return [(Fraction(x, 7), Fraction(y, 7)) for x, y in chain]
+
+    small = [shrunk(chain) for chain in (g_top, g_bottom, bottom)]
+    assert shrunk(trajectory_cc(g_top, bottom)) == trajectory_cc(small[0], small[2])
+    assert shrunk(sweep_outer_cc(g_top, g_bottom, bottom)) == sweep_outer_cc(*small)
+
+
+@given(own.pairs("CC"))
+@usually
+def test_lower_trajectory_is_the_bottom_of_the_loop(pair: Pair) -> None:
+    (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    assert trajectory_cc(top, bottom) == split(sweep(*pair).trajectory.vertices)[0]
+
+
+def test_parallel_edges_become_one() -> None:
+    r"""G's flat top along D's flat bottom is one edge of length 1 + 2: an EE contact.
+
+    ::
+
+        \__/   and   __   give   \____/
+    """
+    top: list[Vertex] = [(1, 1), (0, 1)]
+    bottom: list[Vertex] = [(0, 1), (1, 0), (3, 0), (4, 1)]
+    assert trajectory_cc(top, bottom) == [(-1, 0), (0, -1), (3, -1), (4, 0)]

@@ -1,0 +1,179 @@
+"""Chains: the operators of the paper, convex parts, and splitting a polygon."""
+
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Polygon
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.chain import (
+    ChainError,
+    complement,
+    convex_parts,
+    corners,
+    graph_edges,
+    inverse,
+    reverse,
+    split,
+)
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+
+usually = settings(deadline=None, max_examples=100)
+
+steps = st.lists(st.tuples(own.tiny(0, 2), own.tiny(-2, 2)), min_size=1, max_size=9)
+
+
+@st.composite
+def chains(draw: st.DrawFn) -> list[Vertex]:
+    """Chains from left to right with walls, collinear runs and repeated points."""
+    x, y = 0, 0
+    chain: list[Vertex] = [(0, 0)]
+    for dx, dy in draw(steps):
+        x, y = x + dx, y + dy
+        chain.append((x, y))
+    return [*chain, (x + 1, y)]
+
+
+def turn(p: Vertex, q: Vertex, r: Vertex) -> Any:
+    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0])
+
+
+@given(chains())
+@usually
+def test_inverse_and_complement_are_involutions(chain: list[Vertex]) -> None:
+    assert inverse(inverse(chain)) == chain
+    assert complement(complement(chain)) == chain
+    assert inverse(complement(chain)) == complement(inverse(chain))
+
+
+@given(chains())
+@usually
+def test_reversed_edges_laid_end_to_end_are_the_inverse(chain: list[Vertex]) -> None:
+    edges = list(pairwise(chain))
+    assert reverse(reverse(edges)) == edges
+    x, y = inverse(chain)[0]
+    laid: list[Vertex] = [(x, y)]
+    for (px, py), (qx, qy) in reverse(edges):
+        x, y = x + qx - px, y + qy - py
+        laid.append((x, y))
+    assert laid == inverse(chain)
+
+
+@given(chains())
+@usually
+def test_convex_parts_are_convex_and_lie_on_the_chain(chain: list[Vertex]) -> None:
+    parts = convex_parts(chain)
+    for part in parts:
+        assert len(part) > 1
+        assert all(p[0] < q[0] for p, q in pairwise(part))
+        assert all(turn(*part[k : k + 3]) > 0 for k in range(len(part) - 2))
+    walls = {p[0] for p, q in pairwise(chain) if p[0] == q[0] and p != q}
+    for before, after in pairwise(parts):
+        assert before[-1][0] == after[0][0]
+        if after[0][0] not in walls:
+            assert before[-1] == after[0]
+            assert turn(before[-2], after[0], after[1]) < 0
+    covered = {edge for part in parts for edge in pairwise(part)}
+    for p, q in graph_edges(chain):
+        assert any(turn(*e, p) == 0 == turn(*e, q) and e[0][0] <= p[0] < e[1][0] for e in covered)
+
+
+@given(chains())
+@usually
+def test_corners_are_the_chain_without_straight_points(chain: list[Vertex]) -> None:
+    # A line that never turns back: walls only upwards.
+    chain = [v for k, v in enumerate(chain) if k == 0 or v[0] > chain[k - 1][0]]
+    kept = corners(chain)
+    assert (kept[0], kept[-1]) == (chain[0], chain[-1])
+    assert set(kept) <= set(chain)
+    assert all(turn(*kept[k : k + 3]) != 0 for k in range(len(kept) - 2))
+    for v in set(chain) - set(kept):
+        assert any(p[0] <= v[0] <= q[0] and turn(p, v, q) == 0 for p, q in pairwise(kept))
+
+
+@given(own.monotone_polygons() | own.convex_polygons())
+@usually
+def test_split_gives_the_boundary_but_for_the_vertical_ends(polygon: Polygon) -> None:
+    v = polygon.vertices
+    bottom, top = split(v)
+    left, right = min(x for x, _ in v), max(x for x, _ in v)
+    assert all(p[0] <= q[0] for p, q in pairwise(bottom))
+    assert all(p[0] >= q[0] for p, q in pairwise(top))
+    assert bottom[0][0] == top[-1][0] == left
+    assert bottom[-1][0] == top[0][0] == right
+    found = {*pairwise(bottom), *pairwise(top)}
+    whole = set(zip(v, (*v[1:], v[0]), strict=True))
+    assert found <= whole
+    assert all(p[0] == q[0] in (left, right) for p, q in whole - found)
+
+
+@given(own.monotone_polygons(), st.integers(0, 20))
+@usually
+def test_split_may_start_anywhere(polygon: Polygon, first: int) -> None:
+    v = polygon.vertices
+    first %= len(v)
+    assert split(v[first:] + v[:first]) == split(v)
+
+
+def test_vertical_edges_bound_the_parts() -> None:
+    r"""A wall between two parts, a spike up, and one repeated point that is no wall::
+
+        |
+    __  |
+       \|___
+    """
+    chain: list[Vertex] = [(0, 0), (1, 0), (2, -1), (2, -1), (2, 3), (2, -1), (4, -1)]
+    assert convex_parts(chain) == [[(0, 0), (1, 0)], [(1, 0), (2, -1)], [(2, -1), (4, -1)]]
+
+
+def test_repeated_and_collinear_points_split_nothing() -> None:
+    chain: list[Vertex] = [(0, 0), (0, 0), (1, -1), (1, -1), (2, -2), (3, 0), (3, 0)]
+    assert convex_parts(chain) == [[(0, 0), (2, -2), (3, 0)]]
+
+
+@pytest.mark.parametrize("first", [0, Fraction(1, 3)])
+def test_repeated_points_change_no_result(first: Any) -> None:
+    """Once a hole in the trajectory: a doubled convex vertex was taken for a reflex one."""
+    vertex = (1, -1)
+    top: list[Vertex] = [(1, 0), (0, 0)]
+    doubled: list[Vertex] = [(0, first), vertex, vertex, (2, first), (2, first)]
+    plain: list[Vertex] = [(0, first), vertex, (2, first)]
+    assert list(trajectory_cm(top, doubled)) == list(trajectory_cm(top, plain))
+    assert list(trajectory_mm(top, doubled)) == list(trajectory_mm(top, plain))
+    assert sweep_inner_cm(top, doubled) == sweep_inner_cm(top, plain)
+    bottom: list[Vertex] = [(0, -1), (1, -1)]
+    outer = [list(sweep_outer_cm(top, bottom, chain)) for chain in (doubled, plain)]
+    assert outer[0] == outer[1]
+    assert sweep_mm(top, bottom, doubled) == sweep_mm(top, bottom, plain)
+
+
+def test_chains_that_run_back_are_refused() -> None:
+    message = "point 2 lies left of point 1: not an X-monotone chain"
+    back: list[Vertex] = [(0, 0), (2, 0), (1, 1), (3, 1)]
+    top: list[Vertex] = [(1, 0), (0, 0)]
+    for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:
+        with pytest.raises(ChainError, match=message):
+            procedure(top, back)
+    with pytest.raises(ChainError, match=message):
+        convex_parts(back)
+    assert issubclass(ChainError, ValueError)
+
+
+def test_polygons_that_are_not_monotone_are_not_split() -> None:
+    with pytest.raises(ChainError, match="not monotone to the X axis"):
+        split([(0, 0), (3, 0), (3, 3), (0, 3), (2, 1)])
+
+
+@pytest.mark.parametrize("chain", [[], [(0, 0)], [(0, 0), (0, 1)]])
+def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
+    with pytest.raises(ChainError):
+        convex_parts(chain)
+    for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:
+        with pytest.raises(ChainError):
+            procedure([(1, 0), (0, 0)], chain)

@@ -1,0 +1,44 @@
+"""The garbage collector rests, and goes on as before."""
+
+import gc
+from collections.abc import Iterator
+
+import pytest
+
+from exactsweep import sweep
+from exactsweep.evidence.swept import resting
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+
+@pytest.fixture(params=[True, False])
+def enabled(request: pytest.FixtureRequest) -> Iterator[bool]:
+    before = gc.isenabled()
+    (gc.enable if request.param else gc.disable)()
+    yield request.param
+    (gc.enable if before else gc.disable)()
+
+
+def test_the_collector_is_left_as_it_was(enabled: bool) -> None:
+    with resting():
+        assert not gc.isenabled()
+        with resting():
+            pass
+        assert not gc.isenabled()
+    assert gc.isenabled() == enabled
+    with pytest.raises(ZeroDivisionError), resting():
+        _ = 1 // 0
+    assert gc.isenabled() == enabled
+
+
+def test_a_sweep_makes_no_cycles() -> None:
+    """So that there is nothing for the collector to find."""
+    gc.collect()
+    gc.disable()
+    try:
+        s = sweep(SQUARE, [(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)])
+        assert [len(loop) for loop in (s.trajectory, s.inner, s.outer)]
+        del s
+        assert gc.collect() == 0
+    finally:
+        gc.enable()

@@ -1,0 +1,281 @@
+"""Lower envelopes: worked by hand, and against the least of all chains, point by point."""
+
+from fractions import Fraction
+from itertools import pairwise
+from random import Random
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Polygon
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import ChainError, convex_parts, corners, split
+from exactsweep.procedures.cm import trajectory_cm
+from exactsweep.procedures.envelope import Envelope, point_on, value
+from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
+
+Chain = list[Vertex]
+usually = settings(deadline=None, max_examples=100)
+half, third = Fraction(1, 2), Fraction(1, 3)
+
+
+@st.composite
+def graphs(draw: st.DrawFn) -> Chain:
+    """Chains without walls, on a grid, over x-ranges that all hold the interval from 4 to 5."""
+    xs = {*draw(st.sets(own.tiny(0, 9), max_size=4)), draw(own.tiny(0, 4)), draw(own.tiny(5, 9))}
+    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+
+
+def height(chain: Chain, x: Fraction) -> Fraction | None:
+    """The height of a chain at an x where it has no vertex."""
+    for (px, py), (qx, qy) in pairwise(chain):
+        if px < x < qx:
+            return py + Fraction(qy - py) * (x - px) / (qx - px)
+    return None
+
+
+@given(st.lists(graphs(), min_size=1, max_size=6))
+@usually
+def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
+    found = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    corners = {x for x, _ in found}
+    for k in range(9 * 7):
+        # No x of a grid point; where chains cross, the envelope has a corner.
+        x = Fraction(k, 7) + Fraction(1, 97)
+        heights = [y for chain in chains if (y := height(chain, x)) is not None]
+        if x not in corners:
+            assert height(found, x) == min(heights, default=None)
+
+
+@st.composite
+def graphs_anywhere(draw: st.DrawFn) -> Chain:
+    """Chains without walls, on a grid, over any x-ranges."""
+    xs = draw(st.sets(own.tiny(0, 9), min_size=2, max_size=4))
+    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+
+
+@given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
+@usually
+def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
+    found = lower_envelope_mm([Envelope.of(chain) for chain in chains])
+    start, end = found.breaks[0], found.breaks[-1]
+    assert value(start) == min(chain[0][0] for chain in chains)
+    assert value(end) == max(chain[-1][0] for chain in chains)
+    for k in range(9 * 7):
+        x = Fraction(k, 7) + Fraction(1, 97)
+        if not value(start) < x < value(end):
+            continue
+        piece = found.edges[found.edge_before(x.as_integer_ratio())]
+        heights = [y for chain in chains if (y := height(chain, x)) is not None]
+        low = None if piece is None else point_on(piece, x.as_integer_ratio())[1]
+        assert low == min(heights, default=None)
+
+
+@given(st.lists(graphs(), min_size=1, max_size=6), st.randoms())
+@usually
+def test_order_does_not_matter(chains: list[Chain], rng: Random) -> None:
+    found = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    rng.shuffle(chains)
+    assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == found
+    twice = [Envelope.of(chain) for chain in (*chains, *chains)]
+    assert list(lower_envelope_mm(twice)) == found
+
+
+@given(st.lists(graphs(), min_size=2, max_size=6))
+@usually
+def test_envelopes_of_envelopes_are_envelopes(chains: list[Chain]) -> None:
+    parts = [Envelope.of(chain, k) for k, chain in enumerate(chains)]
+    whole = list(lower_envelope_mm(parts))
+    first, rest = lower_envelope_mm(parts[:1]), lower_envelope_mm(parts[1:])
+    assert list(lower_envelope_mm([first, rest])) == whole
+    assert list(lower_envelope_mm([rest, first])) == whole
+
+
+@given(st.lists(graphs(), min_size=1, max_size=6))
+@usually
+def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
+    found = lower_envelope_mm([Envelope.of(chain, k) for k, chain in enumerate(chains)])
+    assert len(found.sources) == len(found.edges) == len(found.breaks) - 1
+    for k, (edge, source) in enumerate(zip(found.edges, found.sources, strict=True)):
+        assert edge in [*pairwise(chains[source])]
+        (a, b), (c, d) = found.breaks[k : k + 2]
+        x = (Fraction(a) / b + Fraction(c) / d) / 2
+        heights = [y for chain in chains if (y := height(chain, x)) is not None]
+        assert not heights or height(chains[source], x) in (None, min(heights))
+
+
+@given(st.lists(graphs(), min_size=1, max_size=6))
+@usually
+def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
+    v = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+    assert corners(v) == v
+
+
+@given(own.pairs("CM"))
+@usually
+def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
+    """Lemmas A.3 and 5.1: sub-trajectories of a convex G meet as LowerEnvelope_CM needs it."""
+    (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    pieces = [trajectory_cc(top, part) for part in convex_parts(bottom)]
+    partial = Envelope.of(pieces[0], 0)
+    for k, piece in enumerate(pieces[1:], 1):
+        assert lower_envelope_cm(partial, Envelope.of(piece, k)) is partial
+    whole = lower_envelope_mm([Envelope.of(piece, k) for k, piece in enumerate(pieces)])
+    assert list(partial) == list(whole)
+
+
+VALLEY: Chain = [(0, 2), (2, 0), (4, 2)]
+
+
+@pytest.mark.parametrize(
+    ("partial", "piece", "expected"),
+    [
+        pytest.param(
+            #  \  /\  /
+            #   \/  \/
+            VALLEY,
+            [(2, 2), (4, 0), (6, 2)],
+            [(0, 2), (2, 0), (3, 1), (4, 0), (6, 2)],
+            id="cross in a point",
+        ),
+        pytest.param(
+            #  \   __/      both pass (4, 2): a vertex of the one, the end of the other
+            #   \_/\
+            VALLEY,
+            [(4, 2), (5, 1), (6, 1)],
+            [(0, 2), (2, 0), (4, 2), (5, 1), (6, 1)],
+            id="end on end",
+        ),
+        pytest.param(
+            VALLEY,
+            [(2, 4), (3, 1), (4, 0), (6, 0)],
+            [(0, 2), (2, 0), (3, 1), (4, 0), (6, 0)],
+            id="vertex on edge",
+        ),
+        pytest.param(
+            [(0, 2), (2, 0), (3, 1), (4, 4)],
+            [(2, 3), (3, 1), (5, 0)],
+            [(0, 2), (2, 0), (3, 1), (5, 0)],
+            id="vertex on vertex",
+        ),
+        pytest.param(
+            #  \____/       one line from x = 2 to x = 4: no vertex where they change over
+            #     \____/
+            [(0, 1), (1, 0), (4, 0), (5, 3)],
+            [(1, 3), (2, 0), (6, 0), (7, 1)],
+            [(0, 1), (1, 0), (6, 0), (7, 1)],
+            id="share a segment",
+        ),
+        pytest.param(
+            #  ____|        the piece begins below: a step down
+            #      |____
+            [(0, 2), (4, 2)],
+            [(1, 0), (6, 0)],
+            [(0, 2), (1, 2), (1, 0), (6, 0)],
+            id="step down",
+        ),
+        pytest.param(
+            #       ____    the partial envelope ends below: a step up
+            #  ____|
+            [(0, 0), (4, 0)],
+            [(2, 3), (6, 3)],
+            [(0, 0), (4, 0), (4, 3), (6, 3)],
+            id="step up",
+        ),
+        pytest.param(
+            [(0, 3), (1, 0), (3, 0), (4, 3), (5, 9)],
+            [(3, 0), (6, 0)],
+            [(0, 3), (1, 0), (6, 0)],
+            id="goes on where an edge ends, in one line",
+        ),
+        pytest.param(
+            #  \      /     three edges are trimmed off
+            #   \/\__/
+            [(0, 4), (1, 3), (2, 3), (3, 4), (4, 6)],
+            [(half, 5), (1, 3), (6, -7)],
+            [(0, 4), (1, 3), (6, -7)],
+            id="hides all but one edge",
+        ),
+        pytest.param(
+            [(0, 0), (6, 0)],
+            [(1, 3), (5, 1)],
+            [(0, 0), (6, 0)],
+            id="hidden piece",
+        ),
+        pytest.param(
+            [(0, 0), (6, 0)],
+            [(1, 3), (5, 0)],
+            [(0, 0), (6, 0)],
+            id="hidden piece that ends on the partial envelope",
+        ),
+        pytest.param(
+            [(0, 5), (1, 4), (2, 4)],
+            [(0, 3), (1, 1), (2, 1), (3, 2)],
+            [(0, 3), (1, 1), (2, 1), (3, 2)],
+            id="hides all",
+        ),
+    ],
+)
+def test_partial_trajectory_and_piece(partial: Chain, piece: Chain, expected: Chain) -> None:
+    assert list(lower_envelope_cm(Envelope.of(partial), Envelope.of(piece))) == expected
+    assert list(lower_envelope_mm([Envelope.of(partial), Envelope.of(piece)])) == expected
+
+
+@pytest.mark.parametrize(
+    ("chains", "expected"),
+    [
+        # A tooth dips below a bar twice: MM envelopes may change over more than once.
+        #   \    /
+        #  __\__/__
+        #     \/
+        (
+            [[(0, 1), (6, 1)], [(1, 2), (3, 0), (5, 2)]],
+            [(0, 1), (2, 1), (3, 0), (4, 1), (6, 1)],
+        ),
+        # Touching from above in one point leaves no vertex.
+        ([[(0, 0), (6, 0)], [(1, 2), (3, 0), (5, 2)]], [(0, 0), (6, 0)]),
+        # Equal on a middle stretch.
+        (
+            [[(0, 2), (1, 0), (3, 0), (4, 2)], [(0, 1), (2, 0), (4, -1)]],
+            [(0, 1), (2 * third, 2 * third), (1, 0), (2, 0), (4, -1)],
+        ),
+        # A piece inside the range of the other: down a step and up again.
+        ([[(0, 3), (6, 3)], [(2, 1), (4, 2)]], [(0, 3), (2, 3), (2, 1), (4, 2), (4, 3), (6, 3)]),
+    ],
+)
+def test_envelopes_of_any_chains(chains: list[Chain], expected: Chain) -> None:
+    assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == expected
+
+
+@pytest.mark.parametrize("piece", [[(-1, 2), (6, 2)], [(5, 0), (6, 2)]])
+def test_piece_that_starts_elsewhere_is_refused(piece: Chain) -> None:
+    with pytest.raises(ChainError, match="does not start over the partial trajectory"):
+        lower_envelope_cm(Envelope.of(VALLEY), Envelope.of(piece))
+
+
+def test_hole_between_chains_is_refused_when_it_is_read() -> None:
+    holed = lower_envelope_mm([Envelope.of([(0, 0), (1, 0)]), Envelope.of([(2, 0), (3, 0)])])
+    with pytest.raises(ChainError, match="the envelope has a hole"):
+        list(holed)
+
+
+def test_equal_breaks_need_not_be_written_alike() -> None:
+    """Once a crash: a piece from x = -12/6 on, joined to a partial envelope up to x = -2."""
+    partial, piece = Envelope.of([(-4, 0), (-2, -1)]), Envelope.of([(-3, 0), (-1, -2), (0, -2)])
+    piece.breaks[0] = (-12, 6)
+    assert list(lower_envelope_cm(partial, piece)) == [(-4, 0), (-2, -1), (-1, -2), (0, -2)]
+
+
+def test_chains_may_share_their_points() -> None:
+    """Equal constants are one object; once, that hid the reflex vertex between two chains."""
+    shared = (4, 2)
+    first, second = Envelope.of([(0, 2), (2, 0), shared]), Envelope.of([shared, (5, 1), (6, 1)])
+    joined = lower_envelope_cm(first, second)
+    assert list(joined) == [(0, 2), (2, 0), (4, 2), (5, 1), (6, 1)]
+    lid: Chain = [(2, 1), (1, 2), (0, 1)]
+    assert list(trajectory_cm(lid, joined)) == list(trajectory_cm(lid, list(joined)))
+    straight = lower_envelope_cm(Envelope.of([(0, 0), shared]), Envelope.of([shared, (8, 4)]))
+    assert list(straight) == [(0, 0), (8, 4)]

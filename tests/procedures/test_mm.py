@@ -1,0 +1,165 @@
+"""The MM procedures on chains: Lemmas 5.1 and 5.3."""
+
+import random
+from fractions import Fraction
+
+import families
+import pytest
+import strategies as own
+from hypothesis import given, settings
+
+from exactsweep import Polygon, sweep
+from exactsweep.check.definition import reference_loops
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import complement, convex_parts, inverse, split
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.lower_envelope import lower_envelope_mm
+from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
+from exactsweep.procedures.mm_inner import inner_mm
+
+Pair = tuple[Polygon, Polygon]
+usually = settings(deadline=None, max_examples=100)
+
+
+@given(own.pairs("CC"))
+@usually
+def test_of_convex_polygons_it_is_the_cc_sweep(pair: Pair) -> None:
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    assert list(trajectory_mm(g_top, bottom)) == trajectory_cc(g_top, bottom)
+    inner, outer = sweep_mm(g_top, g_bottom, bottom)
+    assert inner == sweep_inner_cc(g_top, bottom)
+    assert outer == sweep_outer_cc(g_top, g_bottom, bottom)
+
+
+@given(own.pairs("CM"))
+@usually
+def test_of_a_convex_generatrix_it_is_the_cm_sweep(pair: Pair) -> None:
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    assert list(trajectory_mm(g_top, bottom)) == list(trajectory_cm(g_top, bottom))
+    inner, outer = sweep_mm(g_top, g_bottom, bottom)
+    assert inner == sweep_inner_cm(g_top, bottom)
+    assert outer == list(sweep_outer_cm(g_top, g_bottom, bottom))
+
+
+@given(own.pairs("MM"))
+@usually
+def test_halves_are_those_of_the_whole_sweep(pair: Pair) -> None:
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    s = sweep(*pair, direction=(1, 0))
+    found = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
+    for chain, loop in zip(found, (s.trajectory, s.inner, s.outer), strict=True):
+        assert chain == split(loop.vertices)[0]
+
+
+def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
+    """Every convex part along every convex part, and nothing left out."""
+    chains = [
+        trajectory_cc(inverse(part), other)
+        for part in convex_parts(inverse(top))
+        for other in convex_parts(bottom)
+    ]
+    return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
+
+
+@pytest.mark.parametrize("first", range(0, 60, 20))
+def test_no_pair_of_convex_parts_is_missed(first: int) -> None:
+    """Lemma 5.1, thrice: pairs that are not swept would not have reached the envelope."""
+    for number in range(first, first + 20):
+        rng = random.Random(f"all pairs:{number}")
+        (g_bottom, g_top), (bottom, _) = (
+            split(Polygon(families.long(rng)).lattice()[1]) for _ in "gd"
+        )
+        trajectory = list(trajectory_mm(g_top, bottom))
+        assert trajectory == envelope_of_all_pairs(g_top, bottom), number
+        inner, outer = sweep_mm(g_top, g_bottom, bottom)
+        assert outer == envelope_of_all_pairs(inverse(g_bottom), trajectory), number
+        inside = envelope_of_all_pairs(g_top, inverse(complement(trajectory)))
+        left, right = bottom[0][0], bottom[-1][0]
+        closed = [v for v in inverse(complement(inside)) if left < v[0] < right]
+        assert closed == [v for v in inner if left < v[0] < right], number
+
+
+@given(own.pairs("MM"))
+@usually
+def test_chains_can_change_their_roles(pair: Pair) -> None:
+    """D_b minus G_t is the inverse of G_t less the inverse of D_b."""
+    (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    exchanged = trajectory_mm(inverse(bottom), inverse(g_top))
+    assert list(trajectory_mm(g_top, bottom)) == list(exchanged)
+
+
+@given(own.pairs("MM"))
+@usually
+def test_outer_boundary_is_a_trajectory_of_the_inverse(pair: Pair) -> None:
+    """Lemma 5.3, and an envelope does as well as the chain that it stands for."""
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    envelope = trajectory_mm(g_top, bottom)
+    _, outer = sweep_mm(g_top, g_bottom, bottom, envelope)
+    assert list(outer_mm(g_bottom, envelope)) == outer
+    assert list(trajectory_mm(inverse(g_bottom), list(envelope))) == outer
+
+
+@given(own.pairs("MM"))
+@usually
+def test_inner_boundary_is_a_trajectory_on_the_inside(pair: Pair) -> None:
+    """Lemma 5.3 as corrected: slid along all of the complement, cut to D's range."""
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    envelope = trajectory_mm(g_top, bottom)
+    inner, _ = sweep_mm(g_top, g_bottom, bottom)
+    assert inner_mm(g_top, envelope, bottom) == inner
+    inside = trajectory_mm(g_top, inverse(complement(list(envelope))))
+    whole = inverse(complement(list(inside)))
+    left, right = bottom[0][0], bottom[-1][0]
+    assert [v for v in whole if left < v[0] < right] == [v for v in inner if left < v[0] < right]
+
+
+@given(own.pairs("MM"))
+@usually
+def test_inner_boundary_closes_and_never_opens(pair: Pair) -> None:
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    inner, outer = sweep_mm(g_top, g_bottom, bottom)
+    assert sweep_mm(g_top, g_bottom, inner) == (inner, outer)
+    assert list(trajectory_mm(g_top, inner)) == list(trajectory_mm(g_top, bottom))
+
+
+@given(own.pairs("MM"))
+@usually
+def test_ints_and_fractions_give_the_same(pair: Pair) -> None:
+    g, d = (list(polygon.lattice()[1]) for polygon in pair)
+    (g_bottom, g_top), (bottom, _) = split(g), split(d)
+
+    def shrunk(chain: list[Vertex]) -> list[Vertex]:
+        return [(Fraction(x) / 7, Fraction(y) / 7) for x, y in chain]
+
+    top, floor, wall = map(shrunk, (g_top, g_bottom, bottom))
+    assert shrunk(list(trajectory_mm(g_top, bottom))) == list(trajectory_mm(top, wall))
+    inner, outer = map(shrunk, sweep_mm(g_top, g_bottom, bottom))
+    assert (inner, outer) == sweep_mm(top, floor, wall)
+
+
+@given(own.pairs("MM"))
+@usually
+def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
+    """Squeezed in y, all slopes have the same bounds, and what they decided is decided exactly."""
+    squeezed = [Polygon([(x, y / 2**99) for x, y in polygon.vertices]) for polygon in pair]
+    s, t = sweep(*pair, direction=(1, 0)), sweep(*squeezed, direction=(1, 0))
+    for loop, other in zip(
+        (s.trajectory, s.inner, s.outer), (t.trajectory, t.inner, t.outer), strict=True
+    ):
+        assert [(x, y / 2**99) for x, y in loop.vertices] == list(other.vertices)
+
+
+def test_a_run_may_be_above_a_piece_that_is_in_it() -> None:
+    """A piece starts below the run and crosses a step of it: it is not on the envelope there.
+
+    What the run is on right of the step is cut off to the left, where it would be lower still.
+    """
+    pair = (
+        Polygon([(5, 16), (3, 25), (1, 4), (0, 0)]),
+        Polygon([(30, -6), (31, -11), (32, -15), (33, -15), (21, 22)]),
+    )
+    s = sweep(*pair, direction=(1, 0))
+    loops = s.trajectory.vertices, s.inner.vertices, s.outer.vertices
+    assert loops == reference_loops(*pair)

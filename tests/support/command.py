@@ -1,0 +1,62 @@
+"""How the tests run the command line."""
+
+import os
+import re
+import subprocess
+import sysconfig
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+from click.testing import CliRunner, Result
+
+from exactsweep import sweep
+from exactsweep.cli import main
+from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
+
+ROOT = Path(__file__).parents[2]
+HOUSE = str(Path(__file__).parent / "polygons" / "house.json")
+NOTCH = str(Path(__file__).parent / "polygons" / "notch.wkt")
+EXAMPLE = sweep(GENERATRIX, DIRECTRIX)
+SCRIPTS = sysconfig.get_path("scripts")
+EXACTSWEEP = str(Path(SCRIPTS) / "exactsweep")
+
+
+def run(*arguments: str, stdin: str | bytes | None = None) -> Result:
+    return CliRunner().invoke(main, arguments, input=stdin)
+
+
+def refusal(result: Result, code: int = 1) -> str:
+    """The one line of a refusal."""
+    assert result.exit_code == code
+    assert result.stdout == ""
+    assert re.fullmatch(r"Error: [^\n]+\n", result.stderr)
+    return result.stderr.removeprefix("Error: ").removesuffix("\n")
+
+
+def eventually(condition: Callable[[], object], seconds: float = 120) -> None:
+    """Wait until something holds; the limit is far beyond what any machine should need."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def processes(word: str) -> list[str]:
+    """The command lines of the running processes that have a word in them."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        with suppress(OSError):
+            line = path.read_bytes().decode(errors="replace")
+            if word in line:
+                found.append(line)
+    return found
+
+
+def shell(command: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PATH": f"{SCRIPTS}{os.pathsep}{os.environ['PATH']}"}
+    environment.pop("COLUMNS", None)
+    return subprocess.run(
+        ["bash", "-c", command], env=environment, capture_output=True, text=True, timeout=600
+    )

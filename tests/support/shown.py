@@ -1,0 +1,91 @@
+"""The interactive page as a browser shows it."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+from exactsweep import Point
+from exactsweep.geometry.number import to_fraction
+
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+WIDTH, HEIGHT = 1000, 640
+# In milliseconds; far beyond what any machine should need.
+PATIENCE = 120_000
+
+
+class Shown:
+    """A page in the browser, and what it complained about."""
+
+    def __init__(self, browser: Any, file: Path, **options: Any) -> None:
+        self.complaints: list[str] = []
+        self.requests: list[str] = []
+        size = {"width": WIDTH, "height": HEIGHT}
+        self.tab = browser.new_page(viewport=size, **options)
+        self.tab.set_default_timeout(PATIENCE)
+        self.tab.on("console", lambda message: self.complaints.append(message.text))
+        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.tab.on("request", lambda request: self.requests.append(request.url))
+        self.tab.goto(file.as_uri())
+        self.settle()
+
+    def settle(self) -> None:
+        """Wait until all is drawn and written."""
+        # What one frame finds out, such as the size, the next one draws.
+        self.tab.evaluate(
+            "() => new Promise(f => requestAnimationFrame(() => requestAnimationFrame("
+            "() => setTimeout(f))))"
+        )
+
+    def press(self, *keys: str) -> None:
+        for key in keys:
+            self.tab.keyboard.press(key)
+        self.settle()
+
+    def slide(self, value: int) -> None:
+        self.tab.evaluate(
+            "value => { const s = document.getElementById('slider'); s.value = value;"
+            " s.dispatchEvent(new Event('input', {bubbles: true})); }",
+            value,
+        )
+        self.settle()
+
+    def hover(self, x: float, y: float) -> str:
+        self.tab.mouse.move(x, y)
+        self.settle()
+        return self.text("tip") if self.tab.is_visible("#tip") else ""
+
+    def text(self, identity: str) -> str:
+        text: str = self.tab.inner_text(f"#{identity}")
+        return text
+
+    @property
+    def position(self) -> Point:
+        x, y = self.tab.evaluate("exactsweep.position()")
+        return Point(to_fraction(x), to_fraction(y))
+
+    @property
+    def corners(self) -> list[float]:
+        found: list[float] = self.tab.evaluate("exactsweep.corners()")
+        return found
+
+    @property
+    def pixels(self) -> list[tuple[float, float]]:
+        """The corners of G on the screen."""
+        flat = self.tab.evaluate("exactsweep.pixels()")
+        return list(zip(flat[::2], flat[1::2], strict=True))
+
+    def colors(self) -> Any:
+        from PIL import Image
+
+        self.settle()
+        return Image.open(io.BytesIO(self.tab.screenshot())).convert("RGB")

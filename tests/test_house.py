@@ -1,0 +1,172 @@
+"""Who may import whom: arrows run downward, and the checking side stays apart.
+
+Imports are read from the source, those inside functions and under TYPE_CHECKING counted.
+"""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[1] / "exactsweep"
+
+# A room is a folder, or a module that stands alone; what is listed is all that it may see.
+NUMBERS = {"geometry.number", "geometry.point"}
+GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
+EVIDENCE = GEOMETRY | {"procedures", "evidence"}
+SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
+ABOVE = SHOWN | {"__init__", "corpus", "batch", "conform", "paper"}
+RULES: dict[str, tuple[set[str], str]] = {
+    "words": (NUMBERS, "plain words stand on numbers"),
+    "processes": (set(), "starting and ending processes knows nothing of geometry"),
+    "geometry.number": (set(), "numbers stand on nothing"),
+    "geometry.point": ({"geometry.number"}, "points stand on numbers alone"),
+    "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
+    "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
+    "procedures": (
+        GEOMETRY - {"canvas"} | {"procedures"},
+        "what computes knows nothing of pictures",
+    ),
+    "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
+    "check": (
+        NUMBERS | {"geometry.polygon", "geometry.region", "geometry.canonical", "check"},
+        "an oracle that shares code with what it checks is worth nothing",
+    ),
+    "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),
+    "sweep": (EVIDENCE | {"draw", "view"}, "the front door"),
+    "text": (EVIDENCE | {"text", "check", "formats"}, "text tells evidence"),
+    "draw": (EVIDENCE | {"draw"}, "pictures show evidence"),
+    "view": (EVIDENCE | {"draw", "view", "text", "formats"}, "the page shows evidence"),
+    "corpus": (SHOWN | {"__init__", "corpus"}, "the corpus is below those that use it"),
+    "batch": (SHOWN | {"__init__", "batch"}, "batches sweep many pairs"),
+    "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
+    "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),
+    "cli": (ABOVE | {"cli"}, "commands are on top"),
+    "__init__": (EVIDENCE | {"sweep"}, "the public names"),
+    "__main__": ({"cli"}, "the command line"),
+}
+
+
+def modules() -> dict[str, Path]:
+    """All modules of the package: dotted names below it, and their files."""
+    named = {
+        ".".join(path.relative_to(PACKAGE).with_suffix("").parts): path
+        for path in PACKAGE.rglob("*.py")
+    }
+    return {name.removesuffix(".__init__") or name: path for name, path in named.items()}
+
+
+def imported(source: str, known: set[str]) -> Iterator[str]:
+    """The modules of the package that a source imports."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "imports are absolute"
+            module = node.module or ""
+            if module.partition(".")[0] != "exactsweep":
+                continue
+            inner = module.removeprefix("exactsweep").removeprefix(".")
+            for alias in node.names:
+                submodule = f"{inner}.{alias.name}".removeprefix(".")
+                yield submodule if submodule in known else inner or "__init__"
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                if alias.name.partition(".")[0] == "exactsweep":
+                    yield alias.name.removeprefix("exactsweep").removeprefix(".") or "__init__"
+
+
+def rule_of(module: str) -> str:
+    """The narrowest room of a module that has a rule."""
+    parts = module.split(".")
+    names = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
+    return next(name for name in names if name in RULES)
+
+
+def broken(module: str, targets: Iterator[str]) -> Iterator[str]:
+    """What is said of the imports of a module that its room does not allow."""
+    room = rule_of(module)
+    allowed, why = RULES[room]
+    for target in targets:
+        parts = target.split(".")
+        if not allowed & {".".join(parts[:k]) for k in range(1, len(parts) + 1)}:
+            yield f"{module} imports {target}, which {room} may not see: {why}"
+
+
+def arrows() -> dict[str, set[str]]:
+    """Which modules each module imports."""
+    found = modules()
+    return {
+        name: set(imported(path.read_text(encoding="utf-8"), set(found)))
+        for name, path in found.items()
+    }
+
+
+def circle(graph: dict[str, set[str]]) -> list[str]:
+    """Some circle of a graph, or nothing."""
+    done: set[str] = set()
+
+    def visit(node: str, path: list[str]) -> list[str]:
+        if node in path:
+            return [*path[path.index(node) :], node]
+        if node not in done:
+            for other in sorted(graph.get(node, ())):
+                found = visit(other, [*path, node])
+                if found:
+                    return found
+            done.add(node)
+        return []
+
+    return next((found for node in sorted(graph) if (found := visit(node, []))), [])
+
+
+def test_every_import_is_one_that_its_room_allows() -> None:
+    complaints = [line for name, seen in arrows().items() for line in broken(name, iter(seen))]
+    assert not complaints, "\n".join(complaints)
+
+
+def test_there_is_no_circle_of_modules() -> None:
+    # A package's __init__ exports what is in it, and what is in it may not ask the package.
+    found = circle(arrows())
+    assert not found, " -> ".join(found)
+
+
+def test_there_is_no_circle_of_rooms() -> None:
+    graph: dict[str, set[str]] = {}
+    for name, seen in arrows().items():
+        room = rule_of(name)
+        graph.setdefault(room, set()).update({rule_of(other) for other in seen} - {room})
+    # Points and numbers are below canvas, which the other geometry is above.
+    found = circle(graph)
+    assert not found, " -> ".join(found)
+
+
+@pytest.mark.parametrize(
+    ("module", "source", "complaint"),
+    [
+        ("check.verify", "from exactsweep.procedures.cc import merge_by_slope", "shares code"),
+        ("check.verify", "def f():\n    from exactsweep.geometry import segment", "shares code"),
+        ("geometry.polygon", "import exactsweep.procedures.chain", "nothing of sweeps"),
+        ("formats.wkt", "from exactsweep import sweep", "do not sweep"),
+        ("corpus.facts", "from exactsweep.paper.claim import Claim", "below those"),
+        ("procedures.mm", "from exactsweep.canvas.svg import svg", "nothing of pictures"),
+    ],
+)
+def test_a_forbidden_import_is_named_with_its_reason(
+    module: str, source: str, complaint: str
+) -> None:
+    (line,) = broken(module, imported(source, set(modules())))
+    assert complaint in line
+
+
+def test_a_circle_is_found() -> None:
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c", "b"]
+
+
+def test_few_files_lie_at_the_top_and_none_is_long() -> None:
+    assert len(list(PACKAGE.glob("*.py"))) <= 6
+    long = [
+        name
+        for name, path in modules().items()
+        if len(path.read_text(encoding="utf-8").splitlines()) > 400
+    ]
+    assert not long

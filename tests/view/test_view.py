@@ -1,0 +1,235 @@
+"""The interactive page, without a browser."""
+
+import json
+import re
+from base64 import b64encode
+from collections.abc import Iterable
+from fractions import Fraction
+from hashlib import sha256
+from math import ulp
+from pathlib import Path
+from typing import Any
+
+import pytest
+from command import EXAMPLE, HOUSE, NOTCH, refusal, run
+from hypothesis import given, settings
+from strategies import pairs, points
+
+from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep.draw import Scale
+from exactsweep.draw.features import Features
+from exactsweep.draw.sweeps import anchor, path
+from exactsweep.evidence.contact import Contact
+from exactsweep.view import page
+from exactsweep.view.data import page_data, stops
+from exactsweep.view.page import embedded_json
+
+SLOT = sweep(
+    [(0, 0), (1, 0), (1, 1), (0, 1)],
+    [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)],
+)
+any_pair = pairs("CC") | pairs("CM") | pairs("MM")
+
+
+def data_of(text: str) -> Any:
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S)
+    assert found
+    return json.loads(found[1])
+
+
+def exact_points(exact: list[str]) -> tuple[Point, ...]:
+    return points(*zip(exact[::2], exact[1::2], strict=True))
+
+
+def places(flat: list[float]) -> list[tuple[float, float]]:
+    return list(zip(flat[::2], flat[1::2], strict=True))
+
+
+@settings(max_examples=30, deadline=None)
+@given(any_pair)
+def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
+    s = sweep(*pair, reference=(3, "1/7"))
+    found = stops(s)
+    assert [stop.position for stop in found if stop.vertex is not None] == list(
+        s.trajectory.vertices
+    )
+    positions = [stop.position for stop in found]
+    assert len(set(positions)) == len(positions)
+    for undercut in s.undercuts:
+        assert set(undercut.positions) <= set(positions)
+    for hanging, _ in s.exact_fits:
+        assert hanging in positions
+
+
+@settings(max_examples=30, deadline=None)
+@given(any_pair)
+def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -> None:
+    s = sweep(*pair)
+    found = stops(s)
+    for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:12]:
+        (ax, ay), (bx, by) = stop.position, following.position
+        between = Point((2 * ax + bx) / 3, (2 * ay + by) / 3)
+        assert stop.contacts
+        assert without_parts(s, s.contacts_at(between)) == set(stop.contacts)
+
+
+@settings(max_examples=30, deadline=None)
+@given(any_pair)
+def test_all_contacts_at_a_stop_are_named(pair: tuple[Polygon, Polygon]) -> None:
+    s = sweep(*pair, reference=(1, "1/3"))
+    found = stops(s)
+    at_vertices = iter(s.vertex_contacts)
+    for before, stop in list(zip(found[-1:] + found[:-1], found, strict=True)):
+        here = s.contacts_at(stop.position) if stop.vertex is None else next(at_vertices)
+        lasting = {*before.contacts, *stop.contacts}
+        assert not lasting & set(stop.brief)
+        assert set(stop.brief) <= set(here)
+        assert without_parts(s, lasting.union(here)) == lasting.union(stop.brief)
+
+
+def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:
+    """Contacts less those that are part of one of edges."""
+    parts = [Features(s).parts(contact) for contact in contacts if contact.event == "EE"]
+    return set(contacts).difference(*parts)
+
+
+def test_a_third_feature_that_touches_for_an_instant_is_named() -> None:
+    # G comes down one wall and goes up the other; between them it lies on the floor.
+    wedge = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
+    s = sweep([(0, 0), (3, 0), (3, 1), (0, 1)], wedge)
+    (bottom,) = (stop for stop in stops(s) if stop.position == Point(Fraction(0), Fraction(0)))
+    assert Contact("EE", 0, 0) in bottom.brief
+    # One peak of D slides along a flat edge of G; halfway, another one meets a peak of G.
+    roof = [(0, -20), (10, -20), (10, -12), (8, 1), (6, -12), (4, 0), (0, 0)]
+    peaks = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
+    (halfway,) = (
+        stop
+        for stop in stops(sweep(roof, peaks))
+        if stop.position == Point(Fraction(-2), Fraction(0))
+    )
+    assert halfway.vertex is None
+    assert halfway.contacts == (Contact("EV", 5, 1),)
+    assert halfway.brief == (Contact("VV", 3, 3),)
+
+
+def test_large_sweeps_say_that_they_do_not_look_for_all_contacts(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert page_data(EXAMPLE)["allBrief"]
+    monkeypatch.setattr("exactsweep.view.touches._MOST", 9 * 12 - 1)
+    assert not page_data(EXAMPLE)["allBrief"]
+    found = stops(EXAMPLE)
+    assert [stop.position for stop in found] == list(EXAMPLE.trajectory.vertices)
+    assert {contact.event for stop in found for contact in stop.brief} == {"VV"}
+    monkeypatch.setattr("exactsweep.view.touches._MOST", 9 * 12)
+    assert page_data(EXAMPLE)["allBrief"]
+
+
+@settings(max_examples=30, deadline=None)
+@given(any_pair)
+def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
+    s = sweep(*pair, reference=(10**40, "1/3"))
+    data = page_data(s)
+    scale = Scale.of(s.outer.vertices, path(s).vertices)
+    x, y = s.reference
+    for (tx, ty), (px, py) in zip(
+        exact_points(data["stops"]["exact"]), places(data["stops"]["places"]), strict=True
+    ):
+        for (gx, gy), (qx, qy) in zip(
+            s.generatrix.vertices, places(data["generatrix"]["places"]), strict=True
+        ):
+            shown = px + qx, py + qy
+            exact = scale.place(Point(gx + tx - x, gy + ty - y))
+            # Two places, each rounded once, and their sum.
+            for a, b, parts in zip(shown, exact, ((px, qx), (py, qy)), strict=True):
+                assert abs(Fraction(a) - Fraction(b)) <= 2 * ulp(max(1.0, *map(abs, parts)))
+
+
+def test_what_stands_still_is_scaled_exactly() -> None:
+    big = sweep(*([(x * 10**30, y * 10**30) for x, y in p.vertices] for p in (
+        EXAMPLE.generatrix, EXAMPLE.directrix)))  # fmt: skip
+    data = page_data(big)
+    for name in ("directrix", "inner", "outer"):
+        loop = getattr(EXAMPLE, name).vertices
+        assert places(data[name]["places"]) == [(float(x), float(y)) for x, y in loop]
+        assert exact_points(data[name]["exact"]) == points(
+            *((x * 10**30, y * 10**30) for x, y in loop)
+        )
+    assert data["fits"] == []
+
+
+def test_features_have_the_numbers_of_the_input() -> None:
+    clockwise = [(0, 0), (0, 1), (1, 2), (2, 1), (2, 0), (1, 0)]
+    data = page_data(sweep(clockwise, EXAMPLE.directrix))
+    assert data["generatrix"]["vertices"] == [0, 4, 3, 2, 1]
+    assert data["generatrix"]["edges"] == [4, 3, 2, 1, 0]
+
+
+def test_a_far_reference_point_leaves_the_picture_alone() -> None:
+    far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
+    assert anchor(far) == EXAMPLE.reference
+    data, near = page_data(far), page_data(EXAMPLE)
+    assert data["path"] == "vertex 0 of G"
+    assert data["stops"]["places"] == near["stops"]["places"]
+    assert exact_points(data["stops"]["exact"])[0] == points((10**40 - 2, -1))[0]
+
+
+def test_an_exact_fit_hangs_on_a_stop() -> None:
+    data = page_data(SLOT)
+    (fit,) = data["fits"]
+    assert exact_points(fit["exact"]) == points((1, 3), (1, 1))
+    assert exact_points(data["stops"]["exact"])[fit["stop"]] == (Fraction(1), Fraction(3))
+
+
+def test_the_page_needs_nothing_else() -> None:
+    text = page(EXAMPLE)
+    assert not re.search(r'(?:src|href|url)\s*[=(]\s*["\']?(?!data:|#)[\w/.]', markup(text))
+    assert "@import" not in text
+    assert "default-src 'none'" in text
+    assert "Mike Bostock" in text
+    assert "Robert Penner" in text
+    assert not re.search(r"\{\{\w+\}\}", text)
+
+
+def markup(text: str) -> str:
+    """The page without what is inside its scripts."""
+    return re.sub(r"(<script[^>]*>).*?</script>", r"\1</script>", text, flags=re.S)
+
+
+def test_only_its_own_scripts_may_run() -> None:
+    text = page(EXAMPLE)
+    scripts = re.findall(r"<script>(.*?)</script>", text, re.S)
+    hashes = [f"'sha256-{b64encode(sha256(s.encode()).digest()).decode()}'" for s in scripts]
+    assert f"script-src {' '.join(hashes)};" in text
+    assert len(scripts) == 2
+    assert "unsafe-inline" not in text.split("script-src")[1].split(";")[0]
+
+
+def test_data_cannot_leave_its_element() -> None:
+    hostile = ["</script><script>alert(1)</script>", "<!--", "&lt;", "]]>"]
+    written = embedded_json(hostile)
+    assert not set("<>&") & set(written)
+    assert json.loads(written) == hostile
+
+
+def test_file_names_are_not_in_the_page(tmp_path: Path) -> None:
+    bad = tmp_path / "<img src=x onerror=alert(1)>.json"
+    bad.write_text(Path(HOUSE).read_text())
+    result = run("view", str(bad), NOTCH)
+    assert result.exit_code == 0
+    assert "onerror" not in result.stdout
+    assert result.stdout == run("view", HOUSE, NOTCH).stdout
+
+
+def test_the_command_writes_a_page(tmp_path: Path) -> None:
+    path = tmp_path / "sweep.html"
+    assert run("view", "-o", str(path)).output == ""
+    assert path.read_text() == page(EXAMPLE)
+    assert data_of(path.read_text())["title"] == "Sweep of 5 around 7 vertices"
+    nowhere = tmp_path / "none" / "sweep.html"
+    assert refusal(run("view", "-o", str(nowhere))) == f"{nowhere}: No such file or directory"
+
+
+@pytest.mark.parametrize("s", [EXAMPLE, SLOT])
+def test_the_same_sweep_gives_the_same_page(s: Sweep) -> None:
+    assert page(s) == page(sweep(s.generatrix.vertices, s.directrix.vertices))
