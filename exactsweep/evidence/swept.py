@@ -95,10 +95,15 @@ class Swept:
         """The outer loop of the swept area."""
         return self._loop(lambda half: half.outer, ORIGIN)
 
+    @property
+    def unswept(self) -> tuple[Polygon, ...]:
+        """The holes of the swept area beside the inner loop: none, but of kind "SS"."""
+        return ()
+
     @cached_property
     def area(self) -> Fraction:
-        """The swept area, outer minus inner loop."""
-        return self.outer.area - self.inner.area
+        """The swept area: the outer loop without the inner one and what is not swept."""
+        return self.outer.area - sum((loop.area for loop in self.unswept), self.inner.area)
 
     @cached_property
     def _translations(self) -> list[Vertex]:

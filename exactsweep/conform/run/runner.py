@@ -109,7 +109,7 @@ def conform(
         >>> from exactsweep import no_fit_polygon
         >>> from exactsweep.corpus import Case
         >>> def mine(directrix, generatrix, reference):
-        ...     return {"trajectory": no_fit_polygon(directrix, generatrix).vertices}
+        ...     return {"trajectory": no_fit_polygon(directrix, generatrix).exterior.vertices}
         >>> triangle = Case.of("t", "", [(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)], (1, 0))
         >>> conform(mine, [triangle], name="mine", reference="origin").passed
         True

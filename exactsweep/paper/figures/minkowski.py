@@ -50,7 +50,7 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     """
     s = example()
     inverted = inverse_generatrix(s)
-    outer = no_fit_polygon(s.directrix, inverted).vertices
+    outer = no_fit_polygon(s.directrix, inverted).exterior.vertices
     i_bottom, i_top = split(inverted.vertices)
     d_bottom, d_top = split(s.directrix.vertices)
     lowest = trajectory_mm(inverse(i_bottom), complement(inverse(d_bottom)))
