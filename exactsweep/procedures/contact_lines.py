@@ -33,6 +33,7 @@ from typing import NamedTuple
 from exactsweep.geometry.direction import Vector, primitive
 from exactsweep.geometry.number import quotient
 from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.procedures.envelope import Break
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings that have its interior on the left."""
@@ -42,13 +43,15 @@ class Cut(NamedTuple):
     """A crossing of a stretch with another one.
 
     Attributes:
-        place: where on the stretch.
+        key: an int that is greater for another cut only where its place is not less.
+        place: where on the stretch, a Break.
         before: whether there is overlap just before it, on account of the other stretch.
         after: the same just after it.
         twice: whether contact segments run both ways along the other stretch.
     """
 
-    place: Fraction
+    key: int
+    place: Break
     before: bool
     after: bool
     twice: bool
@@ -61,7 +64,7 @@ class Stretch:
     Places on it are values of x, of y if it is vertical.
 
     Attributes:
-        low, high: its ends.
+        low, high: its ends, Breaks.
         left, right: on which sides there is overlap: whether contact segments run along (dx, dy),
             and whether they run against it.
         low_through, high_through: the same for segments that run through the point `low` or `high`;
@@ -95,7 +98,8 @@ class Stretch:
         right: bool,
     ) -> None:
         self.dx, self.dy, self.c = line
-        self.low, self.high = low, high
+        self.low: Break = (low, 1)
+        self.high: Break = (high, 1)
         self.left = left
         self.right = right
         self.low_through: tuple[bool, bool] | None = None
@@ -103,11 +107,19 @@ class Stretch:
         self.low_covered = self.high_covered = False
         self.cuts: list[Cut] = []
 
-    def point(self, place: Rational) -> Point:
+    def between(self, low: Rational, high: Rational) -> Stretch:
+        """The piece from one place to another; an end that is not the stretch's is covered."""
+        piece = Stretch((self.dx, self.dy, self.c), low, high, self.left, self.right)
+        piece.low_covered, piece.high_covered = low != self.low[0], high != self.high[0]
+        piece.low_through, piece.high_through = self.low_through, self.high_through
+        return piece
+
+    def point(self, place: Break) -> Point:
         """The point of the line at a place."""
+        n, d = place
         if self.dx == 0:
-            return Point(Fraction(-self.c), Fraction(place))
-        return Point(Fraction(place), quotient(place * self.dy + self.c, self.dx))
+            return Point(Fraction(-self.c), quotient(n, d))
+        return Point(quotient(n, d), quotient(n * self.dy + self.c * d, self.dx * d))
 
 
 class _Edge(NamedTuple):
@@ -242,7 +254,7 @@ def _stretches(
             sides = before.left, before.right
             if sides == (left, right) == through:
                 continue
-            before.high = place
+            before.high = (place, 1)
             before.high_through = through if left or right else None
             yield before
         after = Stretch(line, place, place, left, right) if left or right else None

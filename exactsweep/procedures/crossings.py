@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import ceil, floor
 
-from exactsweep.geometry.number import quotient
 from exactsweep.procedures.contact_lines import Cut, Stretch
+
+_UNITS = 2**32
+_NEITHER = False, False
 
 
 def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
@@ -28,7 +30,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
 
 def _box(stretch: Stretch) -> tuple[int, int, int, int]:
     """Bounds of a stretch, rounded outwards to ints: left, right, low, high."""
-    dx, dy, c, low, high = stretch.dx, stretch.dy, stretch.c, stretch.low, stretch.high
+    dx, dy, c, (low, _), (high, _) = stretch.dx, stretch.dy, stretch.c, stretch.low, stretch.high
     if dx == 0:
         return floor(-c), ceil(-c), floor(low), ceil(high)
     first, last = low * dy + c, high * dy + c
@@ -38,35 +40,35 @@ def _box(stretch: Stretch) -> tuple[int, int, int, int]:
 
 
 def cross(first: Stretch, second: Stretch) -> None:
-    """Note in two stretches where they cross or touch, unless they are parallel.  Cost: O(1)."""
+    """Note in two stretches where they cross or touch, unless they are parallel. Cost: O(1)."""
     adx, ady, ac = first.dx, first.dy, first.c
     bdx, bdy, bc = second.dx, second.dy, second.c
     turn = adx * bdy - ady * bdx
     if turn == 0:
         return
     x, y = ac * bdx - bc * adx, ac * bdy - bc * ady
+    d = turn
     if turn < 0:
         x, y, d = -x, -y, -turn
-    else:
-        d = turn
     n, m = x if adx else y, x if bdx else y
-    if n < first.low * d or n > first.high * d or m < second.low * d or m > second.high * d:
+    low, high, other_low, other_high = first.low[0], first.high[0], second.low[0], second.high[0]
+    if n < low * d or n > high * d or m < other_low * d or m > other_high * d:
         return
-    place, other_place = quotient(n, d), quotient(m, d)
-    a_left, a_right = _sides(first, place)
-    b_left, b_right = _sides(second, other_place)
+    # There is overlap all around on the sides of what runs through.
+    a_left, a_right = first.left, first.right
+    if n == low * d:
+        a_left, a_right = first.low_through or _NEITHER
+    elif n == high * d:
+        a_left, a_right = first.high_through or _NEITHER
+    b_left, b_right = second.left, second.right
+    if m == other_low * d:
+        b_left, b_right = second.low_through or _NEITHER
+    elif m == other_high * d:
+        b_left, b_right = second.high_through or _NEITHER
     if turn < 0:
-        # The first goes from the right of the second to its left.
-        b_left, b_right = b_right, b_left
-        a_left, a_right = a_right, a_left
-    first.cuts.append(Cut(place, b_left, b_right, second.left and second.right))
-    second.cuts.append(Cut(other_place, a_right, a_left, first.left and first.right))
-
-
-def _sides(stretch: Stretch, place: object) -> tuple[bool, bool]:
-    """On which sides of a stretch there is overlap all around a point of it."""
-    if place == stretch.low:
-        return stretch.low_through or (False, False)
-    if place == stretch.high:
-        return stretch.high_through or (False, False)
-    return stretch.left, stretch.right
+        # The first goes from the right of the second to its left, and so on.
+        a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
+    twice = second.left and second.right
+    first.cuts.append(Cut(int((n * _UNITS) // d), (n, d), b_left, b_right, twice))
+    twice = first.left and first.right
+    second.cuts.append(Cut(int((m * _UNITS) // d), (m, d), a_right, a_left, twice))

@@ -19,12 +19,14 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import cmp_to_key
-from itertools import groupby
-from operator import attrgetter
+from itertools import groupby, pairwise
+from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.point import Point, Rational
-from exactsweep.procedures.contact_lines import Stretch
+from exactsweep.geometry.number import quotient
+from exactsweep.geometry.point import Point
+from exactsweep.procedures.contact_lines import Cut, Stretch
+from exactsweep.procedures.envelope import Break, precedes
 
 Fit = tuple[Point, Point]
 
@@ -86,26 +88,43 @@ def free_positions(stretches: Sequence[Stretch], overlap: Callable[[Point], bool
     return Free([_corners(ring) for ring in rings], sorted(hung))
 
 
-def _left_over(stretch: Stretch, suspects: set[Point]) -> Iterator[tuple[Rational, Rational]]:
+def _left_over(stretch: Stretch, suspects: set[Point]) -> Iterator[tuple[Break, Break]]:
     """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects."""
-    since: Rational = stretch.low
-    covered = stretch.low_covered
+    since, covered = stretch.low, stretch.low_covered
     twice = stretch.left and stretch.right
-    # Where another stretch of the line goes on.
-    joints = {stretch.low} if stretch.low_through else set()
-    if stretch.high_through:
-        joints.add(stretch.high)
-    for place, group in groupby(sorted(stretch.cuts), key=attrgetter("place")):
-        cuts = list(group)
-        if since < place:
+    for place, cuts in _in_order(stretch.cuts):
+        if precedes(since, place):
             if not (covered or any(cut.before for cut in cuts)):
                 yield since, place
             since, covered = place, False
         covered = covered or any(cut.after for cut in cuts)
-        if len(cuts) > 1 or (twice and cuts[0].twice) or place in joints:
+        if len(cuts) > 1 or (twice and cuts[0].twice) or _goes_on(stretch, place):
             suspects.add(stretch.point(place))
-    if since < stretch.high and not (covered or stretch.high_covered):
+    if precedes(since, stretch.high) and not (covered or stretch.high_covered):
         yield since, stretch.high
+
+
+def _goes_on(stretch: Stretch, place: Break) -> bool:
+    """Whether a place is an end at which another stretch of the line begins."""
+    n, d = place
+    return (stretch.low_through is not None and n == stretch.low[0] * d) or (
+        stretch.high_through is not None and n == stretch.high[0] * d
+    )
+
+
+def _in_order(cuts: list[Cut]) -> Iterator[tuple[Break, list[Cut]]]:
+    """Cuts from low to high, those at one place together. Cost: O(k log k)."""
+    cuts.sort(key=itemgetter(0))
+    if any(a.key == b.key for a, b in pairwise(cuts)):
+        cuts.sort(key=lambda cut: (cut.key, quotient(*cut.place)))
+    at_place: list[Cut] = []
+    for cut in cuts:
+        if at_place and precedes(at_place[0].place, cut.place):
+            yield at_place[0].place, at_place
+            at_place = []
+        at_place.append(cut)
+    if at_place:
+        yield at_place[0].place, at_place
 
 
 def _loops(pieces: Sequence[_Piece], overlap: Callable[[Point], bool]) -> Iterator[list[Point]]:

@@ -21,6 +21,7 @@ from exactsweep.geometry.overlap import Overlap, Rings, is_inside
 from exactsweep.geometry.point import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
 from exactsweep.procedures.free_positions import Fit, Free, free_positions
 
@@ -106,7 +107,10 @@ def inner_fit_ss(container: Rings, part: Rings) -> InnerFit:
 
 
 def _free(stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> Free:
-    stretches = contact_stretches(stationary, [inverse(ring) for ring in orbiting])
+    moving = [inverse(ring) for ring in orbiting]
+    stretches = contact_stretches(stationary, moving)
+    if not unbounded:
+        stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
     return free_positions(stretches, Overlap(stationary, orbiting, unbounded=unbounded).at)
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region, rings
 
-from exactsweep import NumberError, Polygon, PolygonError, Region
+from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 SMALL = [(1, 1), (3, 1), (3, 3), (1, 3)]
@@ -48,13 +48,14 @@ def test_indices_count_through_the_rings_as_given() -> None:
     assert one.holes == (Polygon(SMALL), Polygon(OTHER))
     given_vertices = SQUARE + OTHER + SMALL[::-1]
     for k, vertex in enumerate(one.vertices):
-        assert given_vertices[one.vertex_index(k)] == (vertex.x, vertex.y)
+        x, y = given_vertices[one.vertex_index(k)]
+        assert Point(Fraction(x), Fraction(y)) == vertex
     # Canonical edge 4 runs from (1, 1) to (3, 1); given, from (3, 1) to (1, 1).
     assert one.edge_index(4) == 4 + 3 + 2
     moved = one.translated((100, 0)).reflected()
     for k, vertex in enumerate(moved.vertices):
         x, y = given_vertices[moved.vertex_index(k)]
-        assert (-100 - x, -y) == (vertex.x, vertex.y)
+        assert Point(Fraction(-100 - x), Fraction(-y)) == vertex
 
 
 @pytest.mark.parametrize(
