@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
 from typing import NamedTuple
@@ -14,6 +14,7 @@ from exactsweep.geometry.point import Rational
 
 Segment = tuple[Pair, Pair]
 Span = tuple[Rational, Rational]
+Box = tuple[Rational, Rational, Rational, Rational]
 
 
 class Line(NamedTuple):
@@ -70,12 +71,13 @@ class OpenSets:
     """The union of the interiors of convex rings with integer vertices."""
 
     def __init__(self, rings: Iterable[Ring]) -> None:
-        self._rings = list(dict.fromkeys(rings))
-        self._boxes = [
-            (min(xs), max(xs), min(ys), max(ys))
-            for xs, ys in (zip(*ring, strict=True) for ring in self._rings)
-        ]
-        self._reaches: dict[tuple[int, int], list[_Reach]] = {}
+        # Large sets first: few of them cover most of what is covered.
+        boxed = [(_box(ring), ring) for ring in dict.fromkeys(rings)]
+        boxed.sort(key=lambda pair: _width(pair[0]), reverse=True)
+        self._rings = [ring for _, ring in boxed]
+        self._boxes = [box for box, _ in boxed]
+        # By the direction of a line and the number of the set.
+        self._reaches: dict[tuple[int, int], dict[int, _Reach]] = defaultdict(dict)
 
     def uncovered(self, segments: Iterable[Segment]) -> tuple[list[Piece], set[Pair]]:
         """Take the union away from segments.
@@ -97,18 +99,34 @@ class OpenSets:
             by_line[line].append((low, high))
         pieces, points = [], set()
         for line, spans in by_line.items():
-            closed = _joined(spans)
-            shadows = sorted(self._shadows(line, closed[0][0], closed[-1][1]))
-            for low, high in _without(closed, shadows):
+            for low, high in self._left_on(line, _joined(spans)):
                 if low < high:
                     pieces.append(Piece(line, low, high))
                 else:
                     points.add(line.at(low))
         return pieces, points
 
+    def _left_on(self, line: Line, spans: list[Span]) -> list[Span]:
+        """Take the union away from closed intervals on a line, the large sets first."""
+        axis = line.axis
+        reaches = self._reaches[line[:2]]
+        for k, box in enumerate(self._boxes):
+            if box[2 * axis] >= spans[-1][1] or box[2 * axis + 1] <= spans[0][0]:
+                continue
+            if k not in reaches:
+                reaches[k] = _reach(self._rings[k], line)
+            reach = reaches[k]
+            if not reach.low < line.c < reach.high:
+                continue
+            low, high = _shadow(self._rings[k], reach.values, line)
+            spans = [part for span in spans for part in _without(span, low, high)]
+            if not spans:
+                break
+        return spans
+
     def holds(self, point: Pair) -> bool:
         """Whether a point is in the union."""
-        return self._holds_near(point, None, range(len(self._rings)))
+        return self._holds_near(point, None)
 
     def is_beside(self, line: Line, along: Rational, side: int) -> bool:
         """Whether points close to one of the line are in the union.
@@ -118,20 +136,17 @@ class OpenSets:
             along: the coordinate of a point on it, which is not in the union.
             side: 1 for the points straight to the left of the line, -1 for those to the right.
         """
-        near = [k for k, r in enumerate(self._along(line)) if r.low <= line.c <= r.high]
-        way = (-side * line.dy, side * line.dx)
-        return self._holds_near(line.at(along), way, near)
+        return self._holds_near(line.at(along), (-side * line.dy, side * line.dx))
 
-    def _holds_near(self, point: Pair, way: Pair | None, numbers: Iterable[int]) -> bool:
+    def _holds_near(self, point: Pair, way: Pair | None) -> bool:
         """Whether the union has a point, or points close to it in a direction."""
         # Homogeneous: only ints below.
         (x, y), w = point, Fraction(point[0]).denominator * Fraction(point[1]).denominator
         px, py = int(x * w), int(y * w)
-        for k in numbers:
-            x_low, x_high, y_low, y_high = self._boxes[k]
+        for ring, (x_low, x_high, y_low, y_high) in zip(self._rings, self._boxes, strict=True):
             if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
                 continue
-            for (ax, ay), (bx, by) in edges_of([self._rings[k]]):
+            for (ax, ay), (bx, by) in edges_of([ring]):
                 dx, dy = bx - ax, by - ay
                 side = dx * (py - ay * w) - dy * (px - ax * w)
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
@@ -140,36 +155,34 @@ class OpenSets:
                 return True
         return False
 
-    def _along(self, line: Line) -> list[_Reach]:
-        direction = line[:2]
-        if direction not in self._reaches:
-            dx, dy = direction
-            found = []
-            for ring in self._rings:
-                values = [dx * y - dy * x for x, y in ring]
-                found.append(_Reach(min(values), max(values), values))
-            self._reaches[direction] = found
-        return self._reaches[direction]
 
-    def _shadows(self, line: Line, first: Rational, last: Rational) -> Iterable[Span]:
-        """The open intervals in which the sets meet a line, those beyond a range left out."""
-        c, axis = line.c, line.axis
-        for ring, box, reach in zip(self._rings, self._boxes, self._along(line), strict=True):
-            if not reach.low < c < reach.high:
-                continue
-            if box[2 * axis] >= last or box[2 * axis + 1] <= first:
-                continue
-            ends: list[Rational] = []
-            before, p = reach.values[-1] - c, ring[-1]
-            for value, q in zip(reach.values, ring, strict=True):
-                after = value - c
-                if after == 0:
-                    ends.append(q[axis])
-                elif before and (before > 0) != (after > 0):
-                    share = Fraction(p[axis] * after - q[axis] * before)
-                    ends.append(share / (after - before))
-                before, p = after, q
-            yield min(ends), max(ends)
+def _reach(ring: Ring, line: Line) -> _Reach:
+    values = [line.dx * y - line.dy * x for x, y in ring]
+    return _Reach(min(values), max(values), values)
+
+
+def _box(ring: Ring) -> Box:
+    xs, ys = zip(*ring, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
+
+
+def _width(box: Box) -> Rational:
+    return box[1] - box[0] + box[3] - box[2]
+
+
+def _shadow(ring: Ring, values: Sequence[Rational], line: Line) -> Span:
+    """The open interval in which the inside of a ring, on both sides of a line, meets it."""
+    axis = line.axis
+    ends: list[Rational] = []
+    before, p = values[-1] - line.c, ring[-1]
+    for value, q in zip(values, ring, strict=True):
+        after = value - line.c
+        if after == 0:
+            ends.append(q[axis])
+        elif before and (before > 0) != (after > 0):
+            ends.append(Fraction(p[axis] * after - q[axis] * before) / (after - before))
+        before, p = after, q
+    return min(ends), max(ends)
 
 
 def _joined(spans: Iterable[Span]) -> list[Span]:
@@ -183,16 +196,13 @@ def _joined(spans: Iterable[Span]) -> list[Span]:
     return joined
 
 
-def _without(closed: Iterable[Span], opened: Sequence[Span]) -> Iterable[Span]:
-    """What sorted open intervals leave of closed ones: closed intervals, and points."""
-    for start, end in closed:
-        # Invariant: what is before `start` is decided, and `start` is in no interval seen so far.
-        for low, high in opened:
-            if low >= end:
-                break
-            if high > start:
-                if low >= start:
-                    yield start, low
-                start = high
-        if start <= end:
-            yield start, end
+def _without(span: Span, low: Rational, high: Rational) -> Iterator[Span]:
+    """What an open interval leaves of a closed one, which may be a point."""
+    start, end = span
+    if high <= start or end <= low:
+        yield span
+        return
+    if start <= low:
+        yield start, low
+    if high <= end:
+        yield high, end

@@ -9,7 +9,7 @@ import pytest
 from cells import Holed, doubled, moved, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapes import Cells, cell_sets, polyominoes, ringed, shape_pairs
+from shapes import Cells, cell_sets, grid, polyominoes, ringed, shape_pairs
 
 from exactsweep import Point, Polygon
 from exactsweep.check import (
@@ -29,14 +29,6 @@ Written = Sequence[tuple[str, str]]
 
 def box(x0: int, y0: int, x1: int, y1: int) -> Polygon:
     return Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
-
-
-def grid(*rows: str) -> Holed:
-    """A shape drawn with one character a square, the lowest row last."""
-    height = len(rows)
-    return shape_of(
-        (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"
-    )
 
 
 def written(points: Sequence[Point]) -> list[tuple[str, str]]:

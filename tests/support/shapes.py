@@ -12,6 +12,14 @@ SHEARS: list[Matrix] = [((1, 0), (0, 1)), ((1, 1), (0, 1)), ((2, 1), (1, 1)), ((
 SCALES = [Fraction(1), Fraction(2, 3), Fraction(10**30), Fraction(1, 10**30)]
 
 
+def grid(*rows: str) -> Holed:
+    """A shape drawn with one character a square, the lowest row last."""
+    height = len(rows)
+    return shape_of(
+        (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"
+    )
+
+
 def polyominoes(most: int = 14) -> st.SearchStrategy[Cells]:
     """Connected sets of cells, with holes and corners that touch."""
     return st.lists(st.integers(0, 30), max_size=most - 1).map(grown)
