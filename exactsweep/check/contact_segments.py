@@ -1,8 +1,10 @@
 """Contact segments: where a translate can touch a shape, a vertex of one on an edge of the other.
 
 Left out are segments along which the two overlap beside the contact itself: the cones there have a
-direction in common. A vertex on a vertex is a point of its own: in a corner that fills what
-another leaves, two vertices meet although none can be moved along an edge.
+direction in common. Where two vertices meet, the position is an end of a segment that is left in:
+of two convex angles without a common direction, one lies beyond a side of the other. But where
+rings touch there are several angles at a vertex. So such positions are points of their own: two
+links of a chain may hold each other by such vertices and nothing else.
 """
 
 from __future__ import annotations

@@ -9,8 +9,8 @@ Let O be the positions t at which the interiors of D and G + t meet, and F the o
    open, its boundary is in F, and by compactness limits of overlap touch. Where they touch in a
    point, interior points of both are close to it, so that a small step makes them overlap.
 3. At a contact a vertex of one lies on an edge of the other (edges that cross overlap), so the
-   contact segments, less O, are the boundary of O. Along one segment O is a union of open
-   intervals, one for each pair of pieces.
+   contact segments and the meetings of two vertices, less O, are the boundary of O. Along one
+   segment O is a union of open intervals, one for each pair of pieces.
 4. Split where they meet, the edges of the boundary have O on at least one side, and the side does
    not change along an edge. Those with F on the other side bound the interior of F; the others,
    and the points without edges, are the exact fits, split where they meet the first ones.

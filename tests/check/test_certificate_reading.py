@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from cells import grid
 from producer import (
     SLOT,
     UNIT,
@@ -17,7 +18,6 @@ from shape_certificates import (
     sweep_certificate,
     written_again,
 )
-from shapes import grid
 from tampering import changes
 
 from exactsweep import sweep

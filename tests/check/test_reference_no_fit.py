@@ -6,10 +6,10 @@ from itertools import product
 from random import Random
 
 import pytest
-from cells import Holed, doubled, moved, shape_of, verdict_by_counting
+from cells import Holed, doubled, grid, moved, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapes import Cells, cell_sets, grid, polyominoes, ringed, shape_pairs
+from shapes import Cells, cell_sets, polyominoes, ringed, shape_pairs
 
 from exactsweep import Point, Polygon
 from exactsweep.check import (
@@ -237,6 +237,19 @@ def test_ring_can_lie_around_a_defect() -> None:
     ring = grid("####", "#..#", "#..#", "####")
     (region,) = reference_inner_fit(container, ring).regions
     assert region == (box(2, 2, 3, 3).vertices, ())
+
+
+def test_links_that_hold_each_other_by_a_point_have_one_position() -> None:
+    """A defect touches a spike of the wall, and the part, around the defect, touches itself there.
+
+    No edge of either can slide along the other, so no contact segment passes through the position.
+    """
+    wall = [(-20, -20), (20, -20), (20, -5), (0, 0), (20, 5), (20, 20), (-20, 20)]
+    container = Holed(Polygon(wall), (Polygon([(0, 0), (-4, -1), (-4, 1)]),))
+    arms = [(-10, -10), (1, -10), (0, 0), (1, 10), (-10, 10)]
+    gap = Polygon([(0, 0), (-1, 5), (-8, 5), (-8, -5), (-1, -5)])
+    found = reference_inner_fit(container, Holed(Polygon(arms), (gap,)))
+    assert (ORIGIN, ORIGIN) in found.exact_fits
 
 
 def positions_say(found: ReferenceInnerFit, t: Point) -> bool:

@@ -6,7 +6,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from cells import Holed, shape_of
+from cells import Holed, grid, shape_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shape_certificates import (
@@ -15,7 +15,7 @@ from shape_certificates import (
     no_fit_certificate,
     sweep_certificate,
 )
-from shapes import cell_sets, grid, polyominoes, shape_pairs
+from shapes import cell_sets, polyominoes, shape_pairs
 from strategies import simple_polygons
 
 from exactsweep import Point, Polygon

@@ -88,6 +88,24 @@ def shape_of(cells: Iterable[Cell]) -> Holed:
     return Holed(exterior, tuple(sorted(holes, key=lambda hole: hole.vertices)))
 
 
+def grid(*rows: str) -> Holed:
+    """A shape drawn with one character a square, the lowest row last."""
+    height = len(rows)
+    return shape_of(
+        (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"
+    )
+
+
+def connected(cells: set[Cell]) -> set[Cell]:
+    """The part of a set of cells that is connected to its least one."""
+    found, left = {min(cells)}, [min(cells)]
+    while left:
+        around = set(neighbours(left.pop())) & cells - found
+        found |= around
+        left += around
+    return found
+
+
 def doubled(cells: Iterable[Cell]) -> set[Cell]:
     """The same set in squares of half the width."""
     return {(2 * x + dx, 2 * y + dy) for x, y in cells for dx in (0, 1) for dy in (0, 1)}

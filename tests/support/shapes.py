@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from cells import Cell, Holed, Matrix, grown, shape_of
+from cells import Cell, Holed, Matrix, connected, grown, shape_of
 from hypothesis import strategies as st
 from strategies import simple_polygons
 
@@ -10,14 +10,6 @@ Cells = frozenset[Cell]
 
 SHEARS: list[Matrix] = [((1, 0), (0, 1)), ((1, 1), (0, 1)), ((2, 1), (1, 1)), ((0, -1), (1, 3))]
 SCALES = [Fraction(1), Fraction(2, 3), Fraction(10**30), Fraction(1, 10**30)]
-
-
-def grid(*rows: str) -> Holed:
-    """A shape drawn with one character a square, the lowest row last."""
-    height = len(rows)
-    return shape_of(
-        (x, height - 1 - y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "#"
-    )
 
 
 def polyominoes(most: int = 14) -> st.SearchStrategy[Cells]:
@@ -33,17 +25,6 @@ def ringed(draw: st.DrawFn) -> Cells:
     inside = sorted(c for c in cells if 0 < c[0] < width - 1 and 0 < c[1] < height - 1)
     left_out = draw(st.sets(st.sampled_from(inside), min_size=1))
     return frozenset(connected(cells - left_out))
-
-
-def connected(cells: set[Cell]) -> set[Cell]:
-    """The part of a set of cells that is connected to its least one."""
-    found, left = {min(cells)}, [min(cells)]
-    while left:
-        x, y = left.pop()
-        around = {(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)} & cells - found
-        found |= around
-        left += around
-    return found
 
 
 def cell_sets() -> st.SearchStrategy[Cells]:
