@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
+from typing import Any
 
+from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
@@ -110,6 +112,20 @@ class NoFitPolygon:
             return self._swept.exact_fits
         return self._pair.fits(self._found.exact_fits)
 
+    def certificate(self) -> dict[str, Any]:
+        """Plain JSON data from which anyone can check the answer, told in translations of G.
+
+        Whatever the class of the pair, holes and exact fits are claimed to be all there are.
+        """
+        back = (-self.reference.x, -self.reference.y)
+        return claim_no_fit(
+            self.stationary,
+            self.orbiting,
+            self.exterior.translated(back),
+            (hole.translated(back) for hole in self.holes),
+            _moved(self.exact_fits, back),
+        )
+
     @property
     def area(self) -> Fraction:
         """The area of the positions of overlap."""
@@ -164,6 +180,16 @@ class InnerFit:
         """Positions without room in some direction, as for `NoFitPolygon`."""
         return self._pair.fits(self._found.exact_fits)
 
+    def certificate(self) -> dict[str, Any]:
+        """Plain JSON data from which anyone can check the answer, told in translations."""
+        back = (-self.reference.x, -self.reference.y)
+        return claim_inner_fit(
+            self.container,
+            self.part,
+            (region.translated(back) for region in self.regions),
+            _moved(self.exact_fits, back),
+        )
+
     @property
     def area(self) -> Fraction:
         """The area of the free regions."""
@@ -178,6 +204,10 @@ class InnerFit:
             f"<InnerFit of {len(self.part)} in {len(self.container)} vertices: "
             f"{len(self.regions)} regions, {len(self.exact_fits)} exact fits>"
         )
+
+
+def _moved(fits: Sequence[Fit], by: tuple[Fraction, Fraction]) -> list[list[Point]]:
+    return [[Point(p.x + by[0], p.y + by[1]) for p in fit] for fit in fits]
 
 
 def _said(fit: Fit) -> str:

@@ -10,9 +10,12 @@ from __future__ import annotations
 
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 from exactsweep.evidence.no_fit import Fit, NoFitPolygon, Pair
+from exactsweep.evidence.shape_certificate import write_points
 from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
@@ -84,6 +87,18 @@ class SweptShape(Swept):
         """The other holes of the swept area, sorted."""
         others = [loop for loop in self._inside if loop is not self.inner]
         return tuple(sorted((*others, *self._outside[1]), key=lambda loop: loop.vertices))
+
+    def certificate(self) -> dict[str, Any]:
+        """Plain JSON data from which anyone can check the sweep, positions told of G's origin."""
+        return {
+            **self._no_fit.certificate(),
+            "claim": "sweep",
+            "kind": "SS",
+            "inner": write_points(self.inner.vertices),
+            "outer": write_points(self.outer.vertices),
+            "unswept": [write_points(loop.vertices) for loop in self.unswept],
+            "area": format_fraction(self.area),
+        }
 
 
 def _holds(loop: Polygon, directrix: Polygon) -> bool:
