@@ -285,16 +285,6 @@ def test_help_describes_every_command_in_full() -> None:
     assert "..." not in listed
 
 
-def test_readme_console_blocks_run_as_shown(tmp_path: Path) -> None:
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"^```console\n(.*?)^```$", readme, re.M | re.S)
-    assert blocks
-    for block in blocks:
-        for command, expected in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block, re.M):
-            done = shell(f"cd '{tmp_path}'; {{ {command}\n}} 2>&1")
-            assert done.stdout == expected, command
-
-
 def test_wkt_output_is_input() -> None:
     loops = [parse_polygon(line) for line in run("sweep", "--wkt").stdout.splitlines()]
     assert loops == [EXAMPLE.trajectory, EXAMPLE.inner, EXAMPLE.outer]

@@ -83,7 +83,7 @@ def test_what_is_beyond_the_promised_range_is_not_asked(name: str) -> None:
 
 
 def test_pyclipper_loses_a_vertex_of_a_convex_integer_pair() -> None:
-    """The smallest example of the README, by hand."""
+    """The smallest example of the adapters' README, by hand."""
     case = Case.of("lost", "", [(0, 0), (1, 0), (0, 3)], [(0, 0), (1, 1), (0, 1)])
     assert points((1, 0))[0] in case.trajectory.vertices
     assert verdicts("pyclipper", iter([case])) == {Verdict.UNSOUND}
