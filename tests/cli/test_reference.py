@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from command import PATIENCE
 
 import exactsweep
 from exactsweep.cli.reference import MODULES
@@ -62,7 +63,7 @@ def test_every_module_with_exports_is_in_the_reference() -> None:
 
 def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-m", "exactsweep.cli.reference", str(tmp_path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in MODULES:
         page = (tmp_path / Path(*name.split("."))).with_suffix(".html").read_text(encoding="utf-8")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from command import PATIENCE
 from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
@@ -103,7 +104,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
         input="".join(f"{json.dumps(line)}\n" for line in lines),
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=True,
     ).stdout.splitlines()
     assert json.loads(said[0]) == hello.to_json()
@@ -116,7 +117,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
 
 
 def test_programs_are_listed() -> None:
-    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert [line.split()[0] for line in done.stdout.splitlines()] == list(NAMES)
 
 
