@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from command import PATIENCE
 from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
@@ -83,7 +84,7 @@ def test_what_is_beyond_the_promised_range_is_not_asked(name: str) -> None:
 
 
 def test_pyclipper_loses_a_vertex_of_a_convex_integer_pair() -> None:
-    """The smallest example of the README, by hand."""
+    """The smallest example of the adapters' README, by hand."""
     case = Case.of("lost", "", [(0, 0), (1, 0), (0, 3)], [(0, 0), (1, 1), (0, 1)])
     assert points((1, 0))[0] in case.trajectory.vertices
     assert verdicts("pyclipper", iter([case])) == {Verdict.UNSOUND}
@@ -103,7 +104,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
         input="".join(f"{json.dumps(line)}\n" for line in lines),
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=True,
     ).stdout.splitlines()
     assert json.loads(said[0]) == hello.to_json()
@@ -116,7 +117,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
 
 
 def test_programs_are_listed() -> None:
-    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert [line.split()[0] for line in done.stdout.splitlines()] == list(NAMES)
 
 

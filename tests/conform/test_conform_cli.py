@@ -201,8 +201,8 @@ def test_a_terminal_shows_progress(two: str) -> None:
 
 
 def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
-    section = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Judging")[2]
-    blocks = re.findall(r"^```json\n(.*?)^```$", section, re.M | re.S)
+    readme = (ROOT / "exactsweep/conform/README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```json\n(.*?)^```$", readme, re.M | re.S)
     hello, line, answers = (block.splitlines() for block in blocks[:3])
     said = read_hello(hello[0])
     given = json.loads(line[0])

@@ -24,7 +24,7 @@ any_pair = own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
 
 
 @given(any_pair, own.translations(), st.data())
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_json_keeps_everything(
     pair: tuple[Polygon, Polygon], reference: Any, data: st.DataObject
 ) -> None:
@@ -38,7 +38,7 @@ def test_json_keeps_everything(
 
 
 @given(any_pair, own.translations())
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 def test_answers_are_those_of_the_sweep(pair: tuple[Polygon, Polygon], reference: Any) -> None:
     generatrix, directrix = pair
     case = Case.of("mine-1", "drawn", directrix, generatrix, reference)

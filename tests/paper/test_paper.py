@@ -2,10 +2,10 @@
 
 import random
 import re
-from pathlib import Path
 from pkgutil import resolve_name
 
 import pytest
+from command import ROOT
 
 from exactsweep.paper.claim import Claim, Counterexample, Evidence, Row, Run, Status, reproduce
 from exactsweep.paper.growth import Growth, Point, doubled
@@ -59,7 +59,7 @@ def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
 
 
 def test_the_readme_names_the_same_errata() -> None:
-    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    readme = (ROOT / "exactsweep/paper/README.md").read_text(encoding="utf-8")
     errata = readme.split("## Where the paper is corrected")[1].split("\n## ")[0]
     refuted, condition = errata.split("Right under a condition:")
     for text, status in ((refuted, Status.REFUTED), (condition, Status.CONDITION)):
