@@ -8,7 +8,7 @@ import pytest
 
 from exactsweep.conform import Verdict
 from exactsweep.conform.report.html import SIDE, Panel, panels, root
-from exactsweep.conform.run.outcome import Outcome, judged
+from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
@@ -18,7 +18,7 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 def outcome_of(case: Case, trajectory: Any) -> Outcome:
-    return judged(CallablePeer(lambda d, g, r: {"trajectory": trajectory}, Hello("mine")), case)
+    return judge_case(CallablePeer(lambda d, g, r: {"trajectory": trajectory}, Hello("mine")), case)
 
 
 def places(panel: Panel, name: str) -> list[tuple[float, float]]:

@@ -36,13 +36,13 @@ class Peer(Protocol):
     hello: Hello
 
     def ask(self, case: Case) -> Answer:
-        """Put a case to it, as `asked` has it."""
+        """Put a case to it, as `adapt` has it."""
 
     def close(self) -> str | None:
         """Say bye; return what went wrong then, or None."""
 
 
-def answered(result: Mapping[str, Any]) -> Answer:
+def read_answer(result: Mapping[str, Any]) -> Answer:
     """Tell an answer from the reason why there is none."""
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
@@ -105,7 +105,7 @@ class CallablePeer:
         if not isinstance(result, Mapping):
             reason = f"returns {type(result).__name__}, not a mapping"
             return Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=seconds)
-        return answered({**result, "id": case.id})._replace(seconds=seconds)
+        return read_answer({**result, "id": case.id})._replace(seconds=seconds)
 
     def close(self) -> str | None:
         """Do nothing."""
