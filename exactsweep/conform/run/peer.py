@@ -68,20 +68,12 @@ class CallablePeer:
     It cannot be stopped: an answer that comes too late gets the verdict timeout when it comes.
 
     Args:
-        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
-            integer numbers of the hello, float for "binary64", else Fraction. It returns what an
-            answer of the protocol holds, without the id; coordinates may be any numbers that
-            `to_fraction` reads. What it raises is a crash, and NotImplementedError is unsupported.
+        function: as `conform` takes it.
         hello: what it can do.
         seconds: that an answer may take.
     """
 
-    def __init__(
-        self,
-        function: Function,
-        hello: Hello,
-        seconds: float = SECONDS,
-    ) -> None:
+    def __init__(self, function: Function, hello: Hello, seconds: float = SECONDS) -> None:
         self._function, self._seconds = function, seconds
         self.hello = hello
 
