@@ -17,7 +17,7 @@ from benchmarks.clock import milliseconds
 from benchmarks.families import FAMILIES
 from benchmarks.growth import Point, Series
 from benchmarks.procedures import Chains, Procedure
-from exactsweep.paper.counting import counted, counting
+from exactsweep.paper.counting import counting, make_counted
 
 DOUBLINGS, QUICK_DOUBLINGS = 5, 3
 
@@ -81,7 +81,7 @@ def measure(run: Run, *, quick: bool = False) -> Series:
     series = Series(procedure.name, run.family, run.varied, procedure.claim)
     for m, n in run.sizes(quick=quick):
         generatrix, directrix = family(m, n, 0)
-        task = procedure.task(Chains.of(counted(generatrix), counted(directrix)))
+        task = procedure.task(Chains.of(make_counted(generatrix), make_counted(directrix)))
         with counting() as tally:
             outcome = task()
         bound = outcome.bound or procedure.bound(m, n)

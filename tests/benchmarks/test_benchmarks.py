@@ -11,7 +11,7 @@ from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM, Chains
 from benchmarks.scaling import RUNS, Run, measure
 from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
-from exactsweep.paper.counting import Counted, counted, counting
+from exactsweep.paper.counting import Counted, counting, make_counted
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 
@@ -73,7 +73,7 @@ def test_counted_numbers_stay_counted() -> None:
 
 
 def test_comparisons_are_counted_once() -> None:
-    (x, y), (u, v) = counted([(1, 2), (1, 3)])
+    (x, y), (u, v) = make_counted([(1, 2), (1, 3)])
     with counting() as tally:
         assert x < y
         assert x == u
@@ -86,7 +86,7 @@ def test_counting_changes_no_result(family: str) -> None:
     generatrix, directrix = FAMILIES[family](20, 20, 0)
     plain, chains = (
         Chains.of(g, d)
-        for g, d in ((generatrix, directrix), (counted(generatrix), counted(directrix)))
+        for g, d in ((generatrix, directrix), (make_counted(generatrix), make_counted(directrix)))
     )
     trajectories = [trajectory_mm(c.top, c.directrix) for c in (plain, chains)]
     assert list(trajectories[0]) == list(trajectories[1])

@@ -15,9 +15,9 @@ from itertools import combinations, pairwise
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
+from exactsweep.corpus.generator.shapes import Ring, hull
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.pairs import Ring, hull
 
 Segment = tuple[Point, Point]
 Gap = tuple[Segment | None, Segment | None]
