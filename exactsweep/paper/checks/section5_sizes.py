@@ -20,7 +20,7 @@ from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajector
 from exactsweep.paper.checks.segments import (
     BEST,
     RECORDS,
-    Segment,
+    Stroke,
     pieces,
     pieces_in,
     windows,
@@ -65,12 +65,12 @@ def outgrows_its_parts(pair: Pair) -> str:
     )
 
 
-def pieces_at_the_sides(segments: Sequence[Segment]) -> int:
+def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
     """Pieces of the envelopes of the first and of the last 1, ..., s - 1 of s segments."""
     return sum(pieces(segments[:k]) + pieces(segments[k:]) for k in range(1, len(segments)))
 
 
-def window_is_full(segments: Sequence[Segment]) -> tuple[str, list[str]]:
+def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     """All windows come out in one trajectory: what fails, and a row of the table."""
     pair, count = windows(segments), len(segments)
     most = pieces(segments)
@@ -170,7 +170,7 @@ def outer_edges(pair: Pair) -> int:
     return len(outer) - 1
 
 
-def windows_of_windows_are_full(segments: Sequence[Segment]) -> tuple[str, list[str]]:
+def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     """All windows come out in one outer boundary: what fails, and a row of the table."""
     pair, count = windows_of_windows(segments), len(segments)
     most, full = pieces(segments), count * (count - 1) + 1
