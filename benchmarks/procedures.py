@@ -11,26 +11,14 @@ from math import log2
 from typing import NamedTuple
 
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper.pairs import Chains
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts, inverse, split
+from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
-
-
-class Chains(NamedTuple):
-    """The chains of a pair that its lower sweep needs."""
-
-    top: list[Vertex]
-    bottom: list[Vertex]
-    directrix: list[Vertex]
-
-    @classmethod
-    def of(cls, generatrix: Sequence[Vertex], directrix: Sequence[Vertex]) -> Chains:
-        bottom, top = split(generatrix)
-        return cls(top, bottom, split(directrix)[0])
 
 
 class Outcome(NamedTuple):

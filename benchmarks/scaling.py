@@ -16,8 +16,9 @@ from benchmarks import procedures as p
 from benchmarks.clock import milliseconds
 from benchmarks.families import FAMILIES
 from benchmarks.growth import Point, Series
-from benchmarks.procedures import Chains, Procedure
-from exactsweep.paper.counting import counted, counting
+from benchmarks.procedures import Procedure
+from exactsweep.paper.counting import counting, make_counted
+from exactsweep.paper.pairs import Pair
 
 DOUBLINGS, QUICK_DOUBLINGS = 5, 3
 
@@ -81,13 +82,13 @@ def measure(run: Run, *, quick: bool = False) -> Series:
     series = Series(procedure.name, run.family, run.varied, procedure.claim)
     for m, n in run.sizes(quick=quick):
         generatrix, directrix = family(m, n, 0)
-        task = procedure.task(Chains.of(counted(generatrix), counted(directrix)))
+        task = procedure.task(Pair(make_counted(generatrix), make_counted(directrix)).chains)
         with counting() as tally:
             outcome = task()
         bound = outcome.bound or procedure.bound(m, n)
         time = None
         if not quick:
-            task = procedure.task(Chains.of(generatrix, directrix))
+            task = procedure.task(Pair(generatrix, directrix).chains)
             time = min(milliseconds(task, 0.2))
         series.points.append(Point(m, n, tally.total + outcome.output, outcome.output, bound, time))
     return series

@@ -11,8 +11,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.growth import Growth, grow
-from exactsweep.paper.pairs import Chains, Pair, Ring
+from exactsweep.paper.pairs import Chains, Pair
 
 
 @dataclass
@@ -96,11 +97,11 @@ for _make, _names in (
         setattr(Counted, f"__{_name}__", _make(f"__{_name}__"))
 
 
-def counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     """The same points in counted ints.
 
     >>> with counting() as tally:
-    ...     (x, y), = counted([(3, 4)])
+    ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
     (True, Tally(multiplications=2, comparisons=1))
     """
@@ -134,7 +135,7 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
     2
     """
-    fed = Chains(*(counted(chain) for chain in chains))  # type: ignore[arg-type]
+    fed = Chains(*(make_counted(chain) for chain in chains))  # type: ignore[arg-type]
     with counting() as tally:
         out = sum(1 for _ in run(fed))
     return tally.total + out

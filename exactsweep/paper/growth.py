@@ -93,10 +93,10 @@ def grow(
     return Growth(what, family, bound, tuple(points))
 
 
-def doubled(first: int, doublings: int) -> list[tuple[int, int]]:
+def double(first: int, doublings: int) -> list[tuple[int, int]]:
     """Sizes m = n from a first one on.
 
-    >>> doubled(8, 2)
+    >>> double(8, 2)
     [(8, 8), (16, 16), (32, 32)]
     """
     return [(first << k, first << k) for k in range(doublings + 1)]

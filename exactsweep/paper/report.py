@@ -20,8 +20,8 @@ from exactsweep.canvas.svg import path_data
 from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
-from exactsweep.paper.claim import Counterexample, Row, Run, Status
-from exactsweep.paper.figures import FIGURES
+from exactsweep.paper.claim import Counterexample, Effort, Row, Verdict
+from exactsweep.paper.figures.figure import load
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
@@ -31,7 +31,7 @@ XY = Sequence[tuple[float, float]]
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
+def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path]:
     """Write report.html and report.md, and the pictures that the latter shows, into a folder.
 
     The same seed, effort and versions give the same bytes, but for the times.
@@ -49,7 +49,7 @@ def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
     figures = write_figures(folder, rows)
     paths = folder / "report.html", folder / "report.md"
     for path in paths:
-        text = render(path.name, rows, run, drawn, figures)
+        text = render(path.name, rows, effort, drawn, figures)
         path.write_text(text, encoding="utf-8", newline="\n")
     return paths
 
@@ -57,7 +57,7 @@ def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
 def render(
     name: str,
     rows: Sequence[Row],
-    run: Run,
+    effort: Effort,
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
@@ -65,16 +65,16 @@ def render(
     sections: dict[str, list[Row]] = {}
     for row in rows:
         sections.setdefault(row.claim.section, []).append(row)
-    statuses = Counter(row.claim.status for row in rows)
+    verdicts = Counter(row.claim.verdict for row in rows)
     text = (
         _environment(html=name.endswith("html"))
         .get_template(f"{name}.j2")
         .render(
             rows=rows,
             sections=sections,
-            counts=[(status.value, statuses[status]) for status in Status],
+            counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
             failing=[row for row in rows if row.disagreement],
-            run=run,
+            effort=effort,
             versions=_versions(),
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
@@ -231,12 +231,11 @@ def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
     """
     if not plots.available():
         return {}
-    holding = {row.claim.name for row in rows if not row.disagreement}
     drawn = {}
-    for figure in FIGURES:
-        if figure.name in holding:
-            picture = figure.draw()
+    for row in rows:
+        if row.claim.figure and not row.disagreement:
+            picture, stem = load(row.claim.figure).draw(), row.claim.name.lower().replace(" ", "-")
             for suffix in SUFFIXES:
-                save(picture, str(folder / f"figure-{figure.number}{suffix}"))
-            drawn[figure.name] = (folder / f"figure-{figure.number}.svg").read_bytes()
+                save(picture, str(folder / f"{stem}{suffix}"))
+            drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()
     return drawn

@@ -7,11 +7,12 @@ import pytest
 from benchmarks.families import FAMILIES
 from benchmarks.growth import exponent
 from benchmarks.outlines import OUTLINES, part_pairs
-from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM, Chains
+from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM
 from benchmarks.scaling import RUNS, Run, measure
 from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
-from exactsweep.paper.counting import Counted, counted, counting
+from exactsweep.paper.counting import Counted, counting, make_counted
+from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 
@@ -37,7 +38,7 @@ def test_a_family_is_the_same_on_every_machine() -> None:
 
 @pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
 def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
-    chains = Chains.of(*bumps(*sizes))
+    chains = Pair(*bumps(*sizes)).chains
     m_b, n_t, n_b = sizes
     lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
     assert lengths == sizes
@@ -73,7 +74,7 @@ def test_counted_numbers_stay_counted() -> None:
 
 
 def test_comparisons_are_counted_once() -> None:
-    (x, y), (u, v) = counted([(1, 2), (1, 3)])
+    (x, y), (u, v) = make_counted([(1, 2), (1, 3)])
     with counting() as tally:
         assert x < y
         assert x == u
@@ -85,8 +86,8 @@ def test_comparisons_are_counted_once() -> None:
 def test_counting_changes_no_result(family: str) -> None:
     generatrix, directrix = FAMILIES[family](20, 20, 0)
     plain, chains = (
-        Chains.of(g, d)
-        for g, d in ((generatrix, directrix), (counted(generatrix), counted(directrix)))
+        Pair(g, d).chains
+        for g, d in ((generatrix, directrix), (make_counted(generatrix), make_counted(directrix)))
     )
     trajectories = [trajectory_mm(c.top, c.directrix) for c in (plain, chains)]
     assert list(trajectories[0]) == list(trajectories[1])

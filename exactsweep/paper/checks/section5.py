@@ -9,16 +9,13 @@ from exactsweep import Polygon, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import is_monotone, lowest
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status
-from exactsweep.paper.functions import bottom_of, clipped, differs, exact, reference
-from exactsweep.paper.laws import Law, Trial
+from exactsweep.paper.claim import Effort, Evidence
+from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference
 from exactsweep.paper.pairs import Pair
-from exactsweep.paper.tiny import convex_and_strict, smallest_pair
+from exactsweep.paper.tiny import is_convex, search_grid
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-
-GRID = "the first of all such pairs on the 3 by 3 grid, fewest vertices first"
 
 
 def trajectory_mm_is_right(pair: Pair) -> str:
@@ -36,44 +33,36 @@ def sub_trajectories_suffice(pair: Pair) -> str:
     return lowest("sub-trajectory", chains, bottom_of(reference(pair).trajectory))
 
 
-def _check_definition_5_1(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
-        g = Polygon(pair.generatrix)
-        if g.reflected().reflected() != g:
-            return "the inverse of the inverse is not G"
-        mirrored = g.reflected((1, 2))
-        if mirrored != g.reflected().translated((2, 4)):
-            return "the inverse about another point is more than translated"
-        if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
-            return "an image of a vertex is not on the boundary of the image"
-        bottom, top = split(pair.generatrix)
-        turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
-        if split(turned) != (inverse(top), inverse(bottom)):
-            return "the inverse of the top chain is not the bottom chain of the inverse"
-        return ""
-
-    trial = Trial(run).of(law, "CC", 60).of(law, "MM", 60).of(law, "MM", 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def inverse_is_a_reflection(pair: Pair) -> str:
+    """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
+    g = Polygon(pair.generatrix)
+    if g.reflected().reflected() != g:
+        return "the inverse of the inverse is not G"
+    mirrored = g.reflected((1, 2))
+    if mirrored != g.reflected().translated((2, 4)):
+        return "the inverse about another point is more than translated"
+    if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
+        return "an image of a vertex is not on the boundary of the image"
+    bottom, top = split(pair.generatrix)
+    turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
+    if split(turned) != (inverse(top), inverse(bottom)):
+        return "the inverse of the top chain is not the bottom chain of the inverse"
+    return ""
 
 
-def _check_definition_5_2(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The complement is the same chain with the outside on its left."""
-        directrix = pair.chains.directrix
-        if complement(complement(directrix)) != directrix:
-            return "the complement of the complement is another chain"
-        polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
-        for sign, chain in ((1, directrix), (-1, complement(directrix))):
-            for (px, py), (qx, qy) in pairwise(chain):
-                x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
-                left = x - eps * (qy - py), y + eps * (qx - px)
-                if point_in_polygon(left, polygon) != sign:
-                    return f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
-        return ""
-
-    trial = Trial(run).of(law, "CC", 60).of(law, "MM", 60).of(law, "MM", 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def complement_has_the_outside_left(pair: Pair) -> str:
+    """The complement is the same chain with the outside on its left."""
+    directrix = pair.chains.directrix
+    if complement(complement(directrix)) != directrix:
+        return "the complement of the complement is another chain"
+    polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
+    for sign, chain in ((1, directrix), (-1, complement(directrix))):
+        for (px, py), (qx, qy) in pairwise(chain):
+            x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
+            left = x - eps * (qy - py), y + eps * (qx - px)
+            if point_in_polygon(left, polygon) != sign:
+                return f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
+    return ""
 
 
 def as_printed(pair: Pair) -> tuple[list[Vertex], list[Vertex]]:
@@ -99,7 +88,7 @@ def loops_are_retraced(pair: Pair) -> str:
     if whole.vertices != loops.outer:
         return "the trajectory of I(G) around T is not the outer loop"
     return differs("T(G_b, T)", outer, bottom_of(loops.outer)) or differs(
-        "T(I(G), -T) over D's range of x", clipped(inner, *ends), bottom_of(loops.inner)
+        "T(I(G), -T) over D's range of x", clip(inner, *ends), bottom_of(loops.inner)
     )
 
 
@@ -116,13 +105,9 @@ def inner_to_the_letter(pair: Pair) -> str:
     )
 
 
-def _check_lemma_5_3(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(loops_are_retraced, kind, 80)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, inner_to_the_letter)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
+def find_inner_to_the_letter(effort: Effort) -> Evidence:
+    """Look for a pair of which Trajectory_MM along the inside of T is not the inner boundary."""
+    return search_grid(2, 6, is_convex, is_convex, inner_to_the_letter)
 
 
 def sweep_mm_is_right(pair: Pair) -> str:
@@ -132,14 +117,6 @@ def sweep_mm_is_right(pair: Pair) -> str:
     return differs("the inner boundary", inner, bottom_of(loops.inner)) or differs(
         "the outer boundary", outer, bottom_of(loops.outer)
     )
-
-
-def _check_sweep_mm(run: Run) -> Evidence:
-    trial = Trial(run).of(sweep_mm_is_right, "MM", 100).of(sweep_mm_is_right, "CM", 60)
-    trial.of(sweep_mm_is_right, "MM", 100, strict=False)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, inner_to_the_letter)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
 
 
 def loops_are_monotone(pair: Pair) -> str:
@@ -185,7 +162,9 @@ def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
     return max(normal[0] * x + normal[1] * y for x, y in polygon.vertices)
 
 
-def _check_local_width(run: Run) -> Evidence:
+def find_missing_edge(effort: Effort) -> Evidence:
+    """Look for an edge of a trajectory that draws no edge of the inner loop."""
+
     def fails(pair: Pair) -> str:
         s = sweep(*pair)
         missing = sorted(_slopes(s.trajectory) - _slopes(s.inner))
@@ -193,117 +172,10 @@ def _check_local_width(run: Run) -> Evidence:
             return ""
         return f"the trajectory has edges of slope {missing[0]}, and the inner loop has none"
 
-    trial = Trial(run).of(local_width, "CC", 100).of(local_width, "CC", 60, strict=False)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, fails)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
+    return search_grid(2, 6, is_convex, is_convex, fails)
 
 
 def _slopes(polygon: Polygon) -> set[Fraction]:
     """The slopes of the edges of a polygon without vertical ones."""
     corners = polygon.vertices
     return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
-
-
-def _try(run: Run, law: Law, *, weak: bool = True) -> Evidence:
-    trial = Trial(run).of(law, "MM", 80).of(law, "CM", 40)
-    if weak:
-        trial.of(law, "MM", 40, strict=False)
-    return Evidence(trial.tried, trial.failure)
-
-
-CLAIMS = (
-    Claim(
-        "Lemma 5.1",
-        "5",
-        "The MM trajectory is the lower envelope of the trajectories of the convex parts of G_t.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.procedures.part_pairs.sweep_pairs",
-            "exactsweep.procedures.chain.convex_parts",
-        ),
-        lambda run: _try(run, sub_trajectories_suffice),
-    ),
-    Claim(
-        "Monotone trajectory",
-        "5",
-        "An MM trajectory is a simple polygon, X-monotone like G and D (first half of Lemma 5.2, "
-        "and said in Section 2).",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.swept.Swept.trajectory", "exactsweep.procedures.mm.trajectory_mm"),
-        lambda run: _try(run, trajectory_is_monotone, weak=False),
-    ),
-    Claim(
-        "Definition 5.1",
-        "5",
-        "The inverse generatrix is G mirrored about a point.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.chain.inverse", "exactsweep.geometry.polygon.Polygon.reflected"),
-        _check_definition_5_1,
-        "About which point only translates it; the inverse of a top chain is a bottom chain.",
-    ),
-    Claim(
-        "Definition 5.2",
-        "5",
-        "The complement of a polygon is all but its interior.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.chain.complement",),
-        _check_definition_5_2,
-        "As a boundary it is the same chain, walked the other way. It is no simple polygon, so a "
-        "sweep along it is not one of Definition 1.1; that is where Lemma 5.3 needs care.",
-    ),
-    Claim(
-        "Lemma 5.3",
-        "5",
-        "The outer loop is the trajectory of I(G) around T(G, D), the inner loop that of I(G) "
-        "along the complement of T(G, D).",
-        Status.CONDITION,
-        ("exactsweep.procedures.mm.outer_mm", "exactsweep.procedures.mm_inner.inner_mm"),
-        _check_lemma_5_3,
-        "For the inner loop, I(G) has to stay inside T as a whole. At both ends a sweep of chains "
-        "lets it hang out, and adds a piece as wide as G, which has to be cut off: the inner "
-        "boundary ends where D ends.",
-    ),
-    Claim(
-        "Local width",
-        "5",
-        "Moving along an edge of the trajectory, G draws an edge of each loop, parallel to it, and "
-        "they are as far apart as G is wide (in the proof of Lemma 5.3).",
-        Status.REFUTED,
-        ("exactsweep.evidence.swept.Swept.inner", "exactsweep.evidence.swept.Swept.outer"),
-        _check_local_width,
-        "Either edge may be missing: G draws no inner edge while it turns about a vertex of D. "
-        "Across each edge of a convex D the two loops are as far apart as G is wide.",
-    ),
-    Claim(
-        "Corollary 5.4",
-        "5",
-        "The inner and the outer loop of an MM sweep are X-monotone.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.mm.sweep_mm",),
-        lambda run: _try(run, loops_are_monotone, weak=False),
-    ),
-    Claim(
-        "Trajectory_MM",
-        "5",
-        "Sweep each convex part of G_t along D_b, and take the lower envelope by divide and "
-        "conquer.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.mm.trajectory_mm",),
-        lambda run: _try(run, trajectory_mm_is_right),
-    ),
-    Claim(
-        "Sweep_MM",
-        "5",
-        "Compute the trajectory; then call Trajectory_MM for I(G) along either side of it.",
-        Status.CONDITION,
-        (
-            "exactsweep.procedures.mm.sweep_mm",
-            "exactsweep.procedures.mm.outer_mm",
-            "exactsweep.procedures.mm_inner.inner_mm",
-        ),
-        _check_sweep_mm,
-        "For the inner loop, what Trajectory_MM adds beyond both ends of D has to be cut off, so "
-        "that I(G) stays inside T as a whole (see Lemma 5.3).",
-    ),
-)
