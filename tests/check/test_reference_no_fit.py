@@ -251,6 +251,17 @@ def test_pinch_is_written_as_two_rings_that_touch() -> None:
     assert written(hole[:1]) == [("0", "4")]
 
 
+def test_region_inside_a_hole_of_a_region_keeps_its_own_hole() -> None:
+    """The part does not get through the gap of a C, but there is room inside, around a defect."""
+    c = [(8, 8), (22, 8), (22, 14), (21, 14), (21, 9), (9, 9), (9, 21), (21, 21), (21, 15)]
+    holes = Polygon([*c, (22, 15), (22, 22), (8, 22)]), box(14, 14, 15, 15)
+    found = reference_inner_fit(Holed(box(0, 0, 30, 30), holes), box(0, 0, 2, 2))
+    assert found.regions == (
+        (box(0, 0, 28, 28).vertices, (box(6, 6, 22, 22).vertices,)),
+        (box(9, 9, 19, 19).vertices, (box(12, 12, 15, 15).vertices,)),
+    )
+
+
 def test_ring_can_lie_around_a_defect() -> None:
     container = Holed(box(0, 0, 9, 9), (box(4, 4, 5, 5),))
     ring = grid("####", "#..#", "#..#", "####")
