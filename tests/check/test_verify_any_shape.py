@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from cells import Holed, grid, shape_of
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from shape_certificates import (
     falsified,
@@ -102,6 +102,8 @@ def test_sweep_is_proved_and_no_change_of_it(pair: tuple[Holed, Holed], seed: in
 
 @patient
 @given(simple_polygons(), simple_polygons())
+@example(grid("#.#", "###").exterior, UNIT.exterior)
+@example(grid("#.#", "###").exterior, grid("##", "#.", "##").exterior)
 def test_shared_direction_is_found_as_by_the_kernel(d: Polygon, g: Polygon) -> None:
     assert has_shared_direction([d.vertices, g.vertices]) == _has_direction(d, g)
 
