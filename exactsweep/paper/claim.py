@@ -176,7 +176,7 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
         >>> from exactsweep.paper.ledger import find
         >>> row, = reproduce([find("Slope")], Effort(quick=True))
         >>> row.claim.verdict.value, row.disagreement
-        ('refuted as stated', '')
+        ('misprint', '')
     """
     for claim in claims:
         start = process_time()

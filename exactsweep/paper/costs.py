@@ -21,7 +21,7 @@ from exactsweep.corpus.generator.growing import (
     wide,
 )
 from exactsweep.paper import literal
-from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.claim import Effort, Evidence, Table, first_failure
 from exactsweep.paper.counting import Family, grow_bytes, grow_operations, grow_seconds
 from exactsweep.paper.growth import M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
 from exactsweep.paper.pairs import Chains
@@ -30,6 +30,7 @@ from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 DOUBLINGS, QUICK = 5, 3
+UNITS = ("operations", "seconds", "bytes")
 
 STEPS = 0.2
 """By how much the exponent of an MM sweep's counts may be above that of the bound.
@@ -174,9 +175,37 @@ def _list_costs() -> Iterator[Cost]:
 COSTS = tuple(_list_costs())
 
 
+def tabulate(growth: Iterable[Growth]) -> Table:
+    """Claimed and found exponents, a line for each procedure, family and size that is doubled.
+
+    Args:
+        growth: series of operations, bytes and seconds, in any order.
+
+    Returns:
+        A Table; its last column is "within", or "beyond" if any series is beyond its bound.
+    """
+    lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
+    for series in growth:
+        procedure = series.what.partition(" of ")[2]
+        lines.setdefault((procedure, series.family, series.varied), {})[series.unit] = series
+    rows = []
+    for (procedure, family, varied), found in lines.items():
+        one = next(iter(found.values()))
+        exponents = [
+            f"{found[unit].exponent(3 if unit == 'seconds' else 0):.2f}" if unit in found else "-"
+            for unit in UNITS
+        ]
+        verdict = "within" if all(series.is_flat for series in found.values()) else "beyond"
+        claimed = f"{one.claimed():.2f}"
+        rows.append([procedure, family, varied, one.bound, claimed, *exponents, verdict])
+    header = ("procedure", "family", "doubled", "bound", "its exponent", *UNITS, "verdict")
+    return Table("Exponents of the claimed bound, and of what was found", header, rows)
+
+
 def measure_costs(row: str, effort: Effort) -> Evidence:
     """Count and measure all that bears on the bounds of a row of the ledger."""
     growth = tuple(series for cost in COSTS if cost.row == row for series in cost.measure(effort))
     without = " Seconds are left out of a quick run." if effort.quick else ""
     tried = f"Operations, bytes and seconds over doubling sizes.{without}"
-    return Evidence(tried, first_failure(series.failure for series in growth), growth=growth)
+    failure = first_failure(series.failure for series in growth)
+    return Evidence(tried, failure, growth=growth)

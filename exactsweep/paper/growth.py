@@ -20,7 +20,7 @@ MN_LOG: Bound = ("mn log n", lambda m, n: m * n * log2(n))
 MN2: Bound = ("mn²", lambda m, n: float(m * n * n))
 MN2_LOG: Bound = ("mn² log n", lambda m, n: m * n * n * log2(n))
 
-LIMITS = {"seconds": 0.45, "bytes": 0.3}
+LIMITS = {"seconds": 0.45, "bytes": 0.5}
 """By how much the exponent of a measured quantity may be above that of the bound.
 
 A factor m or n too many shows as 1. Seconds are judged by the three largest sizes, which outgrow
@@ -85,9 +85,13 @@ class Growth:
         """The exponent of the bound, its logarithms included."""
         return self._exponent([point.bound for point in self.points], last)
 
+    @property
+    def sizes(self) -> list[int]:
+        """The size that is doubled."""
+        return [point.n if self.varied == "n" else point.m for point in self.points]
+
     def _exponent(self, values: Sequence[float], last: int) -> float:
-        sizes = [point.n if self.varied == "n" else point.m for point in self.points]
-        return fit_exponent(sizes[-last:], values[-last:])
+        return fit_exponent(self.sizes[-last:], values[-last:])
 
     @property
     def is_flat(self) -> bool:
