@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
 from math import lcm
 from typing import Any
 
@@ -24,11 +23,10 @@ from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.overlap import is_inside
+from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.ss import inner_fit_ss, no_fit_ss
 
 
 class SweptShape(Swept):
@@ -72,12 +70,12 @@ class SweptShape(Swept):
 
     @cached_property
     def _outside(self) -> tuple[Polygon, tuple[Polygon, ...]]:
-        found = no_fit_ss(self._path.fixed, self._path.moved)
+        found = self._path.no_fit()
         return self._path.polygon(found.exterior), self._path.polygons(found.holes)
 
     @cached_property
     def _inside(self) -> tuple[Polygon, ...]:
-        found = inner_fit_ss(self._path.fixed, self._path.moved)
+        found = self._path.inner_fit()
         return self._path.polygons([loop for loop, _ in found.regions])
 
     @property
@@ -88,7 +86,9 @@ class SweptShape(Swept):
     @cached_property
     def inner(self) -> Polygon:
         """The loop around D of what is not swept: D with its undercuts and holes closed."""
-        return next(loop for loop in self._inside if _holds(loop, self.directrix.exterior))
+        ring = self.directrix.exterior.vertices
+        # D lies in one of them, and they have no inner points in common.
+        return next(loop for loop in self._inside if Overlap([loop.vertices], [ring]).at(ORIGIN))
 
     @cached_property
     def unswept(self) -> tuple[Polygon, ...]:
@@ -171,13 +171,3 @@ def _number(shape: Region, outline: Outline, k: int, *, of_edge: bool) -> int:
         first += len(hole)
     number = first + (first - (outline.after[k] if of_edge else k)) % len(hole)
     return shape.edge_index(number) if of_edge else shape.vertex_index(number)
-
-
-def _holds(loop: Polygon, directrix: Polygon) -> bool:
-    """Whether D, which lies in one of several loops without common inner points, is in this one."""
-    if loop == directrix:
-        return True
-    ring = directrix.vertices
-    points = [(2 * x, 2 * y) for x, y in ring]
-    points += [(p.x + q.x, p.y + q.y) for p, q in pairwise((*ring, ring[0]))]
-    return any(is_inside(point, [loop.vertices]) for point in points)

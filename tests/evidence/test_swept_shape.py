@@ -127,6 +127,15 @@ def test_what_is_passed_by_in_a_wide_cave_is_not_swept() -> None:
     assert s.inner == Polygon(cave)
 
 
+def test_an_inner_loop_that_has_all_corners_and_middles_of_the_directrix_on_it() -> None:
+    """Found by the campaign: the undercut lies in a quarter of an edge of D."""
+    d = [(12, 7), (20, 13), (24, 15), (23, 17), (16, 13)]
+    g = [(-3, 10), (3, 13), (4, 13), (9, 16), (14, 21), (21, 26), (7, 19), (10, 19), (3, 15)]
+    s = shape_sweep(Region([*g, (2, 16), (1, 15)]), Region(d))
+    closed = [(12, 7), (18, "23/2"), ("203/11", "129/11"), ("208/11", "134/11")]
+    assert s.inner == Polygon([*closed, *d[1:]])
+
+
 def test_the_numbers_of_features_are_those_of_the_input() -> None:
     hole = [(4, 4), (4, 6), (6, 6), (6, 4)]
     plate = Region([(9, 0), (9, 9), (0, 9), (0, 0)], [hole])
