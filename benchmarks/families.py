@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from random import Random
 
-from exactsweep.corpus.generator.growing import Pair, cc, cm, cm_hard, cm_undercut, figure10, mm
+from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
+from exactsweep.corpus.generator.shapes import Ring
 
-Family = Callable[[int, int, int], tuple[list[Pair], list[Pair]]]
+Family = Callable[[int, int, int], tuple[Ring, Ring]]
 
 
-def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> list[Pair]:
+def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
     """A rectilinear X-monotone polygon of about n vertices with random steps on both sides."""
     count = n // 4
     xs = [step * k + random.randrange(step // 2) for k in range(count + 1)]
@@ -26,7 +27,7 @@ def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> list
     return bottom + top[::-1]
 
 
-def stair(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def stair(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Two random rectilinear polygons."""
     random = Random(f"stair {m} {n} {seed}")
     return stairs(n, random), stairs(m, random)

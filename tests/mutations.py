@@ -16,7 +16,7 @@ from rich.console import Console
 from rich.table import Table
 
 from exactsweep.evidence import contact, exact_fit, undercut
-from exactsweep.paper.claim import Run, reproduce
+from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner, part_pairs
 from exactsweep.procedures.envelope import Envelope, precedes
@@ -284,11 +284,11 @@ def mutated(mutation: Mutation) -> Iterator[None]:
             setattr(module, name, right)
 
 
-def red_rows(mutation: Mutation, run: Run, names: tuple[str, ...] = ()) -> list[str]:
+def red_rows(mutation: Mutation, effort: Effort, names: tuple[str, ...] = ()) -> list[str]:
     """The rows, of all or of those named, whose evidence fails under a mutation."""
     claims = [find(name) for name in names] or CLAIMS
     with mutated(mutation):
-        return [row.claim.name for row in reproduce(claims, run) if row.disagreement]
+        return [row.claim.name for row in reproduce(claims, effort) if row.disagreement]
 
 
 @click.command()
@@ -299,7 +299,7 @@ def main(seed: int, full: bool) -> None:
     table = Table("mutation", "red rows", "missed", show_lines=True)
     missed_any = False
     for mutation in MUTATIONS:
-        red = red_rows(mutation, Run(seed, quick=not full))
+        red = red_rows(mutation, Effort(seed, quick=not full))
         missed = [name for name in mutation.rows if name not in red]
         missed_any = missed_any or bool(missed)
         table.add_row(mutation.fault, f"{len(red)}: {', '.join(red)}", ", ".join(missed))

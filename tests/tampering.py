@@ -1,6 +1,6 @@
-"""Certificates changed in one place, so that they are no longer true.
+"""Change certificates in one place, so that they are no longer true: `python -m tests.tampering`.
 
-As a campaign: `python tests/tampering.py --help`.
+All changes have to be caught.
 """
 
 import copy
@@ -9,14 +9,18 @@ import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import click
-from families import random_pair
 
 from exactsweep import sweep
 from exactsweep.check import verify
 from exactsweep.geometry.number import format_fraction
+
+# The tests import one another by bare names, as pytest sets them up.
+sys.path.insert(0, str(Path(__file__).parent / "support"))
+from families import random_pair
 
 Certificate = dict[str, Any]
 Change = tuple[str, Certificate]

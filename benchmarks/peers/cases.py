@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from benchmarks.families import FAMILIES
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
 TRAJECTORY, LOOPS = "trajectory", "three loops"
 
@@ -18,7 +18,7 @@ class Case(NamedTuple):
     n: int
     operations: tuple[str, ...] = (TRAJECTORY, LOOPS)
 
-    def pair(self) -> tuple[list[Pair], list[Pair]]:
+    def pair(self) -> tuple[Ring, Ring]:
         """Generatrix and directrix."""
         return FAMILIES[self.family](self.m, self.n, 0)
 

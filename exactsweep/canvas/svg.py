@@ -11,8 +11,8 @@ from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.canvas import style
-from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
+from exactsweep.canvas.window import Window
 from exactsweep.geometry.point import Vertex
 
 _WIDTH, _HEIGHT, _MARGIN = 420, 320, 12
@@ -43,36 +43,19 @@ def svg(shapes: Iterable[Shape], title: str) -> str:
     Cost: linear in the number of points.
     """
     drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes]
-    scale = Scale.of(*chain.from_iterable(shape.loops for shape in drawn))
-    placed = [[scale.places(loop) for loop in shape.loops] for shape in drawn]
-    xs, ys = zip(*chain.from_iterable(chain.from_iterable(placed)), strict=True)
-    left, top = min(xs), max(ys)
-    across, up = max(xs) - left, top - min(ys)
-    x_unit, y_unit = (_WIDTH / (across or 1), _HEIGHT / (up or 1))
-    if scale.is_true:
-        x_unit = y_unit = min(_WIDTH / (across or up or 1), _HEIGHT / (up or across or 1))
-    paths = [
-        _path(
-            [
-                [((x - left) * x_unit + _MARGIN, (top - y) * y_unit + _MARGIN) for x, y in loop]
-                for loop in loops
-            ],
-            shape,
-        )
-        for loops, shape in zip(placed, drawn, strict=True)
-    ]
-    width, height = across * x_unit + 2 * _MARGIN, up * y_unit + 2 * _MARGIN
+    points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
+    window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
-        f'viewBox="0 0 {width:.0f} {height:.0f}" role="img">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{_HEIGHT}" '
+        f'viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img">'
         f"<title>{escape(title)}</title>"
         '<rect width="100%" height="100%" fill="#ffffff"/>'
-        f"{''.join(paths)}</svg>"
+        f"{''.join(_path(shape, window) for shape in drawn)}</svg>"
     )
 
 
-def _path(loops: list[list[tuple[float, float]]], shape: Shape) -> str:
-    data = path_data(loops, closed=shape.closed)
+def _path(shape: Shape, window: Window) -> str:
+    data = path_data((map(window.place, loop) for loop in shape.loops), closed=shape.closed)
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:

@@ -36,7 +36,7 @@ def reproduce_command(
     1 if the evidence for a row fails.
     """
     # All of this is needed by no other command.
-    from exactsweep.paper.claim import Run, reproduce
+    from exactsweep.paper.claim import Effort, reproduce
     from exactsweep.paper.ledger import CLAIMS, find
     from exactsweep.paper.report import citation, render_row, write
 
@@ -46,21 +46,21 @@ def reproduce_command(
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
         for claim in claims:
-            click.echo(f"{claim.name}: {claim.status.value}")
+            click.echo(f"{claim.name}: {claim.verdict.value}")
         return
-    run = Run(seed, quick)
+    effort = Effort(seed, quick)
     rows = []
-    for row in reproduce(claims, run):
+    for row in reproduce(claims, effort):
         rows.append(row)
         if names:
             click.echo(render_row(row))
         else:
-            mark = f"FAILS: {row.disagreement}" if row.disagreement else row.claim.status.value
+            mark = f"FAILS: {row.disagreement}" if row.disagreement else row.claim.verdict.value
             click.echo(f"{row.seconds:6.2f} s  {row.claim.name}: {mark}")
     if folder or not names:
         target = folder or Path("reproduced")
         try:
-            click.echo(" ".join(map(str, write(target, rows, run))))
+            click.echo(" ".join(map(str, write(target, rows, effort))))
         except OSError as error:
             raise FormatError(f"{target}: {error.strerror or error}") from None
     sys.exit(any(row.disagreement for row in rows))

@@ -20,18 +20,32 @@ from exactsweep.canvas.svg import path_data
 from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
-from exactsweep.paper.claim import Counterexample, Row, Run, Status
-from exactsweep.paper.figures import FIGURES
+from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.figures.figure import load
+from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
 
 XY = Sequence[tuple[float, float]]
 
+GROWTH = (
+    *("what", "family", "doubled", "m", "n", "divided by"),
+    *("first", "last", "exponent", "of the bound", "verdict"),
+)
+"""The columns of `growth_row`."""
+WEIGHTS = {
+    1: "False claims",
+    2: "False steps and remarks",
+    3: "Missing conditions",
+    4: "Slips of the pen",
+}
+"""Errata by weight."""
+
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
+def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path]:
     """Write report.html and report.md, and the pictures that the latter shows, into a folder.
 
     The same seed, effort and versions give the same bytes, but for the times.
@@ -49,7 +63,7 @@ def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
     figures = write_figures(folder, rows)
     paths = folder / "report.html", folder / "report.md"
     for path in paths:
-        text = render(path.name, rows, run, drawn, figures)
+        text = render(path.name, rows, effort, drawn, figures)
         path.write_text(text, encoding="utf-8", newline="\n")
     return paths
 
@@ -57,7 +71,7 @@ def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
 def render(
     name: str,
     rows: Sequence[Row],
-    run: Run,
+    effort: Effort,
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
@@ -65,16 +79,16 @@ def render(
     sections: dict[str, list[Row]] = {}
     for row in rows:
         sections.setdefault(row.claim.section, []).append(row)
-    statuses = Counter(row.claim.status for row in rows)
+    verdicts = Counter(row.claim.verdict for row in rows)
     text = (
         _environment(html=name.endswith("html"))
         .get_template(f"{name}.j2")
         .render(
             rows=rows,
             sections=sections,
-            counts=[(status.value, statuses[status]) for status in Status],
+            counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
             failing=[row for row in rows if row.disagreement],
-            run=run,
+            effort=effort,
             versions=_versions(),
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
@@ -96,7 +110,10 @@ def render_row(row: Row) -> str:
 def _plots(rows: Sequence[Row]) -> dict[str, bytes]:
     if not plots.available():
         return {}
-    return {r.claim.name: plots.ratios(r.evidence.growth) for r in rows if r.evidence.growth}
+    counted = {
+        row.claim.name: [g for g in row.evidence.growth if g.unit not in LIMITS] for row in rows
+    }
+    return {name: plots.ratios(growth) for name, growth in counted.items() if growth}
 
 
 def _versions() -> dict[str, str]:
@@ -117,11 +134,14 @@ def _environment(*, html: bool) -> Environment:
         "cell": lambda text: str(text).replace("|", "\\|"),
         "file_name": _file_name,
         "formula": formula,
+        "growth_row": growth_row,
+        "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
         "slug": lambda text: re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-"),
     }
     environment.filters.update(filters)
+    environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
     return environment
 
 
@@ -148,6 +168,39 @@ def alignments(rows: Sequence[Sequence[str]]) -> list[str]:
         "number" if all(re.fullmatch(r"-?[0-9.,/]+", cell) for cell in column) else "text"
         for column in zip(*rows, strict=True)
     ]
+
+
+def growth_row(series: Growth) -> list[str]:
+    """A series in one line: sizes, the first and the last ratio, and exponents.
+
+    That of seconds is over the three largest sizes; all others are over all.
+    """
+    first, end = series.points[0], series.points[-1]
+    last = 3 if series.unit == "seconds" else 0
+    return [
+        series.what,
+        series.family,
+        series.varied,
+        *(f"{a} to {b}" if a != b else str(a) for a, b in ((first.m, end.m), (first.n, end.n))),
+        series.bound,
+        *(f"{point.ratio:.3g}" for point in (first, end)),
+        *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
+        "within" if series.is_flat else "beyond",
+    ]
+
+
+def miss(sampled: int) -> str:
+    """What a sample says: three in n is the least share that is missed once in twenty times.
+
+    >>> miss(300)
+    '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'
+    """
+    if not sampled:
+        return ""
+    return (
+        f"{sampled:,} pairs a law: a fault of more than one pair in {max(1, sampled // 3):,} is "
+        "missed with a chance below 5%."
+    )
 
 
 def _file_name(name: str) -> str:
@@ -231,12 +284,11 @@ def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
     """
     if not plots.available():
         return {}
-    holding = {row.claim.name for row in rows if not row.disagreement}
     drawn = {}
-    for figure in FIGURES:
-        if figure.name in holding:
-            picture = figure.draw()
+    for row in rows:
+        if row.claim.figure and not row.disagreement:
+            picture, stem = load(row.claim.figure).draw(), row.claim.name.lower().replace(" ", "-")
             for suffix in SUFFIXES:
-                save(picture, str(folder / f"figure-{figure.number}{suffix}"))
-            drawn[figure.name] = (folder / f"figure-{figure.number}.svg").read_bytes()
+                save(picture, str(folder / f"{stem}{suffix}"))
+            drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()
     return drawn

@@ -12,7 +12,8 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
-Kind = Literal["CC", "CM", "MM"]
+Kind = Literal["CC", "CM", "MM", "SS"]
+"""The classes of the paper; and "SS", of polygons of any shape, which has no lower sweep."""
 
 
 class LowerSweep:

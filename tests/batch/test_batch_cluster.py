@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from batches import all_of, children, size, start, wait_for
+from command import PATIENCE
 from partlist import part_list
 
 from exactsweep.batch import all_pairs
@@ -64,7 +65,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     process = start([*command, "--scheduler", address])
     wait_for(lambda: size(part), process)
     processes[1].kill()
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
     assert re.fullmatch(r"256 pairs, \d+ refused\n", out)
     assert output.read_bytes() == WHOLE
@@ -74,7 +75,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     wait_for(lambda: size(part), process)
     for other in processes:
         other.kill()
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=PATIENCE)
     if process.returncode:
         assert (process.returncode, out) == (1, "")
         assert re.fullmatch(r"Error: the scheduler is gone, after \d+ of 256 pairs; .*\n", err)
@@ -88,7 +89,7 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
     workers = children(process.pid)
     assert len(workers) == 2
     os.kill(workers[0], signal.SIGKILL)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
     assert (tmp_path / "out.jsonl").read_bytes() == WHOLE
     assert not any(Path(f"/proc/{pid}").exists() for pid in workers)
@@ -96,7 +97,10 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
 
 def test_no_scheduler_is_one_line_and_leaves_nothing(tmp_path: Path, command: list[str]) -> None:
     done = subprocess.run(
-        [*command, "--scheduler", "tcp://127.0.0.1:9"], capture_output=True, text=True, timeout=60
+        [*command, "--scheduler", "tcp://127.0.0.1:9"],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
     )
     assert (done.returncode, done.stdout) == (1, "")
     assert re.fullmatch(r"Error: no Dask scheduler at 'tcp://127.0.0.1:9': .*\n", done.stderr)

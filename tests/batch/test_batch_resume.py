@@ -5,7 +5,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -13,6 +12,7 @@ from random import Random
 
 import pytest
 from batches import all_of, children, size, start, wait_for
+from command import PATIENCE, eventually
 from partlist import part_list
 
 from exactsweep.batch import BatchError, all_pairs, run
@@ -49,7 +49,7 @@ def test_killed_at_random_and_resumed(
             wait_for(longer(part, size(part) + random.randrange(1, 150_000)), process)
             with suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=PATIENCE)
         if process.returncode == 0:
             break
         assert (process.returncode, out, err) == (-signal.SIGKILL, "", "")
@@ -132,7 +132,7 @@ def test_control_c_ends_in_one_line_and_no_process_stays(
     wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
     workers = children(process.pid)
     os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, out) == (1, "")
     assert err.startswith("Error: interrupted after ")
     assert err.endswith(" of 576 pairs; the same command goes on from there\n")
@@ -141,10 +141,7 @@ def test_control_c_ends_in_one_line_and_no_process_stays(
 
 
 def wait_until_gone(pids: list[int]) -> None:
-    end = time.monotonic() + 30
-    while any(Path(f"/proc/{pid}").exists() for pid in pids):
-        assert time.monotonic() < end
-        time.sleep(0.01)
+    eventually(lambda: not any(Path(f"/proc/{pid}").exists() for pid in pids))
 
 
 def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command: list[str]) -> None:
@@ -152,7 +149,7 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command:
     wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)
     workers = children(process.pid)
     process.kill()
-    process.communicate(timeout=60)
+    process.communicate(timeout=PATIENCE)
     assert len(workers) == 2
     wait_until_gone(workers)
 
@@ -164,7 +161,7 @@ def test_a_killed_worker_costs_no_record(
     part = tmp_path / "out.jsonl.part"
     wait_for(lambda: size(part), process)
     os.kill(children(process.pid)[0], signal.SIGKILL)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
     assert (tmp_path / "out.jsonl").read_bytes() == b"".join(whole)
 
@@ -192,7 +189,7 @@ def test_a_pair_that_kills_its_process_is_an_error_record(tmp_path: Path) -> Non
     script, output = tmp_path / "deadly.py", tmp_path / "out.jsonl"
     script.write_text(DEADLY)
     command = [sys.executable, str(script), str(output)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.stdout, done.stderr) == ("40 1 0\n", "")
     records = [json.loads(line) for line in output.read_text().splitlines()]
     assert [record["index"] for record in records] == list(range(40))

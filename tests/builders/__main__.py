@@ -12,7 +12,7 @@ from pathlib import Path
 import click
 
 # The tests import one another by bare names, as pytest sets them up.
-sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
+sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
 from builders.theme import THEMES, BuilderError, built, digest, with_answers, written
 
 DATA = Path(__file__).parent.parent.parent / "exactsweep" / "corpus" / "data"

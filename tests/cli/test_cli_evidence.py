@@ -11,7 +11,7 @@ import termios
 from pathlib import Path
 
 import pytest
-from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, refusal, run
+from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, PATIENCE, refusal, run
 from linear import require_linear
 
 from exactsweep.formats import MAX_BYTES
@@ -79,7 +79,7 @@ def on_a_terminal(command: str) -> str:
         while piece := os.read(end, 4096):
             shown += piece
     os.close(end)
-    assert child.wait(timeout=60) == 0
+    assert child.wait(timeout=PATIENCE) == 0
     return shown.decode()
 
 

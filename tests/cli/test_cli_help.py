@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 import pytest
-from command import EXACTSWEEP, NOTCH, run, shell
+from command import EXACTSWEEP, NOTCH, PATIENCE, run, shell
 from partlist import part_list
 
 from exactsweep.cli import main
@@ -113,5 +113,5 @@ def test_a_bar_with_rate_and_time_is_for_terminals(tmp_path: Path) -> None:
     assert "256/256" in shown
     assert re.search(r"\d+/s", shown)
     assert re.search(r"\d:\d\d:\d\d", shown)
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
     assert (done.stdout[:9], done.stderr) == ("256 pairs", "")

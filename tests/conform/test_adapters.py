@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from command import PATIENCE
 from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
@@ -18,7 +19,7 @@ from exactsweep.conform.adapters.adapter import prepared
 from exactsweep.conform.adapters.table import main
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
-from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case, find_case, generate
@@ -39,7 +40,7 @@ def verdicts(name: str, cases: Iterator[Case]) -> set[Verdict]:
     adapter = installed(name)
     peer = CallablePeer(adapter.answer, adapter.hello)
     try:
-        return {judged(peer, case).verdict for case in cases}
+        return {judge_case(peer, case).verdict for case in cases}
     finally:
         adapter.close()
 
@@ -83,7 +84,7 @@ def test_what_is_beyond_the_promised_range_is_not_asked(name: str) -> None:
 
 
 def test_pyclipper_loses_a_vertex_of_a_convex_integer_pair() -> None:
-    """The smallest example of the README, by hand."""
+    """The smallest example of the adapters' README, by hand."""
     case = Case.of("lost", "", [(0, 0), (1, 0), (0, 3)], [(0, 0), (1, 1), (0, 1)])
     assert points((1, 0))[0] in case.trajectory.vertices
     assert verdicts("pyclipper", iter([case])) == {Verdict.UNSOUND}
@@ -103,7 +104,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
         input="".join(f"{json.dumps(line)}\n" for line in lines),
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=True,
     ).stdout.splitlines()
     assert json.loads(said[0]) == hello.to_json()
@@ -116,7 +117,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
 
 
 def test_programs_are_listed() -> None:
-    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(COMMAND, capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert [line.split()[0] for line in done.stdout.splitlines()] == list(NAMES)
 
 
@@ -144,7 +145,7 @@ def test_journals_become_a_table(tmp_path: Path) -> None:
         peer = CallablePeer(lambda *_, found=answers: next(found), hello)
         with Journal(path, command=[], hello=hello, seconds=1) as journal:
             for _ in range(3):
-                journal.add(judged(peer, case))
+                journal.add(judge_case(peer, case))
         table = CliRunner().invoke(main, [str(path)]).stdout.splitlines()
         assert table[0].startswith("| program | cases | exact or equivalent | but for exact fits |")
         assert table[2] == f"| a program | 2 | 1 |  |  | 1 {expected} |  |  |  |  |  |"

@@ -98,7 +98,7 @@ def test_flag_is_told(flag: str, inside: Any, outside: Any) -> None:
 
 
 @given(own.pairs("CC") | own.pairs("CM") | own.pairs("MM"), own.translations())
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 def test_flags_of_shape_do_not_depend_on_the_place(
     pair: tuple[Polygon, Polygon], by: tuple[Fraction, Fraction]
 ) -> None:

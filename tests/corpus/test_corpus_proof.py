@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from command import PATIENCE
 
 from exactsweep import sweep
 from exactsweep.check import verify
@@ -49,7 +50,7 @@ def test_answers_are_those_of_another_exact_program() -> None:
         input="".join(map(case_to_line, cases())),
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=PATIENCE,
     )
     assert done.stdout.splitlines() == [case.id for case in cases()], done.stderr
     assert done.returncode == 0

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import coordinates, simple_polygons
 
@@ -13,7 +13,6 @@ from exactsweep.draw import AxisScale, DrawError, Scale
 BIG = 10**30
 
 
-@settings(deadline=None)
 @given(simple_polygons())
 def test_places_are_near_one_and_rounded_once(polygon: Polygon) -> None:
     scale = Scale.of(polygon.vertices)
@@ -24,7 +23,6 @@ def test_places_are_near_one_and_rounded_once(polygon: Polygon) -> None:
             assert abs(shown) < 10**7
 
 
-@settings(deadline=None)
 @given(simple_polygons(), st.sampled_from([3, 30, 300, -3, -30, -300]))
 def test_enlarging_by_a_power_of_a_thousand_changes_units_only(
     polygon: Polygon, exponent: int
@@ -39,7 +37,6 @@ def test_enlarging_by_a_power_of_a_thousand_changes_units_only(
     assert after.x.exponent - before.x.exponent == exponent
 
 
-@settings(deadline=None)
 @given(coordinates(), coordinates())
 def test_shapes_of_one_point_or_line_have_a_scale(x: Fraction, y: Fraction) -> None:
     for shape in ([(x, y)], [(x, y), (x, y + 1)], [(x, y), (x + 1, y)]):

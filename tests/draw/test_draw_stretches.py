@@ -22,7 +22,7 @@ def swept(pair: tuple[Polygon, Polygon]) -> Sweep:
     return sweep(*pair, reference=("1/3", 2))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(any_pair)
 def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
@@ -33,7 +33,7 @@ def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) 
     assert [corners[vertex] for vertex in s.trajectory.vertices] == list(range(len(s.trajectory)))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(any_pair)
 def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
@@ -45,7 +45,7 @@ def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Poly
         assert flat <= set(stretch.contacts)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(any_pair)
 def test_vertices_that_meet_touch_there(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)

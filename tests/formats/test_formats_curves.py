@@ -26,7 +26,7 @@ from exactsweep.formats.curved.dxf_arc import unit_point
 from exactsweep.formats.curved.svg_path import elliptic_arc
 from exactsweep.geometry.point import Point
 
-fewer = settings(deadline=None, max_examples=25)
+fewer = settings(max_examples=25)
 small = st.fractions(-9, 9, max_denominator=10)
 points = st.builds(Point, small, small)
 tolerances = st.sampled_from([Fraction(1), Fraction(1, 7), Fraction(1, 100)])

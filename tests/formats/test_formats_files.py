@@ -39,14 +39,14 @@ several = st.lists(parts, min_size=1, max_size=4)
 
 
 @given(several)
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 def test_exact_json_comes_back_whole(polygons: list[NamedPolygon]) -> None:
     assert parse_polygons(format_polygons(polygons, "json")) == polygons
 
 
 @pytest.mark.parametrize("form", DECIMALS)
 @given(polygons=several, exponent=st.integers(-40, 40))
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_decimals_come_back_whole(
     form: str, polygons: Sequence[NamedPolygon], exponent: int
 ) -> None:

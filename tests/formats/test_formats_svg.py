@@ -11,7 +11,7 @@ from exactsweep.formats import FormatError, format_polygons, parse_polygon, pars
 from exactsweep.formats.curved.svg_transform import read_transform
 from exactsweep.geometry.point import Point
 
-fewer = settings(deadline=None, max_examples=40)
+fewer = settings(max_examples=40)
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
 

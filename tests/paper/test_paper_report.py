@@ -11,7 +11,15 @@ from mutations import MUTATIONS, mutated
 from exactsweep import __version__
 from exactsweep.cli import main
 from exactsweep.paper import plots
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status, Table, reproduce
+from exactsweep.paper.claim import (
+    Claim,
+    Counterexample,
+    Effort,
+    Evidence,
+    Table,
+    Verdict,
+    reproduce,
+)
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.report import bibtex, citation, write
 
@@ -24,6 +32,7 @@ def run(*arguments: str) -> Result:
 
 def timeless(text: str) -> str:
     text = re.sub(r'<span class="time">[^<]*</span>', "", text)
+    text = re.sub(r"(?m)^\| (bytes|seconds) of .*$", "", text)
     return re.sub(r"\*Time:\* [0-9.]+ s", "", text)
 
 
@@ -55,8 +64,8 @@ class Checker(HTMLParser):
 def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> None:
     texts = []
     for name in ("one", "two"):
-        rows = list(reproduce(map(find, FEW), Run(5, quick=True)))
-        paths = write(tmp_path / name, rows, Run(5, quick=True))
+        rows = list(reproduce(map(find, FEW), Effort(5, quick=True)))
+        paths = write(tmp_path / name, rows, Effort(5, quick=True))
         texts.append([timeless(path.read_text(encoding="utf-8")) for path in paths])
     assert texts[0] == texts[1]
     pictures = [sorted((tmp_path / name).glob("*.svg")) for name in ("one", "two")]
@@ -64,8 +73,8 @@ def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> Non
 
 
 def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None:
-    rows = list(reproduce(map(find, FEW), Run(quick=True)))
-    html, markdown = write(tmp_path, rows, Run(quick=True))
+    rows = list(reproduce(map(find, FEW), Effort(quick=True)))
+    html, markdown = write(tmp_path, rows, Effort(quick=True))
     checker = Checker()
     checker.feed(html.read_text(encoding="utf-8"))
     assert checker.open == []
@@ -82,10 +91,10 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
 def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> | & m_b"
     evidence = Evidence(
-        nasty, nasty, Counterexample(nasty, nasty), (Table(nasty, (nasty,), [[nasty]]),)
+        nasty, nasty, Counterexample(nasty, nasty), tables=(Table(nasty, (nasty,), [[nasty]]),)
     )
-    claim = Claim(nasty, "1", nasty, Status.REFUTED, (nasty,), lambda run: evidence, nasty)
-    html, markdown = write(tmp_path, list(reproduce([claim], Run())), Run())
+    claim = Claim(nasty, "1", nasty, Verdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty)
+    html, markdown = write(tmp_path, list(reproduce([claim], Effort())), Effort())
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
 
@@ -94,10 +103,10 @@ def test_without_matplotlib_there_are_tables_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plots, "find_spec", lambda name: None)
-    rows = list(reproduce([find("Corollary 3.4")], Run(quick=True)))
-    html, markdown = write(tmp_path, rows, Run(quick=True))
+    rows = list(reproduce([find("Corollary 3.4")], Effort(quick=True)))
+    html, markdown = write(tmp_path, rows, Effort(quick=True))
     assert "<img" not in html.read_text(encoding="utf-8")
-    assert "count / (m + n)" in markdown.read_text(encoding="utf-8")
+    assert "| m + n |" in markdown.read_text(encoding="utf-8")
     assert not list(tmp_path.glob("*.svg"))
 
 
@@ -142,8 +151,8 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 
 def test_all_names_are_listed() -> None:
     lines = run("--list").output.splitlines()
-    assert lines == [f"{claim.name}: {claim.status.value}" for claim in CLAIMS]
-    assert run("--list", "Slope").output == "Slope: refuted as stated\n"
+    assert lines == [f"{claim.name}: {claim.verdict.value}" for claim in CLAIMS]
+    assert run("--list", "Slope").output == "Slope: misprint\n"
 
 
 def test_the_citation_is_that_of_this_version() -> None:

@@ -19,6 +19,8 @@ ROOT = Path(__file__).parents[2]
 HOUSE = str(Path(__file__).parent / "polygons" / "house.json")
 NOTCH = str(Path(__file__).parent / "polygons" / "notch.wkt")
 EXAMPLE = sweep(GENERATRIX, DIRECTRIX)
+# Seconds to wait for what is sure to come; far beyond what any machine should need.
+PATIENCE = 600
 SCRIPTS = sysconfig.get_path("scripts")
 EXACTSWEEP = str(Path(SCRIPTS) / "exactsweep")
 
@@ -35,9 +37,9 @@ def refusal(result: Result, code: int = 1) -> str:
     return result.stderr.removeprefix("Error: ").removesuffix("\n")
 
 
-def eventually(condition: Callable[[], object], seconds: float = 120) -> None:
-    """Wait until something holds; the limit is far beyond what any machine should need."""
-    deadline = time.monotonic() + seconds
+def eventually(condition: Callable[[], object]) -> None:
+    """Wait until something holds."""
+    deadline = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < deadline
         time.sleep(0.01)
@@ -58,5 +60,5 @@ def shell(command: str) -> subprocess.CompletedProcess[str]:
     environment = {**os.environ, "PATH": f"{SCRIPTS}{os.pathsep}{os.environ['PATH']}"}
     environment.pop("COLUMNS", None)
     return subprocess.run(
-        ["bash", "-c", command], env=environment, capture_output=True, text=True, timeout=600
+        ["bash", "-c", command], env=environment, capture_output=True, text=True, timeout=PATIENCE
     )

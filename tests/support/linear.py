@@ -4,9 +4,9 @@ import time
 from collections.abc import Callable
 
 
-def require_linear(action: Callable[[int], object]) -> None:
+def require_linear(action: Callable[[int], object], size: int = 10_000) -> None:
     """Eight times the size may take some eight times as long; squared, it would be 64."""
-    assert _seconds(action, 80_000) < 30 * max(0.001, _seconds(action, 10_000))
+    assert _seconds(action, 8 * size) < 30 * max(0.001, _seconds(action, size))
 
 
 def _seconds(action: Callable[[int], object], size: int) -> float:

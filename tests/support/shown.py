@@ -6,6 +6,8 @@ import io
 from pathlib import Path
 from typing import Any
 
+from command import PATIENCE
+
 from exactsweep import Point
 from exactsweep.geometry.number import to_fraction
 
@@ -19,8 +21,7 @@ FLAGS = [
     "--disable-sync",
 ]
 WIDTH, HEIGHT = 1000, 640
-# In milliseconds; far beyond what any machine should need.
-PATIENCE = 120_000
+MILLISECONDS = 1000 * PATIENCE
 
 
 class Shown:
@@ -31,7 +32,7 @@ class Shown:
         self.requests: list[str] = []
         size = {"width": WIDTH, "height": HEIGHT}
         self.tab = browser.new_page(viewport=size, **options)
-        self.tab.set_default_timeout(PATIENCE)
+        self.tab.set_default_timeout(MILLISECONDS)
         self.tab.on("console", lambda message: self.complaints.append(message.text))
         self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
         self.tab.on("request", lambda request: self.requests.append(request.url))

@@ -45,7 +45,7 @@ def places(flat: list[float]) -> list[tuple[float, float]]:
     return list(zip(flat[::2], flat[1::2], strict=True))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(any_pair)
 def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(3, "1/7"))
@@ -61,7 +61,7 @@ def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygo
         assert hanging in positions
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(any_pair)
 def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair)
@@ -73,7 +73,7 @@ def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -
         assert without_parts(s, s.contacts_at(between)) == set(stop.contacts)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(any_pair)
 def test_all_contacts_at_a_stop_are_named(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(1, "1/3"))
@@ -125,7 +125,7 @@ def test_large_sweeps_say_that_they_do_not_look_for_all_contacts(
     assert page_data(EXAMPLE)["allBrief"]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(any_pair)
 def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(10**40, "1/3"))

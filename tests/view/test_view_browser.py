@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from command import EXAMPLE
-from shown import FLAGS, HEIGHT, PATIENCE, Shown
+from shown import FLAGS, HEIGHT, MILLISECONDS, Shown
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.draw import Scale
@@ -34,7 +34,9 @@ PARTS = 1_000_000
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     with playwright.sync_playwright() as driver:
-        chromium = driver.chromium.launch(executable_path=CHROMIUM, args=FLAGS, timeout=PATIENCE)
+        chromium = driver.chromium.launch(
+            executable_path=CHROMIUM, args=FLAGS, timeout=MILLISECONDS
+        )
         yield chromium
         chromium.close()
 

@@ -1,7 +1,7 @@
 """A contact sheet: a small picture of every case, as SVG.
 
 Coordinates are scaled exactly, each case to its own picture, and only then rounded to pixels. Where
-a picture would be more than eight times as long as wide, its axes are scaled apart, and it says so.
+a picture would be over twelve times as long as wide, its axes are scaled apart, and it says so.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -9,13 +9,13 @@ from math import isqrt
 from xml.sax.saxutils import escape
 
 from exactsweep.canvas.svg import path_data
+from exactsweep.canvas.window import Window
 from exactsweep.corpus.case import Case
 from exactsweep.geometry.point import Point
 
 _SIDE = 200
 _MARGIN = 12
 _LABEL = 34
-_STRETCH = 8
 
 _STYLE = """<style>
  svg { background: #fff; font: 9px sans-serif; }
@@ -64,19 +64,11 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
 
 
 def _picture(case: Case) -> Iterator[str]:
-    low, high = case.outer.bounding_box
-    width, height = high.x - low.x, high.y - low.y
-    side = _SIDE - 2 * _MARGIN
-    stretched = max(width, height) > _STRETCH * min(width, height)
-    sx = side / (width if stretched else max(width, height))
-    sy = side / (height if stretched else max(width, height))
-    left, top = (_SIDE - width * sx) / 2, (_SIDE - height * sy) / 2
+    window = Window.around(case.outer.vertices, _SIDE, _SIDE, _MARGIN)
 
     def path(name: str, points: Sequence[Point], *, closed: bool = True) -> str:
-        pixels = [
-            (float(left + (x - low.x) * sx), float(top + (high.y - y) * sy)) for x, y in points
-        ]
-        return f'<path class="{name}" d="{path_data([pixels], closed=closed)}"/>\n'
+        data = path_data([map(window.place, points)], closed=closed)
+        return f'<path class="{name}" d="{data}"/>\n'
 
     def moved(points: Sequence[Point], by: Point, back: Point) -> list[Point]:
         return [Point(p.x + by.x - back.x, p.y + by.y - back.y) for p in points]
@@ -90,6 +82,6 @@ def _picture(case: Case) -> Iterator[str]:
     yield path("trajectory", moved(case.trajectory.vertices, g[0], case.reference))
     for fit in case.exact_fits:
         yield path("fit", moved(fit, g[0], case.reference), closed=False)
-    note = f"{case.kind}, {case.size} vertices{', axes scaled apart' if stretched else ''}"
+    note = f"{case.kind}, {case.size} vertices{'' if window.is_true else ', axes scaled apart'}"
     yield f'<text x="{_MARGIN}" y="{_SIDE + 8}">{escape(case.id)}</text>\n'
     yield f'<text x="{_MARGIN}" y="{_SIDE + 20}" class="note">{note}</text>\n'

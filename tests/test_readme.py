@@ -1,0 +1,124 @@
+"""What the READMEs say: their examples run, their names exist, their figures hold.
+
+Python examples run as doctests, README by README, by pytest itself.
+"""
+
+import importlib
+import pkgutil
+import re
+from collections import Counter
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from command import EXAMPLE, ROOT, run, shell
+
+import exactsweep
+from exactsweep.corpus import cases
+from exactsweep.draw import new_figure, plot_sweep, save
+
+ROOMS = [path for path in (ROOT / "exactsweep").rglob("README.md") if "vendor" not in path.parts]
+READMES = [ROOT / "README.md", ROOT / "benchmarks/README.md", ROOT / "tests/README.md", *ROOMS]
+TEXTS = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for path in READMES}
+DOOR = TEXTS["README.md"]
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def commands(text: str) -> list[tuple[str, str]]:
+    """The commands of the console blocks, each with what it is said to print."""
+    blocks = re.findall(r"^```console\n(.*?)^```$", text, re.M | re.S)
+    return re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", "".join(blocks), re.M)
+
+
+@pytest.mark.parametrize("name", [name for name in sorted(TEXTS) if commands(TEXTS[name])])
+def test_console_blocks_run_as_shown(tmp_path: Path, name: str) -> None:
+    # The first two commands of the first README make the polygons that the others use.
+    polygons = commands(DOOR)[:2] if name != "README.md" else []
+    for command, expected in polygons + commands(TEXTS[name]):
+        done = shell(f"cd '{tmp_path}'; {{ {command}\n}} 2>&1")
+        assert done.stdout == expected, command
+
+
+def test_the_first_readme_is_a_door() -> None:
+    assert len(DOOR.splitlines()) <= 250
+    rooms = {str(path.relative_to(ROOT)) for path in READMES}
+    assert rooms - {"README.md", "exactsweep/text/README.md"} <= set(
+        re.findall(r"\]\((\S+README.md)\)", DOOR)
+    )
+
+
+@pytest.mark.parametrize("name", sorted(TEXTS))
+def test_links_lead_somewhere(name: str) -> None:
+    for link in re.findall(r"\]\(([^)\s]+)\)", TEXTS[name]):
+        assert link.startswith("https://") or ((ROOT / name).parent / link).is_file(), link
+
+
+@pytest.mark.parametrize("name", sorted(TEXTS))
+def test_names_of_modules_exist(name: str) -> None:
+    known = {module.name for module in pkgutil.walk_packages(exactsweep.__path__, "exactsweep.")}
+    assert set(re.findall(r"`(exactsweep\.[a-z_.]+)`", TEXTS[name])) <= known
+
+
+def test_what_is_imported_is_exported() -> None:
+    lines = re.findall(
+        r"^(?:>>> )?from (exactsweep[\w.]*) import ([\w, ]+)$", "".join(TEXTS.values()), re.M
+    )
+    assert len(lines) > 10
+    for name, words in lines:
+        module = importlib.import_module(name)
+        for word in words.split(", "):
+            assert word in getattr(module, "__all__", vars(module)), f"{name}.{word}"
+
+
+def lines_drawn(path: Path) -> list[tuple[str, list[tuple[float, float]]]]:
+    """The lines of a picture by matplotlib, with their styles, as parts of its frame."""
+    axes = next(
+        group for group in ElementTree.parse(path).iter(f"{SVG}g") if group.get("id") == "axes_1"
+    )
+    drawn = []
+    for group in axes.iterfind(f"{SVG}g"):
+        if not re.match(r"patch|line2d|PathCollection", group.get("id", "")):
+            continue
+        for shape in group.iterfind(f"{SVG}path"):
+            numbers = [float(word) for word in re.findall(r"-?[\d.]+", shape.get("d", ""))]
+            points = list(zip(numbers[::2], numbers[1::2], strict=True))
+            drawn.append((shape.get("style", ""), points))
+    frame = drawn[0][1]
+    (left, right), (top, bottom) = ((min(side), max(side)) for side in zip(*frame, strict=True))
+    return [
+        (
+            style,
+            [
+                (round((x - left) / (right - left), 3), round((y - top) / (bottom - top), 3))
+                for x, y in points
+            ],
+        )
+        for style, points in drawn
+    ]
+
+
+def test_the_picture_is_what_is_drawn(tmp_path: Path) -> None:
+    # Not the bytes, which change with matplotlib's layout of the legend.
+    figure = new_figure()
+    plot_sweep(EXAMPLE, figure.axes[0])
+    save(figure, str(tmp_path / "block.svg"))
+    drawn = lines_drawn(tmp_path / "block.svg")
+    assert len(drawn) > 8
+    (name,) = re.findall(r"\]\((\S+\.svg)\)", DOOR)
+    assert lines_drawn(ROOT / name) == drawn, "exactsweep draw -o " + name
+
+
+def test_the_counts_of_claims_and_cases_hold() -> None:
+    words = " ".join(DOOR.split())
+    statuses = [line.rpartition(": ")[2] for line in run("reproduce", "--list").stdout.splitlines()]
+    count = Counter(statuses)
+    held = count["reproduced"] + count["sharpened"]
+    said = re.search(
+        r"of (\d+) definitions, .* (\d+) hold as printed or better, (\d+) hold under a condition, "
+        r"and (\d+) are refuted",
+        words,
+    )
+    assert said
+    less = [count["reproduced with a condition"], count["refuted as stated"]]
+    assert [*map(int, said.groups())] == [len(statuses), held, *less]
+    assert f"each of the {len(list(cases()))} cases" in words
