@@ -129,6 +129,7 @@ class Claim:
     proof: str = ""
     weight: int = 0
     kernel: str = ""
+    see: tuple[str, ...] = ()
     figure: str = ""
 
 

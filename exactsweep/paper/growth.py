@@ -113,6 +113,13 @@ class Growth:
         return self.points[-1].ratio >= 0.75 * min(point.ratio for point in self.points[:-1])
 
     @property
+    def verdict(self) -> str:
+        """What was found: "rising", "in proportion" or "below"."""
+        if not self.is_flat:
+            return "rising"
+        return "in proportion" if self.is_attained else "below"
+
+    @property
     def failure(self) -> str:
         """Say that the ratio still rises; empty if it is flat."""
         if self.is_flat:

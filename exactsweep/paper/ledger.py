@@ -67,6 +67,7 @@ def _read(row: Mapping[str, Any]) -> Claim:
         _join(row.get("proof", "")),
         row.get("weight", 0),
         _join(row.get("kernel", "")),
+        tuple(row.get("see", ())),
         row.get("figure", ""),
     )
 

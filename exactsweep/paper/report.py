@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import platform
 import re
 from base64 import b64encode
 from collections import Counter
@@ -15,12 +14,13 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from exactsweep import __version__, sweep
+from exactsweep import sweep
 from exactsweep.canvas.svg import path_data
 from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
 from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.data import describe_environment, slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.pairs import Pair
@@ -31,7 +31,7 @@ XY = Sequence[tuple[float, float]]
 
 GROWTH = (
     *("what", "family", "doubled", "m", "n", "divided by"),
-    *("first", "last", "exponent", "of the bound", "verdict"),
+    *("first", "last", "exponent", "of the bound", "found"),
 )
 """The columns of `growth_row`."""
 WEIGHTS = {
@@ -45,13 +45,13 @@ WEIGHTS = {
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path]:
-    """Write report.html and report.md, and the pictures that the latter shows, into a folder.
+def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path, Path]:
+    """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, but for the times.
+    The same seed, effort and versions give the same bytes, but for what is measured.
 
     Returns:
-        The paths of the two.
+        The paths of the three.
 
     Raises:
         OSError: the folder cannot be written to.
@@ -65,7 +65,7 @@ def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path
     for path in paths:
         text = render(path.name, rows, effort, drawn, figures)
         path.write_text(text, encoding="utf-8", newline="\n")
-    return paths
+    return *paths, write_data(folder, rows, effort)
 
 
 def render(
@@ -89,7 +89,7 @@ def render(
             counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
             failing=[row for row in rows if row.disagreement],
             effort=effort,
-            versions=_versions(),
+            environment=describe_environment(effort),
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
@@ -97,6 +97,15 @@ def render(
         )
     )
     return f"{text.rstrip()}\n"
+
+
+def totals(rows: Sequence[Row]) -> str:
+    """How many rows have which verdict, how many fail, and how long all took."""
+    verdicts = Counter(row.claim.verdict for row in rows)
+    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in Verdict if verdicts[v])
+    failing = [row.claim.name for row in rows if row.disagreement]
+    borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all borne out"
+    return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
 
 
 def render_row(row: Row) -> str:
@@ -116,10 +125,6 @@ def _plots(rows: Sequence[Row]) -> dict[str, bytes]:
     return {name: plots.ratios(growth) for name, growth in counted.items() if growth}
 
 
-def _versions() -> dict[str, str]:
-    return {"exactsweep": __version__, "Python": platform.python_version()}
-
-
 @cache
 def _environment(*, html: bool) -> Environment:
     environment = Environment(
@@ -134,11 +139,12 @@ def _environment(*, html: bool) -> Environment:
         "cell": lambda text: str(text).replace("|", "\\|"),
         "file_name": _file_name,
         "formula": formula,
+        "cite": cite,
         "growth_row": growth_row,
         "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
-        "slug": lambda text: re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-"),
+        "slug": slug,
     }
     environment.filters.update(filters)
     environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
@@ -185,7 +191,7 @@ def growth_row(series: Growth) -> list[str]:
         series.bound,
         *(f"{point.ratio:.3g}" for point in (first, end)),
         *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
-        "within" if series.is_flat else "beyond",
+        series.verdict,
     ]
 
 
@@ -204,7 +210,7 @@ def miss(sampled: int) -> str:
 
 
 def _file_name(name: str) -> str:
-    return "growth-" + re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+    return f"growth-{slug(name)}"
 
 
 def _picture(case: Counterexample) -> Markup:
@@ -214,18 +220,35 @@ def _picture(case: Counterexample) -> Markup:
     return Markup(pair_svg(Pair(list(case.generatrix), list(case.directrix))))
 
 
-def citation() -> str:
-    """The citation data: CITATION.cff, and BibTeX for the paper and the works that correct it.
+def write_citation(folder: Path) -> list[Path]:
+    """Write CITATION.cff, and references.bib for the paper and the works that bear on it.
 
-    >>> citation().count("@article{")
-    3
+    Raises:
+        OSError: the folder cannot be written to.
     """
-    folder = files("exactsweep.paper")
-    texts = (
-        folder.joinpath(name).read_text(encoding="utf-8")
-        for name in ("CITATION.cff", "references.bib")
-    )
-    return "\n".join(texts)
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = []
+    for name in ("CITATION.cff", "references.bib"):
+        text = files("exactsweep.paper").joinpath(name).read_text(encoding="utf-8")
+        paths.append(folder / name)
+        paths[-1].write_text(text, encoding="utf-8")
+    return paths
+
+
+def cite(key: str) -> str:
+    """A work of references.bib in one line.
+
+    >>> cite("hershberger1989finding")
+    'Hershberger 1989, Finding the upper envelope of n line segments in O(n log n) time, \
+doi:10.1016/0020-0190(89)90136-1'
+    """
+    (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", bibtex(), re.S)
+    fields = dict(re.findall(r"^  (\w+) *= \{(.*)\},?$", entry, re.M))
+    names = [author.partition(",")[0] for author in fields["author"].split(" and ")]
+    who = " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
+    title = re.sub(r"[{}\\]", "", fields["title"]).replace("--", "-")
+    doi = f", doi:{fields['doi']}" if "doi" in fields else ""
+    return f"{who} {fields['year']}, {title}{doi}"
 
 
 def bibtex() -> str:
@@ -287,7 +310,7 @@ def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
     drawn = {}
     for row in rows:
         if row.claim.figure and not row.disagreement:
-            picture, stem = load(row.claim.figure).draw(), row.claim.name.lower().replace(" ", "-")
+            picture, stem = load(row.claim.figure).draw(), slug(row.claim.name)
             for suffix in SUFFIXES:
                 save(picture, str(folder / f"{stem}{suffix}"))
             drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()

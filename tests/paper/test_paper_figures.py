@@ -231,7 +231,8 @@ def test_one_figure_alone_is_reported_and_drawn(tmp_path: Path) -> None:
     assert result.exit_code == 0
     assert "| (b) the sub-trajectories meet in a | segment |" in result.output
     assert sorted(path.name for path in tmp_path.iterdir()) == [
-        *("figure-7.pdf", "figure-7.svg", "report.html", "report.md")
+        *("counterexamples", "figure-7.pdf", "figure-7.svg", "ledger.json"),
+        *("report.html", "report.md", "tables"),
     ]
     assert "![Figure 7](figure-7.svg)" in (tmp_path / "report.md").read_text(encoding="utf-8")
     html = (tmp_path / "report.html").read_text(encoding="utf-8")

@@ -30,7 +30,6 @@ from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
 
@@ -178,10 +177,10 @@ def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
 
 
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
-    """The inner boundary as Sweep_MM has it: Trajectory_MM along all of T's inside."""
+    """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
     bottom, path = inverse(chains.top), exact(trajectory)
     ends = Fraction(chains.directrix[0][0]), Fraction(chains.directrix[-1][0])
-    return clip(literal.slide_inside(bottom, path, trajectory_mm), *ends)
+    return clip(literal.slide_inside(bottom, path, literal.trajectory_mm), *ends)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
@@ -223,12 +222,13 @@ def count_gaps(effort: Effort) -> Evidence:
     sizes = [(16, n) for _, n in sizes_from(effort, 8)]
     written = grow_vertices("inner boundary", inner_boundary, needles, MN2, sizes)
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))
-    again = _inner_grows("Trajectory_MM again", inner_again, MN, sizes_from(effort))
+    few = double(16, 2 if effort.quick else 3)
+    again = _inner_grows("Trajectory_MM again", inner_again, MN, few)
     last = written.points[-1]
     return Evidence(
         "Operations counted where most of D_b is touched: "
-        f"{gaps.points[-1].count:,} in place of {again.points[-1].count:,} at m = n = "
-        f"{gaps.points[-1].m}. A family of needles, vertices counted.",
+        f"{gaps.points[2].count:,} in place of {again.points[2].count:,} at m = n = "
+        f"{gaps.points[2].m}. A family of needles, vertices counted.",
         gaps.failure
         or ("" if written.is_attained else "the inner boundary falls behind mn²")
         or ("" if again.is_attained else "calling Trajectory_MM again takes less than order mn"),
