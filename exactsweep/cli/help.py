@@ -20,6 +20,7 @@ EXAMPLES = {
     "batch": [
         "--all parts.dxf sheets.json -o results.jsonl",
         "pairs.jsonl --parts parts.svg --compute areas -o areas.parquet",
+        "--all parts.json parts.json --compute nfp -o nfp.jsonl",
     ],
     "corpus list": ["--class MM --max-size 20", "families"],
     "corpus show": ["directions-y"],
