@@ -32,11 +32,13 @@ from exactsweep.check import (
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 from cells import Holed
+from shape_certificates import falsified
 from shape_families import SHAPES, ShapePair, random_shapes
 
 # What is held against the definition is asked for by name, when a pair is tried.
 kernel: Any = exactsweep
-WAYS = ("no_fit", "inner_fit", "sweep", "classify")
+WAYS = ("no_fit", "inner_fit", "sweep", "certificates", "classify")
+FALSIFIED = 3  # of each certificate
 
 
 class ShapeOutcome(NamedTuple):
@@ -58,6 +60,7 @@ def failure_of(pair: ShapePair, ways: tuple[str, ...], rng: random.Random) -> st
         "no_fit": lambda: no_fit_failure(d, g, true),
         "inner_fit": lambda: inner_fit_failure(d, g),
         "sweep": lambda: sweep_failure(d, g, true),
+        "certificates": lambda: certificates_failure(d, g, rng),
         "classify": lambda: classify_failure(d, g, true, rng),
     }
     for way in ways:
@@ -100,10 +103,27 @@ def sweep_failure(d: Holed, g: Holed, true: ReferenceNoFit) -> str:
     for name in ("outer", "inner"):
         if getattr(s, name).vertices != getattr(swept, name):
             return name
-    if tuple(loop.vertices for loop in s.unswept) != swept.unswept:
-        return "unswept"
-    result = verify(s.certificate())
-    return "" if result.proved else f"certificate: {result.reason}"
+    unswept = tuple(loop.vertices for loop in s.unswept)
+    return "unswept" if unswept != swept.unswept else ""
+
+
+def certificates_failure(d: Holed, g: Holed, rng: random.Random) -> str:
+    """Have certificates proved, and refused with a witness once they are changed."""
+    one, other = region(d), region(g)
+    answers = kernel.no_fit_polygon, kernel.inner_fit_polygon, lambda d, g: kernel.sweep(g, d)
+    for answer in answers:
+        certificate = answer(one, other).certificate()
+        result = verify(certificate)
+        if not result.proved:
+            return f"{certificate.get('claim')}: {result.reason}"
+        # Those of monotone polygons have a campaign of their own.
+        if "claim" in certificate:
+            changes = list(falsified(certificate, rng))
+            for change, false in rng.sample(changes, min(FALSIFIED, len(changes))):
+                result = verify(false)
+                if result.proved or (result.witness is None and change != "area"):
+                    return f"{certificate['claim']}, {change}: {result.reason}"
+    return ""
 
 
 def classify_failure(d: Holed, g: Holed, true: ReferenceNoFit, rng: random.Random) -> str:

@@ -7,7 +7,9 @@ at a vertex of one of them, which is an event; there the two interiors are compa
 - edges that cross, or cones at a common point with a direction in common: the interiors meet;
 - common points, and no two cones meet: the interiors are disjoint, because a ring could enter
   the other interior only from a common point, along a direction of both cones;
-- no common point: one polygon holds the other, or they are apart.
+- no common point: the exterior of one is inside the other interior, or they are apart. Were only
+  holes inside, both exteriors would surround them, and the inner one of the two would part the
+  interior of the other polygon.
 """
 
 from __future__ import annotations
@@ -68,13 +70,13 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         if direction := common_direction(*cones):
             return Classification("OVERLAP", _witness(point, direction, shapes, scale))
         contact = contact or point
-    for inner, outer in (shapes, shapes[::-1]):
-        for ring in inner:
-            if locate_in_shape(ring[0], outer) > 0:
-                direction = direction_inside(cones_of(split_where_touching(inner))[ring[0]][0])
-                return Classification("OVERLAP", _witness(ring[0], direction, shapes, scale))
     if contact:
         return Classification("CONTACT", _point(*contact, scale))
+    for inner, outer in (shapes, shapes[::-1]):
+        start = inner[0][0]
+        if locate_in_shape(start, outer) > 0:
+            direction = direction_inside(cones_of(split_where_touching(inner))[start][0])
+            return Classification("OVERLAP", _witness(start, direction, shapes, scale))
     return Classification("FREE", None)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.check.cone import Cone, Pair, cross, dot, is_between, minus
+from exactsweep.check.cone import Cone, Pair, cross, dot, minus
 from exactsweep.check.meeting import cones_of, split_where_touching
 from exactsweep.check.shape import Ring, Shape, edges_of
 
@@ -121,17 +121,16 @@ def _best_diagonal(
 
 
 def _is_blocked(p: Pair, q: Pair, walls: Sequence[tuple[Pair, Pair]]) -> bool:
-    """Whether a wall that does not end in p or q meets the segment between them."""
+    """Whether a wall that does not end in p or q meets the segment between them.
+
+    A wall along the segment does not count, as at its end there is another one that does not.
+    """
     way = minus(q, p)
     for a, b in walls:
         if p in (a, b) or q in (a, b):
             continue
         from_a, from_b = cross(way, minus(a, p)), cross(way, minus(b, p))
-        if from_a * from_b > 0:
-            continue
-        if from_a == from_b == 0:
-            if is_between(a, p, q) or is_between(b, p, q):
-                return True
+        if from_a * from_b > 0 or from_a == from_b == 0:
             continue
         along = minus(b, a)
         if cross(along, minus(p, a)) * cross(along, minus(q, a)) <= 0:

@@ -37,15 +37,15 @@ class Pair:
         self.moved = _scaled(moved_rings, self.scale // other)
 
     def leave(self, position: Point) -> Point:
-        """The position of the reference point for a position of the origin on the lattice."""
+        """The position of the reference point for a position of the origin."""
+        if self.reference == ORIGIN:
+            return position
         (x, y), (dx, dy) = position, self.reference
-        return Point(x / self.scale + dx, y / self.scale + dy)
+        return Point(x + dx, y + dy)
 
     def polygon(self, loop: Sequence[Point]) -> Polygon:
-        """A loop of positions, which has corners only, as a Polygon."""
-        points = [self.leave(position) for position in loop]
-        first = points.index(min(points))
-        return Polygon._from_canonical(points[first:] + points[:first])
+        """A canonical loop of positions as a Polygon."""
+        return Polygon._from_canonical(list(map(self.leave, loop)))
 
     def polygons(self, loops: Sequence[Sequence[Point]]) -> tuple[Polygon, ...]:
         """Several loops, sorted."""
@@ -54,6 +54,14 @@ class Pair:
     def fits(self, found: Sequence[Fit]) -> tuple[Fit, ...]:
         """Exact fits as pairs of positions, sorted."""
         return tuple((self.leave(p), self.leave(q)) for p, q in found)
+
+    def no_fit(self) -> ss.NoFit:
+        """The no-fit polygon, told in positions of the origin."""
+        return ss.no_fit_ss(self.fixed, self.moved, self.scale)
+
+    def inner_fit(self) -> ss.InnerFit:
+        """The positions inside the fixed shape, told in positions of the origin."""
+        return ss.inner_fit_ss(self.fixed, self.moved, self.scale)
 
 
 def _scaled(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]]:
@@ -87,7 +95,7 @@ class NoFitPolygon:
 
     @cached_property
     def _found(self) -> ss.NoFit:
-        return ss.no_fit_ss(self._pair.fixed, self._pair.moved)
+        return self._pair.no_fit()
 
     @cached_property
     def exterior(self) -> Polygon:
@@ -164,7 +172,7 @@ class InnerFit:
 
     @cached_property
     def _found(self) -> ss.InnerFit:
-        return ss.inner_fit_ss(self._pair.fixed, self._pair.moved)
+        return self._pair.inner_fit()
 
     @cached_property
     def regions(self) -> tuple[Region, ...]:

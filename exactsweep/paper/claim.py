@@ -26,6 +26,20 @@ class Verdict(Enum):
     CONDITION = "reproduced with a condition"
     SHARPENED = "sharpened"
     REFUTED = "refuted as stated"
+    BY_THEOREM = "refuted by theorem"
+    MISPRINT = "misprint"
+
+
+KINDS = {
+    "proved": "the proof is written out",
+    "cited": "the proof is in the literature",
+    "exhaustive": "all cases of a finite set were tried, or all up to the first that fails",
+    "sampled": "random pairs were tried, as many as is said",
+    "counted": "operations, vertices or undercuts were counted over doubling sizes",
+    "measured": "seconds and bytes were measured over doubling sizes",
+    "case": "given cases were computed",
+}
+"""What each kind of evidence is."""
 
 
 class Counterexample(NamedTuple):
@@ -60,15 +74,24 @@ class Evidence:
         tried: what was looked at, and how much of it.
         failure: a counterexample to the statement as corrected; empty if there is none.
         against: a counterexample to the statement as printed; None if there is none.
+        others: further counterexamples, to other parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
+        sampled: how many random pairs each law was tried on, at least.
     """
 
     tried: str
     failure: str = ""
     against: Counterexample | None = None
+    others: tuple[Counterexample, ...] = ()
     tables: tuple[Table, ...] = ()
     growth: tuple[Growth, ...] = ()
+    sampled: int = 0
+
+    @property
+    def cases(self) -> tuple[Counterexample, ...]:
+        """All counterexamples."""
+        return (self.against, *self.others) if self.against else self.others
 
 
 @dataclass(frozen=True)
@@ -103,6 +126,10 @@ class Claim:
     code: tuple[str, ...]
     check: Callable[[Effort], Evidence] = field(repr=False)
     correction: str = ""
+    proof: str = ""
+    weight: int = 0
+    kernel: str = ""
+    see: tuple[str, ...] = ()
     figure: str = ""
 
 
@@ -119,7 +146,7 @@ class Row(NamedTuple):
         verdict, evidence = self.claim.verdict, self.evidence
         if evidence.failure:
             return evidence.failure
-        objected = verdict in (Verdict.CONDITION, Verdict.REFUTED)
+        objected = verdict not in (Verdict.REPRODUCED, Verdict.SHARPENED)
         if objected and evidence.against is None:
             return "no counterexample to the statement as printed was found"
         if not objected and evidence.against is not None:
@@ -150,7 +177,7 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
         >>> from exactsweep.paper.ledger import find
         >>> row, = reproduce([find("Slope")], Effort(quick=True))
         >>> row.claim.verdict.value, row.disagreement
-        ('refuted as stated', '')
+        ('misprint', '')
     """
     for claim in claims:
         start = process_time()

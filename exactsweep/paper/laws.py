@@ -75,6 +75,7 @@ class Trial:
         self.effort = effort
         self.failure = ""
         self._tried: dict[str, list[str]] = {}
+        self._counts: list[int] = []
 
     def of(self, law: Law, pairs: str) -> Trial:
         """Try a law on pairs; returns the trial itself.
@@ -85,14 +86,21 @@ class Trial:
         """
         text = (law.__doc__ or "").split("\n")[0]
         counts = self._tried.setdefault(text, [])
+        self._counts.append(0)
         for number, kind, *weak in map(str.split, pairs.split(",")):
             count = self.effort.cases(int(number))
+            self._counts[-1] += count
             if not self.failure:
                 self.failure = break_law(
                     law, random_pairs(self.effort, kind, count, strict=not weak)
                 )
             counts.append(f"{count} {kind}{' with vertical edges' if weak else ''}")
         return self
+
+    @property
+    def sampled(self) -> int:
+        """On how many pairs each law was tried, at least."""
+        return min(self._counts, default=0)
 
     @property
     def tried(self) -> str:

@@ -14,7 +14,7 @@ from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
-from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict
+from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict, first_failure
 from exactsweep.paper.laws import Trial
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
@@ -25,22 +25,26 @@ class UnknownClaimError(ValueError):
 
 
 def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
-    """Try the laws of a row on random pairs, and run its check."""
+    """Try the laws of a row on random pairs, run its check, and measure what it claims to cost."""
     trial = Trial(effort)
     for law, pairs in row.get("laws", {}).items():
         trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
-    found = Evidence("")
+    found = [Evidence(trial.tried, trial.failure, sampled=trial.sampled)]
     if "check" in row:
-        found = resolve_name(f"{CHECKS}.{row['check']}")(effort)
+        found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
     if "figure" in row:
         check = resolve_name(f"{FIGURES}.figure.check_figure")
-        found = check(row["figure"], _join(row["against"]))
+        found.append(check(row["figure"], _join(row["against"])))
+    if "costs" in row:
+        found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
     return Evidence(
-        f"{trial.tried} {found.tried}".strip(),
-        trial.failure or found.failure,
-        found.against,
-        found.tables,
-        found.growth,
+        " ".join(filter(None, (one.tried for one in found))),
+        first_failure(one.failure for one in found),
+        next((one.against for one in found if one.against), None),
+        tuple(case for one in found for case in one.others),
+        tuple(table for one in found for table in one.tables),
+        tuple(series for one in found for series in one.growth),
+        max(one.sampled for one in found),
     )
 
 
@@ -60,6 +64,10 @@ def _read(row: Mapping[str, Any]) -> Claim:
         tuple(row["code"]),
         check,
         _join(row.get("correction", "")),
+        _join(row.get("proof", "")),
+        row.get("weight", 0),
+        _join(row.get("kernel", "")),
+        tuple(row.get("see", ())),
         row.get("figure", ""),
     )
 

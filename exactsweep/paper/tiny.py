@@ -6,7 +6,7 @@ fails is a smallest counterexample on that grid.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, pairwise, product
 
@@ -103,10 +103,19 @@ def search_grid(
         >>> search_grid(2, 7, is_convex, is_convex, four_corners).against.generatrix
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
-    number, grid = 0, f"on the {side + 1} by {side + 1} grid"
-    for number, pair in enumerate(tiny_pairs(side, most, generatrix, directrix), 1):
+    where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
+    return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
+
+
+def search(pairs: Iterable[Pair], fails: Callable[[Pair], str], where: str) -> Evidence:
+    """Look for the first of some pairs with which a statement fails; `where` says which they are.
+
+    Returns Evidence as `search_grid` does.
+    """
+    number = 0
+    for number, pair in enumerate(pairs, 1):
         if text := fails(pair):
-            how = f"the first of all such pairs {grid}, fewest vertices first"
-            tried = f"The first {number:,} pairs {grid}."
+            how = f"the first of all pairs {where}, smallest first"
+            tried = f"The first {number:,} pairs {where}."
             return Evidence(tried, against=Counterexample(text, how, *pair))
-    return Evidence(f"All {number:,} pairs with up to {most} vertices {grid}.")
+    return Evidence(f"All {number:,} pairs {where}.")

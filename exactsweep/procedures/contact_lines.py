@@ -28,33 +28,28 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import pairwise
+from math import gcd
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, primitive
-from exactsweep.geometry.number import quotient
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.geometry.overlap import Rings
+from exactsweep.geometry.point import Rational
+from exactsweep.geometry.point import Vertex as Corner
 from exactsweep.procedures.envelope import Break
 
-Rings = Sequence[Sequence[Vertex]]
-"""The boundary of a shape: rings that have its interior on the left."""
+_UNITS = 2**32
 
+Cut = tuple[int, Break, bool, bool, bool]
+"""A crossing of a stretch with another one.
 
-class Cut(NamedTuple):
-    """A crossing of a stretch with another one.
+A key, greater for another cut only where its place is not less; the place on the stretch; whether
+there is overlap just before it, and just after it, on account of the other stretch; whether contact
+segments run both ways along that.
+"""
 
-    Attributes:
-        key: an int that is greater for another cut only where its place is not less.
-        place: where on the stretch, a Break.
-        before: whether there is overlap just before it, on account of the other stretch.
-        after: the same just after it.
-        twice: whether contact segments run both ways along the other stretch.
-    """
-
-    key: int
-    place: Break
-    before: bool
-    after: bool
-    twice: bool
+Vertex = tuple[int, int, int, int]
+"""A point of the plane by its reduced coordinates: x = n / d and y = m / e as (n, d, m, e)."""
 
 
 class Stretch:
@@ -114,12 +109,19 @@ class Stretch:
         piece.low_through, piece.high_through = self.low_through, self.high_through
         return piece
 
-    def point(self, place: Break) -> Point:
+    def vertex(self, place: Break) -> Vertex:
         """The point of the line at a place."""
         n, d = place
         if self.dx == 0:
-            return Point(Fraction(-self.c), quotient(n, d))
-        return Point(quotient(n, d), quotient(n * self.dy + self.c * d, self.dx * d))
+            return *_reduce(-self.c, 1), *_reduce(n, d)
+        return *_reduce(n, d), *_reduce(n * self.dy + self.c * d, self.dx * d)
+
+
+def _reduce(n: Rational, d: Rational) -> tuple[int, int]:
+    if type(n) is int and type(d) is int:
+        common = gcd(n, d)
+        return n // common, d // common
+    return Fraction(n, d).as_integer_ratio()
 
 
 class _Edge(NamedTuple):
@@ -131,8 +133,8 @@ class _Edge(NamedTuple):
     high: Rational
 
 
-class _Corner(NamedTuple):
-    point: Vertex
+class _Convex(NamedTuple):
+    point: Corner
     first: int
     last: int
 
@@ -149,7 +151,7 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
 
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
     """
-    directions, ranks = _directions((stationary, moving))
+    directions, ranks = _ranked((stationary, moving))
     sides = [_features(rings, ranks, len(directions)) for rings in (stationary, moving)]
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
@@ -174,7 +176,7 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     ]
 
 
-def _directions(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int]]:
+def _ranked(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int]]:
     """All directions of edges, either way round, in order of slope, and their places there."""
     found = {
         primitive((q[0] - p[0], q[1] - p[1]))
@@ -182,14 +184,16 @@ def _directions(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int
         for ring in rings
         for p, q in _edges(ring)
     }
-    vertical = (0, 1)
-    order = sorted(found - {vertical}, key=lambda u: Fraction(u[1], u[0]))
-    if vertical in found:
-        order.append(vertical)
-    return order, {u: k for k, u in enumerate(order)}
+    vertical = {(0, 1)} & found
+    order = sorted((v * _UNITS // u, u, v) for u, v in found - vertical)
+    if any(a[0] == b[0] for a, b in pairwise(order)):
+        # Slopes that differ by less than a unit.
+        order.sort(key=lambda item: Fraction(item[2], item[1]))
+    directions = [(u, v) for _, u, v in order] + list(vertical)
+    return directions, {u: k for k, u in enumerate(directions)}
 
 
-def _edges(ring: Sequence[Vertex]) -> Iterator[tuple[Vertex, Vertex]]:
+def _edges(ring: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
     p = ring[-1]
     for q in ring:
         yield p, q
@@ -198,13 +202,13 @@ def _edges(ring: Sequence[Vertex]) -> Iterator[tuple[Vertex, Vertex]]:
 
 def _features(
     rings: Rings, ranks: dict[Vector, int], half: int
-) -> tuple[list[_Edge], list[_Corner]]:
+) -> tuple[list[_Edge], list[_Convex]]:
     """The edges and the convex vertices of a shape, with the ranks of their directions.
 
     Directions are ranked counter-clockwise from just above straight down, `half` to half a turn.
     """
     edges: list[_Edge] = []
-    corners: list[_Corner] = []
+    corners: list[_Convex] = []
     for ring in rings:
         of_ring: list[_Edge] = []
         for p, q in _edges(ring):
@@ -221,7 +225,7 @@ def _features(
             if last < first:
                 last += 2 * half
             if last - first < half:
-                corners.append(_Corner(point, first, last))
+                corners.append(_Convex(point, first, last))
         edges += of_ring
     return edges, corners
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import ceil, floor
 
-from exactsweep.procedures.contact_lines import Cut, Stretch
+from exactsweep.procedures.contact_lines import Stretch
 
 _UNITS = 2**32
 _NEITHER = False, False
@@ -46,11 +46,15 @@ def cross(first: Stretch, second: Stretch) -> None:
     turn = adx * bdy - ady * bdx
     if turn == 0:
         return
-    x, y = ac * bdx - bc * adx, ac * bdy - bc * ady
-    d = turn
-    if turn < 0:
-        x, y, d = -x, -y, -turn
-    n, m = x if adx else y, x if bdx else y
+    d = abs(turn)
+    if adx and bdx:
+        n = m = ac * bdx - bc * adx if turn > 0 else bc * adx - ac * bdx
+    else:
+        # One of them is vertical, and its places are values of y.
+        x, y = ac * bdx - bc * adx, ac * bdy - bc * ady
+        n, m = x if adx else y, x if bdx else y
+        if turn < 0:
+            n, m = -n, -m
     low, high, other_low, other_high = first.low[0], first.high[0], second.low[0], second.high[0]
     if n < low * d or n > high * d or m < other_low * d or m > other_high * d:
         return
@@ -69,6 +73,6 @@ def cross(first: Stretch, second: Stretch) -> None:
         # The first goes from the right of the second to its left, and so on.
         a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
     twice = second.left and second.right
-    first.cuts.append(Cut(int((n * _UNITS) // d), (n, d), b_left, b_right, twice))
+    first.cuts.append((int((n * _UNITS) // d), (n, d), b_left, b_right, twice))
     twice = first.left and first.right
-    second.cuts.append(Cut(int((m * _UNITS) // d), (m, d), a_right, a_left, twice))
+    second.cuts.append((int((m * _UNITS) // d), (m, d), a_right, a_left, twice))

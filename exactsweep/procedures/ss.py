@@ -13,19 +13,16 @@ first cross another one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import doubled_area
-from exactsweep.geometry.overlap import Overlap, Rings, is_inside
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.overlap import Overlap, Rings
+from exactsweep.geometry.point import ORIGIN
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import Fit, Free, free_positions
-
-Loop = list[Point]
+from exactsweep.procedures.free_positions import Fit, Free, Loop, free_positions
 
 
 class NoFit(NamedTuple):
@@ -56,15 +53,16 @@ class InnerFit(NamedTuple):
     exact_fits: list[Fit]
 
 
-def no_fit_ss(directrix: Rings, generatrix: Rings) -> NoFit:
+def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFit:
     """The no-fit polygon of two shapes, with its holes and exact fits.
 
     Args:
         directrix: the rings of D, interior on the left.
         generatrix: the rings of G.
+        scale: what the positions are divided by, when they leave the lattice of the rings.
 
     Returns:
-        Positions of G's origin, in the coordinates of the rings; loops start anywhere.
+        Positions of G's origin; loops are canonical.
 
     Cost: O(k log k + c + q m n) for k contact segments, c crossings of them and q loops and
     exact fits to be decided; k <= 2 m n and c <= k^2, and few of either for real outlines.
@@ -73,19 +71,18 @@ def no_fit_ss(directrix: Rings, generatrix: Rings) -> NoFit:
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
-    free = _free(directrix, generatrix)
-    around = [loop for loop in free.loops if doubled_area(loop) > 0]
-    (exterior,) = around
-    holes = [loop[::-1] for loop in free.loops if doubled_area(loop) < 0]
-    return NoFit(exterior, holes, free.fits)
+    free = _free(directrix, generatrix, scale)
+    (exterior,) = free.around
+    return NoFit(exterior, sorted(free.within), free.fits)
 
 
-def inner_fit_ss(container: Rings, part: Rings) -> InnerFit:
+def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFit:
     """The positions of a part inside a container.
 
     Args:
         container: its rings, interior on the left: the exterior, and defects as clockwise holes.
         part: the rings of the part.
+        scale: as for `no_fit_ss`.
 
     Returns:
         Positions of the part's origin; nothing where it does not fit.
@@ -97,33 +94,23 @@ def inner_fit_ss(container: Rings, part: Rings) -> InnerFit:
     [(0, 0, 2, 0)]
     """
     # What the part must not overlap is the plane outside the container, and each defect.
-    free = _free([ring[::-1] for ring in container], part, unbounded=True)
-    exteriors = [loop[::-1] for loop in free.loops if doubled_area(loop) < 0]
-    inside: list[list[Loop]] = [[] for _ in exteriors]
-    for loop in free.loops:
-        if doubled_area(loop) > 0:
-            inside[_around(loop, exteriors)].append(loop)
-    return InnerFit(list(zip(exteriors, inside, strict=True)), free.fits)
+    free = _free([ring[::-1] for ring in container], part, scale, unbounded=True)
+    inside: list[list[Loop]] = [[] for _ in free.within]
+    for loop in free.around:
+        inside[_around(loop, free.within)].append(loop)
+    return InnerFit(list(zip(free.within, inside, strict=True)), free.fits)
 
 
-def _free(stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> Free:
+def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
     moving = [inverse(ring) for ring in orbiting]
     stretches = contact_stretches(stationary, moving)
     if not unbounded:
         stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
-    return free_positions(stretches, Overlap(stationary, orbiting, unbounded=unbounded).at)
+    overlap = Overlap(stationary, orbiting, unbounded=unbounded)
+    return free_positions(stretches, overlap.at, scale)
 
 
 def _around(loop: Loop, exteriors: Sequence[Loop]) -> int:
-    """Which of some loops that do not cross has a loop inside: it may touch it in vertices."""
-
-    def samples() -> Iterator[Point]:
-        for p, q in zip(loop, [*loop[1:], loop[0]], strict=True):
-            yield Point(p.x + q.x, p.y + q.y)
-
-    for k, exterior in enumerate(exteriors):
-        # A middle of an edge is on another loop only in a vertex of that.
-        if any(is_inside(point, [exterior]) for point in samples()):
-            return k
-    raise AssertionError("a loop around overlap is inside a free region")
+    """Which of some loops without common inner points has a loop inside."""
+    return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))

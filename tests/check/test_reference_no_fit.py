@@ -132,6 +132,25 @@ def test_known_answers(d: object, g: object, holes: list[Written], fits: list[Wr
     assert [written(fit) for fit in answer.exact_fits] == fits
 
 
+def test_triangle_wedged_in_a_hole_by_its_vertices_on_edges() -> None:
+    """Vertices touch the middles of edges, so that no vertex meets a vertex."""
+    d = Holed(box(-1, -1, 9, 9), (Polygon([(0, 0), (4, 0), (0, 4)]),))
+    answer = reference_no_fit(d, [(2, 0), (2, 2), (0, 2)])
+    assert answer.holes == ()
+    assert answer.exact_fits == ((ORIGIN, ORIGIN),)
+
+
+def test_slot_that_passes_by_the_corner_of_a_room_is_two_exact_fits() -> None:
+    """A triangle on its tip fills a corridor, and goes up where there is a funnel above it."""
+    funnel = Polygon([(0, 0), (10, 0), (10, 1), (6, 1), (8, 3), (2, 3), (4, 1), (0, 1)])
+    answer = reference_no_fit(Holed(box(-1, -1, 11, 4), (funnel,)), [(1, 0), (2, 1), (0, 1)])
+    assert [written(hole) for hole in answer.holes] == [[("2", "2"), ("4", "0"), ("6", "2")]]
+    assert [written(fit) for fit in answer.exact_fits] == [
+        [("4", "0"), ("0", "0")],
+        [("4", "0"), ("8", "0")],
+    ]
+
+
 def test_squares() -> None:
     answer = reference_no_fit(UNIT, UNIT)
     assert answer == (box(-1, -1, 1, 1).vertices, (), ())
@@ -230,6 +249,17 @@ def test_pinch_is_written_as_two_rings_that_touch() -> None:
     ((exterior, (hole,)),) = found.regions
     assert exterior == box(0, 0, 9, 8).vertices
     assert written(hole[:1]) == [("0", "4")]
+
+
+def test_region_inside_a_hole_of_a_region_keeps_its_own_hole() -> None:
+    """The part does not get through the gap of a C, but there is room inside, around a defect."""
+    c = [(8, 8), (22, 8), (22, 14), (21, 14), (21, 9), (9, 9), (9, 21), (21, 21), (21, 15)]
+    holes = Polygon([*c, (22, 15), (22, 22), (8, 22)]), box(14, 14, 15, 15)
+    found = reference_inner_fit(Holed(box(0, 0, 30, 30), holes), box(0, 0, 2, 2))
+    assert found.regions == (
+        (box(0, 0, 28, 28).vertices, (box(6, 6, 22, 22).vertices,)),
+        (box(9, 9, 19, 19).vertices, (box(12, 12, 15, 15).vertices,)),
+    )
 
 
 def test_ring_can_lie_around_a_defect() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 import shapes_campaign as campaign
 from cells import Holed, grid
+from shape_certificates import inner_fit_certificate, no_fit_certificate, sweep_certificate
 from shape_families import SHAPES, ShapePair, random_shapes
 
 from exactsweep import Polygon
@@ -70,6 +71,38 @@ def test_wrong_answers_are_noticed(
     )
     monkeypatch.setattr(campaign, "kernel", kernel)
     assert campaign.failure_of(pair, (way,), random.Random(1)) == failure
+
+
+@pytest.mark.parametrize(
+    ("answered", "failure"),
+    [
+        ("PAIR", ""),
+        ("ROOMS", "certificates: no_fit: exterior: at the witness G overlaps D"),
+    ],
+)
+def test_certificates_are_proved_and_falsified(
+    answered: str, failure: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Certificates whose answer is that for another pair are not proved."""
+    pair = {"PAIR": PAIR, "ROOMS": ROOMS}[answered]
+    answers = no_fit_certificate(pair.directrix, pair.generatrix)
+    keys = ("exterior", "holes", "exact_fits")
+
+    def written(certificate: Any) -> SimpleNamespace:
+        return SimpleNamespace(certificate=lambda: certificate)
+
+    kernel = SimpleNamespace(
+        Region=Holed,
+        no_fit_polygon=lambda d, g: written(
+            {**no_fit_certificate(PAIR.directrix, PAIR.generatrix), **{k: answers[k] for k in keys}}
+        ),
+        inner_fit_polygon=lambda d, g: written(
+            inner_fit_certificate(PAIR.directrix, PAIR.generatrix)
+        ),
+        sweep=lambda g, d: written(sweep_certificate(PAIR.directrix, PAIR.generatrix)),
+    )
+    monkeypatch.setattr(campaign, "kernel", kernel)
+    assert campaign.failure_of(PAIR, ("certificates",), random.Random(1)) == failure
 
 
 def test_an_error_is_a_mismatch(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,9 +1,9 @@
 """The figures of the paper: what they state, and how they are drawn."""
 
-import sys
+from collections.abc import Callable
+from functools import partial
 from itertools import combinations
 from pathlib import Path
-from types import FrameType
 from xml.etree import ElementTree
 
 import pytest
@@ -131,32 +131,20 @@ def test_figure_10_has_16_outer_edges() -> None:
 
 
 def calls_made() -> set[tuple[str, str]]:
-    """Which of the paper's procedures runs inside which, watched on a pair of each class."""
+    """The calls that the kernel makes for pairs of each class."""
     words = {code.__code__: name for name, code in PROCEDURES.items()}
-    inside: list[str] = []
     found: set[tuple[str, str]] = set()
-
-    def watch(frame: FrameType, event: str, argument: object) -> None:
-        name = words.get(frame.f_code)
-        if name and event == "call":
-            found.update((outer, name) for outer in inside[-1:])
-            inside.append(name)
-        elif name and event == "return":
-            inside.pop()
-
     for kind in ("CC", "CM", "MM"):
         for number in range(20):
             top, bottom, directrix = draw_pair(Prng(str(number)), kind).chains
-            sys.setprofile(watch)
-            try:
-                mm.sweep_mm(top, bottom, directrix)
-                if kind != "MM":
-                    cm.sweep_inner_cm(top, directrix)
-                    cm.sweep_outer_cm(top, bottom, directrix)
-                if kind == "CC":
-                    cc.sweep_outer_cc(top, bottom, directrix)
-            finally:
-                sys.setprofile(None)
+            calls: list[Callable[[], object]] = [partial(mm.sweep_mm, top, bottom, directrix)]
+            if kind != "MM":
+                calls.append(partial(cm.sweep_inner_cm, top, directrix))
+                calls.append(partial(cm.sweep_outer_cm, top, bottom, directrix))
+            if kind == "CC":
+                calls.append(partial(cc.sweep_outer_cc, top, bottom, directrix))
+            for call in calls:
+                found |= procedures.watch_calls(words, call)
     return found
 
 
@@ -243,7 +231,8 @@ def test_one_figure_alone_is_reported_and_drawn(tmp_path: Path) -> None:
     assert result.exit_code == 0
     assert "| (b) the sub-trajectories meet in a | segment |" in result.output
     assert sorted(path.name for path in tmp_path.iterdir()) == [
-        *("figure-7.pdf", "figure-7.svg", "report.html", "report.md")
+        *("counterexamples", "figure-7.pdf", "figure-7.svg", "ledger.json"),
+        *("report.html", "report.md", "tables"),
     ]
     assert "![Figure 7](figure-7.svg)" in (tmp_path / "report.md").read_text(encoding="utf-8")
     html = (tmp_path / "report.html").read_text(encoding="utf-8")

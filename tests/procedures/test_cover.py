@@ -54,7 +54,7 @@ def test_what_is_covered_does_not_matter(
     for stretches in (whole, left):
         cut_at_crossings(stretches)
         free = free_positions(stretches, overlap.at)
-        found.append((sorted(map(sorted, free.loops)), free.fits))
+        found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
 

@@ -144,7 +144,9 @@ def _with_false_fits(certificate: Certificate, rng: Random) -> Iterator[tuple[st
         yield "fit the other way", having(write([b, a]), without=k)
         yield "end of a fit", having(write([b, b]))
         yield "part of a fit, too", having(write([middle, b]))
-    loops = [read(loop) for _, loop in _loops(certificate) if loop]
+    loops = [read(loop) for _, loop in _loops(certificate)]
+    if not loops:
+        return
     for _ in range(3):
         p, q = rng.choice(rng.choice(loops)), rng.choice(rng.choice(loops))
         between = Point((p.x + q.x) / 2 + Fraction(1, 97), (p.y + q.y) / 2 + Fraction(1, 89))

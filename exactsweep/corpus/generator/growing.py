@@ -93,25 +93,68 @@ def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 def needles(m: int, n: int) -> tuple[Ring, Ring]:
     """An inner loop of order m n^2: needles in D_b, nearly as far apart as G is wide.
 
-    D_b has about m / 3 needles under a high ceiling, and G_t is a zigzag of n / 2 peaks at
-    irregular distances. Near a needle the trajectory is the inverse of G_t, and so the inner
-    boundary is the greatest G_t(x + v) - G_t(v) over all v, with a corner for each pair of a peak
-    and a valley.
+    D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
+    differences of the places of a peak and a valley are different ints, and stay so if some of them
+    are shifted by the distance of two needles: see the proof at Lemma 5.5.
     """
-    random = Random(f"needles {n}")
-    peaks = max(1, (n - 2) // 2)
-    unit = 4 * peaks * peaks
-    steps = [unit + random.randrange(unit) for _ in range(2 * peaks)]
-    xs = [0, *accumulate(steps)]
-    height = 3 * unit
-    top = [(4 * x, 4 * height * (k % 2)) for k, x in enumerate(xs)]
-    generatrix = [(0, 0), (2 * xs[-1], -4 * height), *top[:0:-1]]
-    apart, ceiling = 4 * xs[-1] - 2 * xs[1], 32 * height
-    directrix = []
-    for k in range(max(2, m // 3)):
+    peaks = inner_peaks(n)
+    pitch = 2 * peaks + 2
+    top: Ring = []
+    for k in range(peaks):
+        top += [(k * pitch + k, 0), ((k + 1) * pitch - 1, pitch)]
+    top.append((peaks * pitch + peaks, 0))
+    generatrix = [(0, 0), (top[-1][0] // 2, -pitch), *top[:0:-1]]
+    apart, ceiling = (peaks - 1) * pitch + peaks + 1, 32 * pitch
+    directrix: Ring = []
+    for k in range(max(2, (m - 1) // 3)):
         x = k * apart
         directrix += [(x - 1, ceiling), (x, 0), (x + 1, ceiling)]
     return generatrix, [*directrix, (directrix[-1][0] // 2, ceiling + 1)]
+
+
+def inner_peaks(n: int) -> int:
+    """How many peaks the G of `needles` has."""
+    return max(2, (n - 2) // 2)
+
+
+def edges_over_needles(m: int, n: int) -> int:
+    """Edges that the inner boundary of `needles` has at least, by the proof at Lemma 5.5.
+
+    >>> edges_over_needles(31, 22)
+    1602
+    """
+    count, peaks = max(2, (m - 1) // 3), inner_peaks(n)
+    return 2 * (count - 1) * (peaks * (peaks - 1) - 1)
+
+
+def terraces(m: int, n: int) -> tuple[Ring, Ring]:
+    """An inner loop of order m n undercuts: terraces in D_b, hills and a tall peak in G_t.
+
+    Each of (m - 4) / 3 terraces begins with a needle. While one of the (n - 4) / 2 hills passes
+    under the needle, the peak leaves the terrace: see the proof at "Number of undercuts, MM".
+
+    >>> terraces(7, 8)
+    ([(0, 0), (5, -10), (12, 0), (10, 40), (8, 0), (6, 10), (4, 0), (2, 10)], \
+[(-3, 200), (0, 0), (1, 35), (21, 35), (22, 0), (25, 200), (11, 300)])
+    """
+    hills = (n - 4) // 2
+    width = 4 * hills + 2
+    generatrix = [(0, 0), (width // 2, -10), (width + 2, 0), (width, 40)]
+    for k in range(hills, 0, -1):
+        generatrix += [(4 * k, 0), (4 * k - 2, 10)]
+    directrix = [(-3, 200)]
+    for k in range((m - 4) // 3):
+        start = k * (width + 12)
+        directrix += [(start, 0), (start + 1, 35), (start + width + 11, 35)]
+    end = (m - 4) // 3 * (width + 12)
+    return generatrix, [*directrix, (end, 0), (end + 3, 200), (end // 2, 300)]
+
+
+def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+    """A convex generatrix that is wider than all of a random zigzag."""
+    random = Random(f"wide {m} {n} {seed}")
+    generatrix = convex(n, random, 100)
+    return [(m * x, m * y) for x, y in generatrix], zigzag(m, random, 10, 10)
 
 
 def rim(m: int, n: int) -> tuple[Ring, Ring]:

@@ -275,7 +275,7 @@ def lower_envelope_cm_is_right(pair: Pair) -> str:
 def count_operations(effort: Effort) -> Evidence:
     """Count the operations of LowerEnvelope_CM."""
     growth = tuple(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut))
-    return Evidence("", first_failure(g.failure() for g in growth), growth=growth)
+    return Evidence("", first_failure(g.failure for g in growth), growth=growth)
 
 
 def _envelope_growth(family: Family, effort: Effort) -> Growth:

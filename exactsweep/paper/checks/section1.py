@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,
     Evidence,
 )
-from exactsweep.paper.functions import reference
+from exactsweep.paper.functions import bottom_of, reference, value
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import Pair
 from exactsweep.paper.tiny import is_convex, search_grid
@@ -65,7 +66,23 @@ def find_exact_fit(effort: Effort) -> Evidence:
     against = least and Counterexample(
         fits(least), "a square and its slot, vertices left out as long as it fits exactly", *least
     )
-    return Evidence("A slot.", against=against)
+    missing = fits_are_whole(slot) or ("" if sweep(*slot).exact_fits else "a fit is lost")
+    return Evidence("A slot.", missing, against)
+
+
+def fits_are_whole(pair: Pair) -> str:
+    """Along an exact fit G touches D; beyond its far end it overlaps D."""
+    s = sweep(*pair)
+    for start, end in s.exact_fits:
+        if point_in_polygon(start, s.trajectory) != 0:
+            return f"the exact fit from ({start.x}, {start.y}) hangs on nothing"
+        by = end.x - start.x, end.y - start.y
+        for share, expected in ((SHARE, "CONTACT"), (1, "CONTACT"), (1 + STEP, "OVERLAP")):
+            t = Point(start.x + share * by[0], start.y + share * by[1])
+            found = classify(s.directrix, s.generatrix, t).verdict
+            if found != expected and not (found == "CONTACT" and start == end):
+                return f"at ({t.x}, {t.y}), along an exact fit, {found}"
+    return ""
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
@@ -160,3 +177,34 @@ def path_is_not_the_directrix(pair: Pair) -> str:
     (left, low), (x, y) = s.directrix.vertices[0], s.trajectory.vertices[0]
     moved = s.directrix.translated((x - left, y - low))
     return "the trajectory is D moved" if moved == s.trajectory else ""
+
+
+def sum_is_the_swept_area(pair: Pair) -> str:
+    """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
+    s, (top, bottom, _) = sweep(*pair), pair.chains
+    path = bottom_of(s.trajectory.vertices)
+    for name, loop, chain, best in (
+        ("outer", s.outer, bottom, min),
+        ("inner", s.inner, top[::-1], max),
+    ):
+        for x, y in bottom_of(loop.vertices):
+            found = _summed(path, chain, Fraction(x), best)
+            if found != y:
+                return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
+    return ""
+
+
+def _summed(
+    path: Sequence[Vertex],
+    chain: Sequence[Vertex],
+    x: Fraction,
+    best: Callable[[Iterable[Rational]], Rational],
+) -> Rational:
+    """The least or the greatest T(u) + G(x - u); either is at a vertex of T or of G."""
+    places = {Fraction(u) for u, _ in path} | {x - v for v, _ in chain}
+    left, right = x - chain[-1][0], x - chain[0][0]
+    return best(
+        value(path, u) + value(chain, x - u)
+        for u in places
+        if left <= u <= right and path[0][0] <= u <= path[-1][0]
+    )

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from itertools import pairwise
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise, product
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.paper.checks.planar import contact_pieces, free_parts, swept_polygons
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import (
@@ -25,8 +28,8 @@ from exactsweep.paper.functions import (
     over,
     reference,
 )
-from exactsweep.paper.laws import wrong
 from exactsweep.paper.pairs import Pair, random_pairs
+from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
 
@@ -35,10 +38,6 @@ KINDS = ("CC", "CM", "MM")
 
 # A cave with a mouth of one and a half times the width of G.
 CAVE = Pair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
-
-# At (-1, -3) G touches D in two pairs of vertices, where its way along one edge of D ends and
-# that along another begins.
-IN_PASSING = Pair([(0, 5), (2, 0), (3, 3), (1, 3)], [(0, 0), (1, 1), (2, 0), (1, 4)])
 
 
 def like_chains_stay_apart(pair: Pair) -> str:
@@ -186,12 +185,37 @@ def vertices_belong_to_events(pair: Pair) -> str:
 
 
 def find_passing_vertices(effort: Effort) -> Evidence:
-    """Look at a pair in which two vertices touch in passing."""
-    note = ""
-    if wrong(vertices_belong_to_events, IN_PASSING):
-        g, d = IN_PASSING
-        note = f"For the non-convex G = {g} and D = {d} two vertices touch in passing."
-    return Evidence(note)
+    """Try all convex pairs on a tiny grid, and all pairs of an apex and teeth on another."""
+    convex = search_grid(2, 8, is_convex, is_convex, vertices_belong_to_events)
+    found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
+    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
+    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+
+
+def _apexes_and_teeth() -> Iterator[Pair]:
+    """A triangle under all bottom chains of five vertices with heights from 0 to 2."""
+    generatrix = [(0, 0), (8, 0), (4, 2)]
+    for heights in product(range(3), repeat=5):
+        try:
+            ring = Polygon([*enumerate(heights), (2, 9)]).vertices
+        except PolygonError:
+            continue
+        corners = [(int(x), int(y)) for x, y in ring]
+        if len(corners) == 6:
+            yield Pair(generatrix, corners)
+
+
+def starts_and_stops_at_the_ends(pair: Pair) -> str:
+    """The sweep starts with G's right end on D's left end, and stops with the others together."""
+    s, (top, _, directrix) = sweep(*pair), pair.chains
+    path = bottom_of(s.trajectory.vertices)
+    for name, t, own, other in (
+        ("starts", path[0], top[0], directrix[0]),
+        ("stops", path[-1], top[-1], directrix[-1]),
+    ):
+        if (t[0] + own[0], t[1] + own[1]) != other:
+            return f"it {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) not on D's end"
+    return ""
 
 
 def _shares(s: Sweep, vertices: Contact, other: Contact) -> bool:

@@ -7,21 +7,16 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep import Polygon, sweep
-from exactsweep.corpus.generator.growing import cc
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Effort, Evidence, first_failure
-from exactsweep.paper.counting import operations_grow
+from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import bottom_of, differs, exact, reference
-from exactsweep.paper.growth import double
 from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import Pair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_chain, convex_parts, inverse, reverse
-
-M_PLUS_N = ("m + n", lambda m, n: float(m + n))
 
 
 def slope(edge: Edge) -> Fraction:
@@ -172,24 +167,10 @@ def check_sizes(effort: Effort) -> Evidence:
     trial = Trial(effort).of(law, "200 CC, 100 CC weak")
     failure = trial.failure or ("" if attained else "the bounds are never attained")
     return Evidence(
-        f"{trial.tried} The bound for the outer loop is attained by {attained} of them.", failure
+        f"{trial.tried} The bound for the outer loop is attained by {attained} of them.",
+        failure,
+        sampled=trial.sampled,
     )
-
-
-def count_operations(effort: Effort) -> Evidence:
-    """Count the operations of the three procedures."""
-    sizes = double(64, 3 if effort.quick else 5)
-    growth = (
-        operations_grow(
-            "Trajectory_CC", lambda c: trajectory_cc(c.top, c.directrix), cc, M_PLUS_N, sizes
-        ),
-        operations_grow(
-            "SweepI_CC", lambda c: sweep_inner_cc(c.top, c.directrix), cc, M_PLUS_N, sizes
-        ),
-        operations_grow("SweepO_CC", lambda c: sweep_outer_cc(*c), cc, M_PLUS_N, sizes),
-    )
-    failure = first_failure(g.failure() for g in growth)
-    return Evidence(f"Counts for m = n = 64 to {sizes[-1][0]}.", failure, growth=growth)
 
 
 def every_edge_is_touched(pair: Pair) -> str:

@@ -8,8 +8,10 @@ from itertools import pairwise, product
 
 from exactsweep import Point, sweep
 from exactsweep.check import point_in_polygon
+from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
 from exactsweep.paper.laws import Trial, break_law
@@ -143,7 +145,7 @@ def check_two_forms(effort: Effort) -> Evidence:
         f"{trial.tried} And {len(resting)} with an edge of G on two or three teeth. Undercuts: "
         f"{forms['point']} closed in a point, {forms['segment']} along a segment."
     )
-    return Evidence(tried, failure)
+    return Evidence(tried, failure, sampled=trial.sampled)
 
 
 def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
@@ -157,3 +159,29 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     if any(point_in_polygon(p, placed) for p in bottom):
         return f"the bottom chain is off the boundary of G: {undercut}"
     return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
+
+
+def labels_name_the_extremes(pair: Pair) -> str:
+    """The contacts listed for the edges of T at a closing position touch both extreme points."""
+    s = sweep(*pair)
+    if failure := contacts_are_right(s):
+        return failure
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    features, corners = Features(s), s.trajectory.vertices
+    for undercut in s.undercuts:
+        spots = set()
+        for t in undercut.positions:
+            for k, end in enumerate(corners):
+                if point_on_edge(t, corners[k - 1], end):
+                    spots |= {spot for c in s.contacts[k - 1] for spot in features.spot(c, t)}
+        missed = set(undercut.extremes) - spots
+        if missed:
+            return f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
+    return ""
+
+
+def point_on_edge(t: Point, p: Point, q: Point) -> bool:
+    """Whether a point is on a segment."""
+    turn = (q.x - p.x) * (t.y - p.y) - (q.y - p.y) * (t.x - p.x)
+    return turn == 0 and min(p, q) <= t <= max(p, q)

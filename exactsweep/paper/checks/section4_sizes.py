@@ -13,15 +13,13 @@ from exactsweep.paper.claim import (
     Table,
     first_failure,
 )
-from exactsweep.paper.counting import operations_grow, vertices_grow
+from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, exact, reference
-from exactsweep.paper.growth import Growth, double
+from exactsweep.paper.growth import MN, Growth, double
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
-
-MN = ("mn", lambda m, n: float(m * n))
 
 
 def sizes_are_bounded(pair: Pair) -> str:
@@ -49,21 +47,21 @@ def sizes_are_bounded(pair: Pair) -> str:
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
     return _attained(
-        vertices_grow(
+        grow_vertices(
             "trajectory",
             lambda c: trajectory_cm(c.top, c.directrix),
             cm_hard,
             MN,
             _sizes(effort),
         ),
-        vertices_grow("outer boundary", lambda c: sweep_outer_cm(*c), cm_hard, MN, _sizes(effort)),
+        grow_vertices("outer boundary", lambda c: sweep_outer_cm(*c), cm_hard, MN, _sizes(effort)),
     )
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
     return _attained(
-        vertices_grow(
+        grow_vertices(
             "inner boundary",
             lambda c: sweep_inner_cm(c.top, c.directrix),
             cm_undercut,
@@ -78,7 +76,7 @@ def _attained(*growth: Growth) -> Evidence:
     falling = (
         "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
     )
-    failure = first_failure(g.failure() for g in growth) or first_failure(falling)
+    failure = first_failure(g.failure for g in growth) or first_failure(falling)
     return Evidence("", failure, growth=growth)
 
 
@@ -104,7 +102,7 @@ def find_large_parts(effort: Effort) -> Evidence:
             *under_a_lid(4),
         )
     table = Table("G_t is one edge, D_b has four teeth", ("n_b", "m_b n_t", "edges"), rows)
-    return Evidence("", "", against, (table,))
+    return Evidence("", "", against, tables=(table,))
 
 
 def parts_are_bounded(pair: Pair) -> str:
@@ -125,25 +123,3 @@ def under_a_lid(n_b: int) -> Pair:
     width, depth = 2 * n_b + 2, n_b * n_b
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(9)]
     return Pair(generatrix, [*bottom, (4 * width, depth)])
-
-
-def count_outer_operations(effort: Effort) -> Evidence:
-    """Count the operations of Trajectory_CM and SweepO_CM."""
-    sizes = _sizes(effort)
-    growth = (
-        operations_grow(
-            "Trajectory_CM", lambda c: trajectory_cm(c.top, c.directrix), cm_hard, MN, sizes
-        ),
-        operations_grow("SweepO_CM", lambda c: sweep_outer_cm(*c), cm_hard, MN, sizes),
-    )
-    failure = first_failure(g.failure() for g in growth)
-    return Evidence(f"Counts for m = n = 16 to {sizes[-1][0]}.", failure, growth=growth)
-
-
-def count_inner_operations(effort: Effort) -> Evidence:
-    """Count the operations of SweepI_CM."""
-    sizes = _sizes(effort)
-    growth = operations_grow(
-        "SweepI_CM", lambda c: sweep_inner_cm(c.top, c.directrix), cm_undercut, MN, sizes
-    )
-    return Evidence(f"Counts for m = n = 16 to {sizes[-1][0]}.", growth.failure(), growth=(growth,))

@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep import Polygon, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.point import Edge, Vertex
+from exactsweep.geometry.segment import Segment, segment
+from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
-from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference
+from exactsweep.paper.claim import Counterexample, Effort, Evidence
+from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import Pair
-from exactsweep.paper.tiny import is_convex, search_grid
+from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+
+# A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
+NARROW = Pair(
+    [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
+    [(0, 0), (30, 0), (15, 3)],
+)
 
 
 def trajectory_mm_is_right(pair: Pair) -> str:
@@ -65,24 +76,10 @@ def complement_has_the_outside_left(pair: Pair) -> str:
     return ""
 
 
-def as_printed(pair: Pair) -> tuple[list[Vertex], list[Vertex]]:
-    """Step 2 of Sweep_MM to the letter: Trajectory_MM along either side of the trajectory.
-
-    Along the inside, I(G) slides along the complement of T; turned by half a turn, that is G_t
-    along a bottom chain.
-    """
-    top, bottom, directrix = pair.chains
-    path = exact(trajectory_mm(top, directrix))
-    outer = exact(trajectory_mm(inverse(bottom), path))
-    inside = inverse(complement(path))
-    inner = inverse(complement(exact(trajectory_mm(top, inside))))
-    return exact(inner), outer
-
-
 def loops_are_retraced(pair: Pair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
     loops, directrix = reference(pair), pair.chains.directrix
-    inner, outer = as_printed(pair)
+    inner, outer = literal.sweep_mm(*pair.chains)
     ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != loops.outer:
@@ -94,7 +91,7 @@ def loops_are_retraced(pair: Pair) -> str:
 
 def inner_to_the_letter(pair: Pair) -> str:
     """What Trajectory_MM returns along the inside is not the inner boundary."""
-    inner, _ = as_printed(pair)
+    inner = exact(literal.sweep_mm(*pair.chains)[0])
     expected = bottom_of(reference(pair).inner)
     if inner == expected:
         return ""
@@ -163,7 +160,7 @@ def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
 
 
 def find_missing_edge(effort: Effort) -> Evidence:
-    """Look for an edge of a trajectory that draws no edge of the inner loop."""
+    """Look for an edge of a trajectory that draws no edge of the inner loop, and for near ones."""
 
     def fails(pair: Pair) -> str:
         s = sweep(*pair)
@@ -172,10 +169,112 @@ def find_missing_edge(effort: Effort) -> Evidence:
             return ""
         return f"the trajectory has edges of slope {missing[0]}, and the inner loop has none"
 
-    return search_grid(2, 6, is_convex, is_convex, fails)
+    found = search_grid(2, 6, is_convex, is_convex, fails)
+    near = shrink(edges_are_near, NARROW)
+    how = "by hand, made smaller as long as both edges are there and too near"
+    failure = "" if edges_are_near(near) else "no edges are nearer than G is wide"
+    return replace(
+        found, failure=failure, others=(Counterexample(edges_are_near(near), how, *near),)
+    )
+
+
+def edges_are_near(pair: Pair) -> str:
+    """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
+    s = sweep(*pair)
+    loops = [[segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
+    for p, q in _edges(s.trajectory):
+        normal = q.y - p.y, p.x - q.x
+        heights = []
+        for loop in loops:
+            drawn = [
+                normal[0] * x + normal[1] * y
+                for x, y in s.generatrix.vertices
+                if any(_shares(((p.x + x, p.y + y), (q.x + x, q.y + y)), edge) for edge in loop)
+            ]
+            heights.append(drawn)
+        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        if heights[0] and heights[1] and max(heights[1]) - min(heights[0]) < width:
+            return (
+                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
+                f"{max(heights[1]) - min(heights[0])} where G is wide by {width}, in units of the "
+                "edge's length"
+            )
+    return ""
+
+
+def _edges(polygon: Polygon) -> list[tuple[Point, Point]]:
+    corners = polygon.vertices
+    return list(pairwise([*corners, corners[0]]))
+
+
+def _shares(edge: Edge, other: Segment) -> bool:
+    one = segment(edge)
+    return one[:2] == other[:2] and one.shares_piece(other)
 
 
 def _slopes(polygon: Polygon) -> set[Fraction]:
     """The slopes of the edges of a polygon without vertical ones."""
     corners = polygon.vertices
     return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
+
+
+def outside_of_the_inner_loop(pair: Pair) -> str:
+    """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
+    s = sweep(*pair)
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    again = sweep(s.generatrix, s.inner).trajectory
+    return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
+
+
+def inside_of_the_outer_loop(pair: Pair) -> str:
+    """The lowest path of G inside the outer loop, where it is not the trajectory."""
+    _, bottom, _ = pair.chains
+    loops = reference(pair)
+    path, outer = bottom_of(loops.trajectory), bottom_of(loops.outer)
+    ends = Fraction(path[0][0]), Fraction(path[-1][0])
+    found = clip(literal.slide_inside(bottom, outer, trajectory_mm), *ends)
+    if found == path:
+        return ""
+    return f"inside the outer loop G's path is {text(found)}, the trajectory {text(path)}"
+
+
+def find_path_inside(effort: Effort) -> Evidence:
+    """Look for a pair of which G's path inside the outer loop is not the trajectory."""
+    convex = search_grid(2, 7, is_convex, is_convex, inside_of_the_outer_loop)
+    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
+    found = search_grid(2, 7, is_convex, is_any, inside_of_the_outer_loop)
+    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+
+
+def kernel_is_literal(pair: Pair) -> str:
+    """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
+    top, bottom, directrix = pair.chains
+    inner, outer = literal.sweep_mm(top, bottom, directrix)
+    ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
+    found = sweep_mm(top, bottom, directrix)
+    return (
+        _unlike("trajectory", trajectory_mm(top, directrix), literal.trajectory_mm(top, directrix))
+        or _unlike("outer boundary", found[1], outer)
+        or _unlike("inner boundary", found[0], clip(inner, *ends))
+    )
+
+
+def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> str:
+    found, literally = exact(found), exact(literally)
+    if found == literally:
+        return ""
+    return f"the {name} is {text(found)}, and {text(literally)} to the letter"
+
+
+def outer_loop_reaches_by_the_width(pair: Pair) -> str:
+    """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
+    s, expected = sweep(*pair), reference(pair).outer
+    if s.outer.vertices != expected:
+        return "the outer loop is not that of the definition"
+    for p, q in _edges(s.directrix):
+        normal = q.y - p.y, p.x - q.x
+        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        if _greatest(normal, s.outer) - _greatest(normal, s.directrix) != width:
+            return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the outer loop is not as far away"
+    return ""

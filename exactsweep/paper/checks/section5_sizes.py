@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from exactsweep import sweep
-from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import (
     bumps,
     edges_of_bumps,
     figure10,
     mm,
-    needles,
     printed_count,
 )
 from exactsweep.geometry.point import Vertex
@@ -33,19 +30,15 @@ from exactsweep.paper.claim import (
     Table,
     first_failure,
 )
-from exactsweep.paper.counting import vertices_grow
+from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, differs, exact, reference
-from exactsweep.paper.growth import double
+from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import Chains, Pair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-
-MN = ("mn", lambda m, n: float(m * n))
-MN2 = ("mn²", lambda m, n: float(m * n * n))
-
 
 # What the search in `_check_lemma_5_2` finds.
 OUTGROWING = Pair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
@@ -103,11 +96,11 @@ def fill_windows(effort: Effort) -> Evidence:
     rates = [float(row[3]) for _, row in results]
     rising = "" if rates == sorted(rates) else "the pieces for each segment do not rise"
     growth = (
-        vertices_grow("trajectory", whole_trajectory, mm, MN, sizes_from(effort)),
-        vertices_grow("trajectory", whole_trajectory, figure10, MN, sizes_from(effort)),
+        grow_vertices("trajectory", whole_trajectory, mm, MN, sizes_from(effort)),
+        grow_vertices("trajectory", whole_trajectory, figure10, MN, sizes_from(effort)),
     )
     failure = first_failure(text for text, _ in results) or rising
-    failure = failure or first_failure(g.failure() for g in growth)
+    failure = failure or first_failure(g.failure for g in growth)
     failure = failure or trajectory_mm_is_right(OUTGROWING)
     failure = failure or sub_trajectories_suffice(OUTGROWING)
     return replace(found, failure=failure, tables=(table,), growth=growth)
@@ -121,35 +114,6 @@ def whole_trajectory(chains: Chains) -> Envelope:
 def sizes_from(effort: Effort, first: int = 16) -> list[tuple[int, int]]:
     """The sizes on which an MM sweep is counted."""
     return double(first, 2 if effort.quick else 4)
-
-
-def long_undercut(pair: Pair) -> str:
-    """An undercut whose bottom chain has more edges than G_t."""
-    top = pair.chains.top
-    lower = (u.bottom for u in sweep(*pair).undercuts if u.bottom[0].x < u.bottom[-1].x)
-    longest = max((len(bottom) - 1 for bottom in lower), default=0)
-    return (
-        f"an undercut of {longest} edges, G_t having {len(top) - 1}" if longest >= len(top) else ""
-    )
-
-
-def find_long_undercut(effort: Effort) -> Evidence:
-    """Look for an undercut with more edges than G_t, and count the edges over needles."""
-    found = search_grid(3, 8, is_bent, is_bent, long_undercut)
-    pair = Pair(*needles(9, 8))
-    s = sweep(*pair)
-    failure = "" if s.inner.vertices == reference(pair).inner else "the inner loop is wrong"
-    verdict = verify(s.certificate())
-    failure = failure or ("" if verdict.proved else verdict.reason)
-    sizes = double(8, 2 if effort.quick else 3)
-    growth = (
-        vertices_grow("inner boundary", inner_boundary, needles, MN, sizes),
-        vertices_grow("inner boundary", inner_boundary, needles, MN2, sizes),
-    )
-    if growth[0].is_flat() or not growth[1].is_attained:
-        failure = failure or "the inner boundary over the needles falls behind mn²"
-    tried = f"{found.tried} A family of needles, one of them proved by its certificate."
-    return replace(found, tried=tried, failure=failure, growth=growth)
 
 
 def inner_boundary(chains: Chains) -> list[Vertex]:
@@ -213,7 +177,7 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
         m_b, n_t, n_b = sizes
         counts = printed_count(*sizes), m_b * n_t * n_b, outer_edges(pair)
         rows.append([str(sizes), *map(str, counts)])
-    growth = vertices_grow("outer boundary", outer_boundary, figure10, MN2, sizes_from(effort))
+    growth = grow_vertices("outer boundary", outer_boundary, figure10, MN2, sizes_from(effort))
     fallen = "" if growth.is_attained else "the outer boundary falls behind mn²"
     failure, against, beyond = beyond_mn2()
     records = Table(
@@ -225,10 +189,10 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
     return Evidence(
         "The family of Figure 10; windows of windows, and the records of a search, both held "
         f"against the definition. The last record: G = {last.generatrix}, D = {last.directrix}.",
-        failure or growth.failure() or fallen,
+        failure or growth.failure or fallen,
         against,
-        (beyond, records),
-        (growth,),
+        tables=(beyond, records),
+        growth=(growth,),
     )
 
 
@@ -261,4 +225,4 @@ def count_bumps(effort: Effort) -> Evidence:
         ("(m_b, n_t, n_b)", "formula of the paper", "m_b n_t n_b / 4 + 4", "edges"),
         rows,
     )
-    return Evidence(f"{len(rows)} pairs, by the definition.", failure, against, (table,))
+    return Evidence(f"{len(rows)} pairs, by the definition.", failure, against, tables=(table,))

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from fractions import Fraction
+from functools import reduce
 from itertools import product
 from math import log2
 
-from exactsweep.corpus.generator.growing import figure10, mm, needles, rim
+from exactsweep.corpus.generator.growing import cm_hard, figure10, mm, needles, rim
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.section5_sizes import (
-    MN2,
     OUTGROWING,
     beyond_mn2,
     inner_boundary,
@@ -19,26 +21,16 @@ from exactsweep.paper.checks.section5_sizes import (
     whole_trajectory,
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family, counting, make_counted, operations_grow, vertices_grow
-from exactsweep.paper.functions import bottom_of, differs, exact, reference, text
-from exactsweep.paper.growth import Growth, double, grow
+from exactsweep.paper.costs import STEPS
+from exactsweep.paper.counting import Family, counting, grow_operations, grow_vertices, make_counted
+from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, Pair
-from exactsweep.procedures.chain import complement, convex_parts, inverse
+from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.convex_part import joined_parts
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
-from exactsweep.procedures.mm import outer_mm
-from exactsweep.procedures.mm_inner import inner_mm, inside_runs
-from exactsweep.procedures.part_pairs import sweep_pairs
-
-MN = ("mn", lambda m, n: float(m * n))
-SUM_LOG = ("(m + n) log m", lambda m, n: (m + n) * log2(m))
-MN_LOG = ("mn log n", lambda m, n: m * n * log2(n))
-MN2_LOG = ("mn² log n", lambda m, n: m * n * n * log2(n))
-
-# How far the counts of an MM sweep may rise at a step, where one more batch is needed.
-STEPS = 1.35
+from exactsweep.procedures.mm_inner import inner_mm
 
 
 def count_one_merge(effort: Effort) -> Evidence:
@@ -54,16 +46,14 @@ def count_one_merge(effort: Effort) -> Evidence:
         return tally.total + out, m + n
 
     growth = grow("operations of one merge", "zigzags", "m + n", double(64, 4), count)
-    failure = growth.failure() or first_failure(
+    failure = growth.failure or first_failure(
         lowest("chain", [a, b], list(lower_envelope_mm([Envelope.of(a), Envelope.of(b)])))
         for a, b in product(_tiny_chains(), repeat=2)
     )
     return Evidence(
         "All pairs of chains of one or two edges on a tiny grid; counts for 64 to 1024 points.",
         failure,
-        None,
-        (),
-        (growth,),
+        growth=(growth,),
     )
 
 
@@ -91,7 +81,7 @@ def find_growing_level(effort: Effort) -> Evidence:
     growth = tuple(_envelope_growth(family, effort) for family in (figure10, mm))
     return Evidence(
         "All pairs of chains of one or two edges on a tiny grid; counts.",
-        first_failure(g.failure() for g in growth),
+        first_failure(g.failure for g in growth),
         against,
         growth=growth,
     )
@@ -127,56 +117,70 @@ def lower_envelope_mm_is_right(pair: Pair) -> str:
     )
 
 
-def count_trajectory(effort: Effort) -> Evidence:
-    """Count the operations of Trajectory_MM."""
-    growth = tuple(
-        operations_grow("Trajectory_MM", whole_trajectory, family, MN_LOG, sizes_from(effort))
-        for family in (figure10, mm)
-    )
+def find_large_trajectory(effort: Effort) -> Evidence:
+    """Count what Trajectory_MM costs; the size that the bound rests on fails."""
     found = outgrows_its_parts(OUTGROWING)
     how = "the first of the non-convex quadrilaterals on the 4 by 4 grid"
-    against = Counterexample(found, how, *OUTGROWING) if found else None
-    return _counted(growth, "", against)
+    return Evidence("", against=Counterexample(found, how, *OUTGROWING) if found else None)
 
 
-def _counted(growth: tuple[Growth, ...], failure: str, against: Counterexample | None) -> Evidence:
-    """Flat counts, beside a size that is not what the proof takes it for.
-
-    What is swept goes in batches, each three times the last, so that the counts rise in steps.
-    """
-    return Evidence(
-        f"Counts for n = {growth[0].points[0].n} to {growth[0].points[-1].n}.",
-        failure or first_failure(g.failure(STEPS) for g in growth),
-        against,
-        growth=growth,
-    )
-
-
-def count_loops(effort: Effort) -> Evidence:
-    """Count the operations of Sweep_MM."""
-    sizes = sizes_from(effort, 8)
-
-    def inner(chains: Chains) -> list[Vertex]:
-        return inner_mm(chains.top, whole_trajectory(chains), chains.directrix)
-
-    def outer(chains: Chains) -> Envelope:
-        return outer_mm(chains.bottom, whole_trajectory(chains))
-
-    growth = (
-        operations_grow("Sweep_MM, inner", inner, needles, MN2_LOG, [(16, n) for _, n in sizes]),
-        operations_grow("Sweep_MM, inner", inner, mm, MN2_LOG, sizes),
-        operations_grow("Sweep_MM, outer", outer, figure10, MN2_LOG, sizes),
-    )
+def find_large_loop(effort: Effort) -> Evidence:
+    """Count what Sweep_MM costs; the size that the bound rests on fails."""
     failure, against, _ = beyond_mn2()
-    return _counted(growth, failure, against)
+    return Evidence("", failure, against)
+
+
+def count_step_2(effort: Effort) -> Evidence:
+    """Count the operations of all calls of Trajectory_CM."""
+
+    def step_2(chains: Chains) -> list[Vertex]:
+        parts = literal.split_at_reflex([(-x, -y) for x, y in chains.top])
+        tops = ([(-x, -y) for x, y in part] for part in parts)
+        return [p for top in tops for p in literal.trajectory_cm(top, chains.directrix)]
+
+    sizes = double(32, 2 if effort.quick else 4)
+    growth = tuple(
+        grow_operations("step 2", step_2, family, MN, sizes) for family in (figure10, mm)
+    )
+    return Evidence(
+        "Counts of the step to the letter.", first_failure(g.failure for g in growth), growth=growth
+    )
+
+
+def count_glance(effort: Effort) -> Evidence:
+    """Count the operations of merging one sub-trajectory after the other, and by halves."""
+
+    def merge_by_turns(chains: Chains) -> list[Vertex]:
+        return reduce(literal.merge, _sub_trajectories(chains))
+
+    def merge_by_halves(chains: Chains) -> list[Vertex]:
+        return literal.lower_envelope_mm(_sub_trajectories(chains))
+
+    sizes = [(size, 16) for size, _ in double(16, 3 if effort.quick else 5)]
+    bounds = (
+        ("m²n log mn", lambda m, n: m * m * n * log2(m * n)),
+        ("mn log m", lambda m, n: m * n * log2(m)),
+    )
+    growth = (
+        grow_operations("merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
+        grow_operations("merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS),
+    )
+    failure = first_failure(g.failure for g in growth)
+    if growth[0].exponent() < 1.7:
+        failure = failure or "merging by turns takes less than order m²"
+    return Evidence("Counts to the letter.", failure, growth=growth)
+
+
+def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
+    parts = literal.split_at_reflex(chains.directrix)
+    return [literal.trajectory_cc(chains.top, part) for part in parts]
 
 
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
-    """The inner boundary as Sweep_MM has it: Trajectory_MM along all of T's inside."""
-    directrix = chains.directrix
-    boundary = sweep_pairs(joined_parts(inverse(chains.top)), inside_runs(trajectory))
-    boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
-    return inverse(complement(list(boundary)))
+    """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
+    bottom, path = inverse(chains.top), exact(trajectory)
+    ends = Fraction(chains.directrix[0][0]), Fraction(chains.directrix[-1][0])
+    return clip(literal.slide_inside(bottom, path, literal.trajectory_mm), *ends)
 
 
 def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
@@ -187,7 +191,7 @@ def inner_by_gaps(chains: Chains, trajectory: Envelope) -> list[Vertex]:
 def _inner_grows(
     what: str,
     inner: Callable[[Chains, Envelope], list[Vertex]],
-    bound: tuple[str, Callable[[int, int], float]],
+    bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
     """Operations beyond the trajectory, on a family that is touched almost everywhere."""
@@ -216,15 +220,16 @@ def gaps_give_the_same(pair: Pair) -> str:
 def count_gaps(effort: Effort) -> Evidence:
     """Count the operations of both ways to the inner boundary, and what is written."""
     sizes = [(16, n) for _, n in sizes_from(effort, 8)]
-    written = vertices_grow("inner boundary", inner_boundary, needles, MN2, sizes)
+    written = grow_vertices("inner boundary", inner_boundary, needles, MN2, sizes)
     gaps = _inner_grows("gaps only", inner_by_gaps, SUM_LOG, sizes_from(effort))
-    again = _inner_grows("Trajectory_MM again", inner_again, MN, sizes_from(effort))
+    few = double(16, 2 if effort.quick else 3)
+    again = _inner_grows("Trajectory_MM again", inner_again, MN, few)
     last = written.points[-1]
     return Evidence(
-        f"Operations counted where most of D_b is touched: "
-        f"{gaps.points[-1].count:,} in place of {again.points[-1].count:,} at m = n = "
-        f"{gaps.points[-1].m}. A family of needles, vertices counted.",
-        gaps.failure()
+        "Operations counted where most of D_b is touched: "
+        f"{gaps.points[2].count:,} in place of {again.points[2].count:,} at m = n = "
+        f"{gaps.points[2].m}. A family of needles, vertices counted.",
+        gaps.failure
         or ("" if written.is_attained else "the inner boundary falls behind mn²")
         or ("" if again.is_attained else "calling Trajectory_MM again takes less than order mn"),
         Counterexample(

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from types import CodeType, FrameType
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper import literal
 from exactsweep.paper.figures.figure import Facts, differ
+from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import PAGE, Box, Sheet
+from exactsweep.paper.pairs import Pair
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,8 +68,53 @@ def list_facts() -> Facts:
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
     called = {name for call in PRINTED for name in call}
+    expected = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
+    yield differ("calls to the letter", watch_literal(), expected)
     yield differ("procedures that neither call nor are called", set(PLACES) - called, {"SweepI_CC"})
     yield differ("calls that are made otherwise, and not printed", SHARED - set(PRINTED), set())
+
+
+def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set[tuple[str, str]]:
+    """Which of some functions runs inside which, others between them left out."""
+    inside: list[str] = []
+    found: set[tuple[str, str]] = set()
+
+    def watch(frame: FrameType, event: str, argument: object) -> None:
+        name = words.get(frame.f_code)
+        if name and event == "call":
+            found.update((outer, name) for outer in inside[-1:])
+            inside.append(name)
+        elif name and event == "return":
+            inside.pop()
+
+    before = sys.getprofile()
+    sys.setprofile(watch)
+    try:
+        run()
+    finally:
+        sys.setprofile(before)
+    return found
+
+
+def watch_literal() -> set[tuple[str, str]]:
+    """The calls that the procedures to the letter make, for a pair of which all are needed."""
+    words = {
+        literal.trajectory_cc.__code__: "Trajectory_CC",
+        literal.sweep_outer_cc.__code__: "SweepO_CC",
+        literal.trajectory_cm.__code__: "Trajectory_CM",
+        literal.sweep_outer_cm.__code__: "SweepO_CM",
+        literal.lower_envelope_cm.__code__: "LowerEnvelope_CM",
+        literal.trajectory_mm.__code__: "Trajectory_MM",
+        literal.lower_envelope_mm.__code__: "LowerEnvelope_MM",
+        literal.sweep_mm.__code__: "Sweep_MM",
+    }
+    chains = Pair(GENERATRIX, DIRECTRIX).chains
+
+    def run() -> None:
+        literal.sweep_mm(*chains)
+        literal.sweep_outer_cm(*chains)
+
+    return {(one, other) for one, other in watch_calls(words, run) if one != other}
 
 
 def draw() -> Figure:
