@@ -1,13 +1,19 @@
 """Exact planar sweeps: no-fit polygons of polygons of any shape."""
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.number import NumberError, limits
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.sweep import Sweep, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.sweep import (
+    InnerFit,
+    NoFitPolygon,
+    Sweep,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
 
 __all__ = [
     "DirectionError",

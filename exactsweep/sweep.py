@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.swept_shape import SweptShape
 from exactsweep.geometry.direction import (
@@ -50,6 +50,50 @@ class Sweep(Swept):
 
 class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
+
+
+class NoFitPolygon(no_fit.NoFitPolygon):
+    """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
+
+    def plot(
+        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    ) -> Axes:
+        """Draw it with matplotlib, the `plot` extra: see `exactsweep.draw.plot_no_fit`."""
+        from exactsweep.draw import plot_no_fit
+
+        return plot_no_fit(self, axes, positions=positions)
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.draw.notebook import positions_svg
+
+        return positions_svg(self)
+
+    def _repr_html_(self) -> str:
+        from exactsweep.draw.notebook import no_fit_html
+
+        return no_fit_html(self)
+
+
+class InnerFit(no_fit.InnerFit):
+    """An inner fit that shows itself; made by `inner_fit_polygon`."""
+
+    def plot(
+        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    ) -> Axes:
+        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_inner_fit`."""
+        from exactsweep.draw import plot_inner_fit
+
+        return plot_inner_fit(self, axes, positions=positions)
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.draw.notebook import positions_svg
+
+        return positions_svg(self)
+
+    def _repr_html_(self) -> str:
+        from exactsweep.draw.notebook import inner_fit_html
+
+        return inner_fit_html(self)
 
 
 def sweep(

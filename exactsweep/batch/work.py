@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, error_line, result_line
-from exactsweep.evidence.no_fit import NoFitPolygon
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
@@ -17,7 +16,7 @@ from exactsweep.formats.polygons import find_outlines
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.sweep import Sweep, no_fit_polygon, sweep
+from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggestion
 
 Names = dict[str, object]

@@ -5,7 +5,7 @@ They are for looking at: coordinates are scaled exactly and then rounded to a hu
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import chain
 from typing import NamedTuple
@@ -22,7 +22,7 @@ _HATCH = "exactsweep-hatch"
 class Shape(NamedTuple):
     """A loop, or several loops or chains, and how they look."""
 
-    loops: list[Iterable[Vertex]]
+    loops: Sequence[Iterable[Vertex]]
     look: Look
     closed: bool = True
 
@@ -66,13 +66,14 @@ def _path(shape: Shape, window: Window) -> str:
             f'patternTransform="rotate(45)"><path d="M0 0V5" stroke="{look.color}" '
             'stroke-width="1.4"/></pattern>'
         )
+    ends = "" if shape.closed else ' stroke-linecap="round"'
     dash = ""
     if not isinstance(look.dash, str):
         lengths = " ".join(f"{length * look.width:.1f}" for length in look.dash[1])
         dash = f' stroke-dasharray="{lengths}"'
     return (
         f'{hatching}<path d="{data}" fill="{fill}" fill-rule="evenodd" stroke="{look.color}" '
-        f'stroke-width="{look.width}" stroke-linejoin="round"{dash}/>'
+        f'stroke-width="{look.width}" stroke-linejoin="round"{ends}{dash}/>'
     )
 
 

@@ -216,6 +216,25 @@ class Region:
         return put_beside(self._repr_svg_(), rows)
 
 
+def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
+    """Count the vertices through all rings of a shape.
+
+    Yields:
+        The number of the vertex before, of a vertex, and of the next one of its ring.
+
+    Example:
+        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+        >>> list(around(plate))
+        [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
+    """
+    first = 0
+    for ring in shape.rings:
+        size = len(ring)
+        for k in range(size):
+            yield first + (k - 1) % size, first + k, first + (k + 1) % size
+        first += size
+
+
 def _named(ring: Vertices, name: str) -> Polygon:
     try:
         return Polygon(ring)
