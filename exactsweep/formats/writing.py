@@ -85,10 +85,17 @@ def _json(polygons: Sequence[NamedPolygon]) -> str:
 
 
 def _wkt(polygons: Sequence[NamedPolygon]) -> str:
-    lines = []
-    for row in _rows(polygons, "WKT"):
-        lines.append(f"POLYGON (({', '.join(f'{x} {y}' for x, y in [*row, row[0]])}))\n")
-    return "".join(lines)
+    return "".join(f"{wkt_geometry(row)}\n" for row in _rows(polygons, "WKT"))
+
+
+def wkt_geometry(row: _Row, *, closed: bool = True) -> str:
+    """Write points, pairs of decimals, as a POLYGON or a LINESTRING.
+
+    >>> wkt_geometry([("0", "0"), ("1.5", "0")], closed=False)
+    'LINESTRING (0 0, 1.5 0)'
+    """
+    points = ", ".join(f"{x} {y}" for x, y in (row + row[:1] if closed else row))
+    return f"POLYGON (({points}))" if closed else f"LINESTRING ({points})"
 
 
 def _geojson(polygons: Sequence[NamedPolygon]) -> str:
