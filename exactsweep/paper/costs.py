@@ -167,10 +167,10 @@ def _list_costs() -> Iterator[Cost]:
     yield Cost(row, f"{name} to the letter", _run_literal_mm, MN_LOG, figure10, "m", 32, 32)
     row, name, run = "Corollary 5.8", "Sweep_MM, outer loop", _run_outer_mm
     yield Cost(row, name, run, MN2_LOG, figure10, "mn", 4, 4, limit=STEPS)
-    yield Cost(row, name, run, MN2_LOG, figure10, "m", 32, 32, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, figure10, "m", 32, 32, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, figure10, "n", 8, 8, 8, limit=STEPS)
     name, run = "Sweep_MM, inner loop", _run_inner_mm
-    yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 32, 8, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 16, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, needles, "n", 8, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, mm, "mn", 8, 8, limit=STEPS)
 
@@ -189,6 +189,8 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     """
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
+        if series.unit not in UNITS:
+            continue
         procedure = series.what.partition(" of ")[2]
         lines.setdefault((procedure, series.family, series.varied), {})[series.unit] = series
     rows = []
