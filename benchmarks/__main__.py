@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -16,7 +17,7 @@ from benchmarks.peers.tables import tables
 
 WIDTH = 140
 
-quick_option = click.option("--quick", is_flag=True, help="Small pairs only; growth by counts.")
+quick_option = click.option("--quick", is_flag=True, help="Small pairs only, no seconds.")
 limit_option = click.option(
     "--limit", default=20.0, help="Seconds that one program may take on one pair."
 )
@@ -47,7 +48,10 @@ def main() -> None:
 @main.command()
 @quick_option
 def scaling(quick: bool) -> None:
-    """Counted operations and time of each procedure over five doublings."""
+    """Operations, seconds and bytes of each procedure over doubling sizes.
+
+    The exit code is 1 if one of them grows beyond the paper's bound.
+    """
     console = Console(width=max(WIDTH, Console().width))
     console.print(machine())
     measured = []
@@ -55,6 +59,9 @@ def scaling(quick: bool) -> None:
         measured.append(series)
         console.print(scaling_runs.series_table(series))
     console.print(scaling_runs.summary_table(measured))
+    beyond = [series.failure for series in measured if not series.is_flat]
+    console.print(*(beyond or ["All are within the bounds."]), sep="\n")
+    sys.exit(bool(beyond))
 
 
 @main.command()

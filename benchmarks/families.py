@@ -8,14 +8,19 @@ for nothing. Those that the paper's claims are counted on are in `corpus.generat
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import combinations
+from math import cos, pi, sin
 from random import Random
 
-from exactsweep.corpus.generator.growing import Pair, cc, cm, cm_hard, cm_undercut, figure10, mm
+from exactsweep import Polygon, PolygonError
+from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
+from exactsweep.corpus.generator.shapes import Ring
 
-Family = Callable[[int, int, int], tuple[list[Pair], list[Pair]]]
+Point = tuple[int, int]
+Family = Callable[[int, int, int], tuple[Ring, Ring]]
 
 
-def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> list[Pair]:
+def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
     """A rectilinear X-monotone polygon of about n vertices with random steps on both sides."""
     count = n // 4
     xs = [step * k + random.randrange(step // 2) for k in range(count + 1)]
@@ -26,10 +31,54 @@ def stairs(n: int, random: Random, step: int = 1000, height: int = 1000) -> list
     return bottom + top[::-1]
 
 
-def stair(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def stair(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Two random rectilinear polygons."""
     random = Random(f"stair {m} {n} {seed}")
     return stairs(n, random), stairs(m, random)
+
+
+def star(n: int, random: Random, size: int = 10**6) -> Ring:
+    """A polygon with its vertices at equal angles, at random distances from the middle."""
+    turn, radii = 2 * pi / n, [random.uniform(0.35 * size, size) for _ in range(n)]
+    return [(round(r * cos(k * turn)), round(r * sin(k * turn))) for k, r in enumerate(radii)]
+
+
+def radial(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+    """Two spiky stars, monotone to no direction."""
+    random = Random(f"radial {m} {n} {seed}")
+    return star(n, random), star(m, random)
+
+
+def tangle(n: int, random: Random, size: int = 1000) -> Ring:
+    """Random points, and a way through them that is turned round until it does not cross itself."""
+    while True:
+        ring = [(random.randrange(size), random.randrange(size)) for _ in range(n)]
+        while pair := _crossing(ring):
+            i, j = pair
+            ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+        try:
+            return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
+        except PolygonError:
+            continue
+
+
+def _crossing(ring: Ring) -> tuple[int, int] | None:
+    """Two edges that cross, by their first vertices, if there are any."""
+
+    def side(p: Point, q: Point, r: Point) -> int:
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    for i, j in combinations(range(len(ring)), 2):
+        a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
+        if side(a, b, p) * side(a, b, q) < 0 and side(p, q, a) * side(p, q, b) < 0:
+            return i, j
+    return None
+
+
+def tangled(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+    """Two outlines with caves and hooks, such as are published for tests of nesting programs."""
+    random = Random(f"tangled {m} {n} {seed}")
+    return tangle(n, random), tangle(m, random)
 
 
 FAMILIES: dict[str, Family] = {
@@ -40,4 +89,6 @@ FAMILIES: dict[str, Family] = {
     "mm": mm,
     "stair": stair,
     "figure10": figure10,
+    "radial": radial,
+    "tangled": tangled,
 }

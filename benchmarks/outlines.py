@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import cos, pi, sin, sqrt
 
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
-Outline = list[Pair]
+Outline = Ring
 Corner = tuple[float, float]
 
 

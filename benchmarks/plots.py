@@ -5,7 +5,7 @@ Colours are those of all pictures (`exactsweep.canvas.style`); markers and dashe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import cycle
 from pathlib import Path
 from typing import Any
@@ -15,10 +15,10 @@ from matplotlib.lines import Line2D
 from matplotlib.style import context
 from matplotlib.ticker import NullFormatter, NullLocator
 
-from benchmarks.growth import Point, Series
 from benchmarks.peers.cases import TRAJECTORY
 from benchmarks.peers.measured import Comparison
 from exactsweep.canvas.style import PALETTE
+from exactsweep.paper.growth import Growth
 from exactsweep.paper.plots import SETTINGS
 
 STYLES = tuple(zip(PALETTE, "os^DvP", strict=False))
@@ -35,20 +35,18 @@ COLUMNS = 3
 DPI = 300
 
 
-def growth(
-    measured: Sequence[Series], value: Callable[[Point], float | None], label: str, path: Path
-) -> None:
-    """One panel a procedure: a value over the size doubled, and the claimed bound through it.
+def growth(measured: Sequence[Growth], label: str, path: Path) -> None:
+    """One panel a procedure: what was found over the size doubled, and the claimed bound.
 
     The claimed curve is scaled to the value at the largest size.
     """
-    names = list(dict.fromkeys(series.procedure for series in measured))
+    names = list(dict.fromkeys(series.what.partition(" of ")[2] for series in measured))
     with context(SMALLER):
         figure, panels = _panels(len(names))
         for panel, name in zip(panels, names, strict=False):
-            chosen = [s for s in measured if s.procedure == name]
+            chosen = [s for s in measured if s.what.partition(" of ")[2] == name]
             for series, (colour, marker) in zip(chosen, cycle(STYLES), strict=False):
-                _series(panel, series, value, colour, marker)
+                _series(panel, series, colour, marker)
             panel.set_title(f"{name}: O({chosen[0].bound})")
             panel.legend(frameon=False, loc="lower right")
             _axes(panel, sorted({size for series in chosen for size in series.sizes}))
@@ -61,19 +59,18 @@ def growth(
         _finish(figure, panels, "size that is doubled", label, path)
 
 
-def _series(
-    panel: Any, series: Series, value: Callable[[Point], float | None], colour: str, marker: str
-) -> None:
-    values = [value(point) for point in series.points]
-    label = f"{series.family}, {series.varied}"
-    if any(not v for v in values):
-        # Nothing to be drawn on a logarithmic scale; the legend says so.
-        panel.plot([], [], color=colour, marker=marker, linestyle="", label=f"{label}: none")
-        return
+def _series(panel: Any, series: Growth, colour: str, marker: str) -> None:
     last = series.points[-1]
-    claimed = [point.bound * float(values[-1] or 0) / last.bound for point in series.points]
+    claimed = [point.bound * last.count / last.bound for point in series.points]
     panel.loglog(series.sizes, claimed, color=colour, linestyle="--")
-    panel.loglog(series.sizes, values, color=colour, marker=marker, linestyle="", label=label)
+    panel.loglog(
+        series.sizes,
+        [point.count for point in series.points],
+        color=colour,
+        marker=marker,
+        linestyle="",
+        label=f"{series.family}, {series.varied}",
+    )
 
 
 def programs(found: Comparison, path: Path) -> None:

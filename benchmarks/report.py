@@ -8,15 +8,15 @@ from dataclasses import asdict
 from pathlib import Path
 
 from benchmarks import plots
-from benchmarks.growth import Point, Series
 from benchmarks.peers.measured import Comparison
 from benchmarks.peers.tables import TIMES, sections
-from benchmarks.scaling import summary
+from exactsweep.paper.costs import UNITS, tabulate
+from exactsweep.paper.growth import Growth, Size
 
 SCALING, PEERS = "scaling.json", "peers.json"
 
 
-def save_scaling(folder: Path, measured: Sequence[Series]) -> None:
+def save_scaling(folder: Path, measured: Sequence[Growth]) -> None:
     """Keep the growth as JSON, so that the report can be written again."""
     folder.mkdir(parents=True, exist_ok=True)
     series = [asdict(one) for one in measured]
@@ -28,30 +28,31 @@ def save_peers(folder: Path, found: Comparison) -> None:
     (folder / PEERS).write_text(json.dumps(found.to_json(), indent=1), encoding="utf-8")
 
 
-def load(folder: Path) -> tuple[list[Series], Comparison]:
+def load(folder: Path) -> tuple[list[Growth], Comparison]:
     """Read what was kept."""
     measured = [
-        Series(**{**one, "points": [Point(**point) for point in one["points"]]})
+        Growth(**{**one, "points": tuple(Size(**point) for point in one["points"])})
         for one in json.loads((folder / SCALING).read_text(encoding="utf-8"))
     ]
     return measured, Comparison.from_json(json.loads((folder / PEERS).read_text(encoding="utf-8")))
 
 
-def write(folder: Path, measured: Sequence[Series], found: Comparison) -> Path:
+def write(folder: Path, measured: Sequence[Growth], found: Comparison) -> Path:
     """Write report.md and its plots, as SVG and PNG.
 
     Returns the path of report.md.
     """
-    plots.growth(measured, lambda p: p.operations, "operations", folder / "operations")
-    plots.growth(measured, lambda p: p.output, "vertices out", folder / "output")
-    plots.growth(measured, lambda p: p.milliseconds, "ms", folder / "time")
+    for unit in UNITS:
+        chosen = [series for series in measured if series.unit == unit]
+        if chosen:
+            plots.growth(chosen, unit, folder / unit)
     plots.programs(found, folder / "programs")
     lines = ["# Benchmarks", "", f"{found.machine}.", ""]
     lines += [f"Programs: {', '.join(found.versions.values())}.", ""]
     lines += [f"Skipped: {name}, {reason}.\n" for name, reason in found.skipped.items()]
-    lines += ["## Growth", "", GROWTH, "", *markdown(*summary(measured)), ""]
-    for name, caption in FIGURES.items():
-        lines += [f"![{caption}]({name}.svg)", "", caption, ""]
+    lines += ["## Growth", "", GROWTH, "", *markdown(*tabulate(measured)[1:]), ""]
+    for unit in dict.fromkeys(series.unit for series in measured):
+        lines += [f"![{unit}]({unit}.svg)", "", f"{unit.capitalize()}{FIGURES}", ""]
     lines += ["## Other programs", "", TIMES, ""]
     for title, header, rows in sections(found):
         lines += [f"### {title[0].upper()}{title[1:]}", "", *markdown(header, rows), ""]
@@ -62,17 +63,12 @@ def write(folder: Path, measured: Sequence[Series], found: Comparison) -> Path:
 
 
 GROWTH = (
-    "Exponents of the least squares line through the logarithms, over five doublings. `paper` is "
-    "that of the claimed bound over the same sizes, logarithms included. Operations are "
-    "multiplications and comparisons of coordinates and vertices out, the same on every run. The "
-    "bound is confirmed where the operations stay or fall in proportion to it; the last column "
-    "says by what factor that proportion grew over the last two doublings."
+    "Exponents of the least squares line through the logarithms; those of seconds over the three "
+    "largest sizes. That of the bound is over the same sizes, logarithms included. Operations are "
+    "multiplications and comparisons of coordinates and vertices out, the same on every run; bytes "
+    "are the peak beside the input."
 )
-FIGURES = {
-    "operations": "Counted operations; dashed, the claimed bound through the largest size.",
-    "output": "Vertices that come out; dashed, the claimed bound through the largest size.",
-    "time": "Time; dashed, the claimed bound through the largest size.",
-}
+FIGURES = "; dashed, the claimed bound through the largest size."
 PROGRAMS = "Median time of the trajectory, and the range from the least to the greatest."
 
 

@@ -1,19 +1,31 @@
-"""Exact planar sweeps: no-fit polygons of convex and monotone polygons."""
+"""Exact planar sweeps: no-fit polygons of polygons of any shape."""
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.number import NumberError, limits
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.sweep import Sweep, no_fit_polygon, sweep
+from exactsweep.geometry.region import Region
+from exactsweep.sweep import (
+    InnerFit,
+    NoFitPolygon,
+    Sweep,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
 
 __all__ = [
     "DirectionError",
+    "InnerFit",
+    "NoFitPolygon",
     "NumberError",
     "Point",
     "Polygon",
     "PolygonError",
+    "Region",
     "Sweep",
+    "inner_fit_polygon",
     "limits",
     "no_fit_polygon",
     "sweep",

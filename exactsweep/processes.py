@@ -1,17 +1,31 @@
-"""Starting a process so that it, and all that it starts, can be ended for certain."""
+"""Processes that are ended for certain, with all that they started."""
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import subprocess
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager, suppress
+from multiprocessing.connection import Connection
+from multiprocessing.synchronize import Barrier
 from pathlib import Path
+from threading import RLock, Thread
+from typing import NoReturn, TypeVar
 from uuid import uuid4
 
-_NAME = "EXACTSWEEP_MARK"
+_MARK = "EXACTSWEEP_MARK"
+# For what is spawned: no modules of the working directory before those of Python, and no word of
+# the helper that removes the semaphores of a process that was killed.
+_SPAWNED = {"PYTHONSAFEPATH": "1", "PYTHONWARNINGS": "ignore:resource_tracker:UserWarning"}
 _PASSES = 20
+
+_T = TypeVar("_T")
+
+# Held while a process is started, so that none is started behind the back of what ends them all.
+_starting = RLock()
 
 
 class Started:
@@ -22,23 +36,22 @@ class Started:
 
     Args:
         command: the program and its arguments.
-        stderr: where its standard error goes, as for `subprocess.Popen`.
 
     Raises:
         OSError: it cannot be started.
     """
 
-    def __init__(self, command: Sequence[str], stderr: int | None = subprocess.PIPE) -> None:
+    def __init__(self, command: Sequence[str]) -> None:
         self._mark = uuid4().hex
-        inherited = os.environ.get(_NAME, "")
-        self.process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=stderr,
-            start_new_session=True,
-            env={**os.environ, _NAME: f"{inherited} {self._mark}"},
-        )
+        with _starting:
+            self.process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                start_new_session=True,
+                env={**os.environ, _MARK: f"{os.environ.get(_MARK, '')} {self._mark}"},
+            )
 
     def wait(self, seconds: float) -> int | None:
         """Return the exit code, as of `subprocess.Popen`, or None if it does not end in time."""
@@ -57,18 +70,149 @@ class Started:
             if pipe is not None:
                 with suppress(OSError):
                     pipe.close()
-        # One that is just starting another may be a step ahead.
-        for _ in range(_PASSES):
-            marked = list(_bearing(self._mark.encode()))
-            for pid in marked:
-                with suppress(ProcessLookupError, PermissionError):
-                    os.kill(pid, signal.SIGKILL)
-            if not marked:
-                break
+        _kill_marked(self._mark)
 
 
-def _bearing(mark: bytes) -> Iterator[int]:
+def _kill_marked(mark: str) -> None:
+    # One that is just starting another may be a step ahead.
+    for _ in range(_PASSES):
+        marked = list(_find_marked(mark.encode()))
+        for pid in marked:
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(pid, signal.SIGKILL)
+        if not marked:
+            break
+
+
+def _find_marked(mark: bytes) -> Iterator[int]:
     for path in Path("/proc").glob("[0-9]*/environ"):
         with suppress(OSError):
             if mark in path.read_bytes():
                 yield int(path.parent.name)
+
+
+def count_cores() -> int:
+    """Return how many processors this process may use."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not Linux
+        return os.cpu_count() or 1
+
+
+class Pool:
+    """Fresh processes that end with this one, however it ends, with all that they started.
+
+    Args:
+        count: how many there are.
+        prepare: what each of them calls before anything else.
+        arguments: of that.
+
+    Raises:
+        BrokenProcessPool: by `submit` and by what it returns, when one of them is killed; `start`
+            begins again.
+    """
+
+    def __init__(
+        self, count: int, prepare: Callable[..., object] | None = None, *arguments: object
+    ) -> None:
+        self.count = count
+        self._prepare = prepare, arguments
+        # A fork would copy the threads' locks in whatever state they are in.
+        self._context = multiprocessing.get_context("spawn")
+        # Nothing is ever sent: it closes when this process ends.
+        self._lifeline, self._held = self._context.Pipe(duplex=False)
+        self.start()
+
+    def start(self) -> None:
+        """Take fresh processes, the old ones having been killed."""
+        own = {name: os.environ.get(name) for name in _SPAWNED}
+        with _spawning():
+            given = (self._lifeline, self._context.Barrier(self.count), own, *self._prepare)
+            self._executor = ProcessPoolExecutor(self.count, self._context, _begin, given)
+
+    def submit(self, function: Callable[..., _T], *arguments: object) -> Future[_T]:
+        """Call a function in whichever process is idle."""
+        # This may start processes.
+        with _spawning():
+            return self._executor.submit(function, *arguments)
+
+    def call_in_each(self, function: Callable[..., _T], *arguments: object) -> list[_T]:
+        """Call a function once in each process, and return what it returns in each."""
+        futures = [self.submit(_call_together, function, *arguments) for _ in range(self.count)]
+        return [future.result() for future in futures]
+
+    def close(self) -> None:
+        """End all processes, whatever they are doing."""
+        self._held.close()
+        self._lifeline.close()
+        self._executor.shutdown(wait=True, cancel_futures=True)
+
+
+@contextmanager
+def _spawning() -> Iterator[None]:
+    """Let processes be started that neither Control-C nor files of the working directory reach.
+
+    Control-C is for the process that starts them, and comes through afterwards.
+    """
+    held_back = hasattr(signal, "pthread_sigmask")  # not on Windows
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if held_back else ()
+    own = {name: os.environ.get(name) for name in _SPAWNED}
+    _set_environment(_SPAWNED)
+    try:
+        yield
+    finally:
+        _set_environment(own)
+        if held_back:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _set_environment(values: Mapping[str, str | None]) -> None:
+    for name, value in values.items():
+        if value is None:
+            os.environ.pop(name, None)
+        else:
+            os.environ[name] = value
+
+
+_together: Barrier
+
+
+def _begin(
+    lifeline: Connection,
+    barrier: Barrier,
+    environment: Mapping[str, str | None],
+    prepare: Callable[..., object] | None,
+    arguments: Sequence[object],
+) -> None:
+    global _together
+    _together = barrier
+    mark = uuid4().hex
+    _set_environment({**environment, _MARK: f"{os.environ.get(_MARK, '')} {mark}"})
+    # A handler, and no mask, is not inherited by what is started from here.
+    signal.signal(signal.SIGINT, lambda number, frame: None)
+    signal.signal(signal.SIGTERM, lambda number, frame: _end_all(mark))
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    Thread(target=_end_with, args=(lifeline, mark), daemon=True).start()
+    if prepare is not None:
+        prepare(*arguments)
+
+
+def _end_with(lifeline: Connection, mark: str) -> None:
+    """End this process with the one that started it: nobody else would."""
+    with suppress(EOFError, OSError):
+        lifeline.recv_bytes()
+    _end_all(mark)
+
+
+def _end_all(mark: str) -> NoReturn:
+    """End this process, and all that it started."""
+    with _starting:
+        _kill_marked(mark)
+        os._exit(1)
+
+
+def _call_together(function: Callable[..., _T], *arguments: object) -> _T:
+    """Call a function once every process is about to."""
+    _together.wait()
+    return function(*arguments)

@@ -11,6 +11,7 @@ CLASSES = {
     "CC": "CC, convex generatrix and convex directrix",
     "CM": "CM, convex generatrix and monotone directrix",
     "MM": "MM, monotone generatrix and monotone directrix",
+    "SS": "SS, polygons of any shape",
 }
 
 

@@ -5,9 +5,17 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from benchmarks.families import FAMILIES
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
 TRAJECTORY, LOOPS = "trajectory", "three loops"
+
+
+# Polygons of any shape: the no-fit polygon with all its holes and exact fits, though only its
+# exterior is compared. CGAL gives the holes, too, but no exact fits.
+ANY_SHAPE = {
+    "tangled": {(26, 18): 0.5},
+    "radial": {(16, 16): 0.5, (64, 64): 1.0, (256, 64): 3.0, (256, 256): 5.0},
+}
 
 
 class Case(NamedTuple):
@@ -18,12 +26,14 @@ class Case(NamedTuple):
     n: int
     operations: tuple[str, ...] = (TRAJECTORY, LOOPS)
 
-    def pair(self) -> tuple[list[Pair], list[Pair]]:
+    def pair(self) -> tuple[Ring, Ring]:
         """Generatrix and directrix."""
         return FAMILIES[self.family](self.m, self.n, 0)
 
     def bar(self, operation: str) -> float | None:
         """The least ratio of CGAL's time to the kernel's that is asked for."""
+        if self.family in ANY_SHAPE:
+            return ANY_SHAPE[self.family].get((self.m, self.n))
         if operation == LOOPS:
             bars = {(16, 16): 1.0, (64, 64): 3.0, (256, 64): 5.0, (256, 256): 10.0}
         elif self.family in ("mm", "stair"):
@@ -47,6 +57,10 @@ CASES = tuple(
         *(Case(family, m, n) for m, n in _SIZES),
         *(large for large in _LARGE if large.family == family),
     )
+)
+
+CASES += tuple(
+    Case(family, m, n, (TRAJECTORY,)) for family, bars in ANY_SHAPE.items() for m, n in bars
 )
 
 # Trajectories that are held against the making of the output's Fractions and nothing else.

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib.metadata import version as installed
 
 import pyclipper
 
 from benchmarks.peers.worker import Loop
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
 
 def version() -> str:
     return f"pyclipper {installed('pyclipper')}"
 
 
-def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def trajectory(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     inverse = [(-x, -y) for x, y in generatrix]
 
     def run() -> list[Loop]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib.metadata import version as installed
 
 import klayout.db as db
 
 from benchmarks.peers.worker import Loop
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
 LIMIT = 2**31
 
@@ -17,7 +17,7 @@ def version() -> str:
     return f"klayout {installed('klayout')}"
 
 
-def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def trajectory(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     reach = max(abs(c) for part in (generatrix, directrix) for point in part for c in point)
     if 4 * reach >= LIMIT:
         raise OverflowError("coordinates beyond 32 bits")

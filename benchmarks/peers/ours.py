@@ -6,14 +6,14 @@ compares; it is also what a list of parts costs, each of which is read once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 
 import exactsweep
 from benchmarks.peers.worker import Loop
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
-Outline = Sequence[Pair] | exactsweep.Polygon
+Outline = Ring | exactsweep.Polygon
 
 
 def version() -> str:
@@ -40,7 +40,7 @@ def checked_loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[
     return run
 
 
-def floor(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def floor(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     """The floor: the Fractions of the trajectory from its numerators and denominators."""
     vertices = exactsweep.sweep(generatrix, directrix).trajectory.vertices
     ratios = [(c.numerator, c.denominator) for vertex in vertices for c in vertex]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from importlib.metadata import version as installed
 
 from pysfcgal.geometry import Polygon
 
 from benchmarks.peers.worker import Loop
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 
 _FIRST_RING = re.compile(r"\(([^()]*)\)")
 
@@ -19,7 +19,7 @@ def version() -> str:
     return f"pysfcgal {installed('pysfcgal')}"
 
 
-def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def trajectory(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     inverse = [(-x, -y) for x, y in generatrix]
 
     def run() -> list[Loop]:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 import shapely
 
 from benchmarks.peers.worker import Loop
-from exactsweep.corpus.generator.growing import Pair
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.chain import split
 
@@ -42,7 +42,7 @@ def version() -> str:
     return f"shapely {shapely.__version__}, GEOS {shapely.geos_version_string}"
 
 
-def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callable[[], list[Loop]]:
+def trajectory(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     inverse = [(-x, -y) for x, y in generatrix]
 
     def run() -> list[Loop]:
@@ -56,7 +56,7 @@ def trajectory(generatrix: Sequence[Pair], directrix: Sequence[Pair]) -> Callabl
     return run
 
 
-def convex_pieces(polygon: Sequence[Pair]) -> list[Piece]:
+def convex_pieces(polygon: Ring) -> list[Piece]:
     """Convex pieces of an X-monotone polygon."""
     bottom, top = split(polygon)
     xs = sorted({x for x, _ in polygon})

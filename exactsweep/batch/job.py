@@ -55,7 +55,7 @@ def all_pairs(
     Args:
         generatrices: NamedPolygons, as `read_polygons` returns them, or Parts.
         directrices: likewise.
-        what: "trajectory", "loops" or "areas".
+        what: "trajectory", "loops", "areas" or "nfp".
 
     Returns:
         A Job for `run`.
@@ -79,10 +79,10 @@ def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "
 
     Args:
         path: a file of objects with "generatrix" and "directrix": the name of a part, or a polygon
-            as exact JSON or GeoJSON; and perhaps "id", "direction" and "reference". Empty lines
-            do not count.
+            as exact JSON or GeoJSON; and perhaps "id", "reference" and, but for "nfp", "direction".
+            Empty lines do not count.
         parts: those that the lines may name.
-        what: "trajectory", "loops" or "areas".
+        what: "trajectory", "loops", "areas" or "nfp".
 
     Returns:
         A Job for `run`.
@@ -124,8 +124,10 @@ def _digest(work: Work, source: bytes) -> str:
         if part is None or isinstance(part.polygon, str):
             digest.update(repr(part and part.polygon).encode())
         else:
-            for vertex in part.polygon.vertices:
-                digest.update(" ".join(map(format_fraction, vertex)).encode() + b",")
+            for k, ring in enumerate(part.polygon.rings):
+                digest.update(b";" * (k > 0))
+                for vertex in ring:
+                    digest.update(" ".join(map(format_fraction, vertex)).encode() + b",")
     return digest.hexdigest()
 
 

@@ -27,8 +27,8 @@ def write_parquet(records: Path, output: Path, what: Quantities) -> None:
     Args:
         records: a file with a record a line.
         output: the file to be written: a column for each member that a record may have, "index" an
-            int64, all others strings, null where a record has none; directions and vertices are
-            JSON.
+            int64, all others strings, null where a record has none; directions, vertices and exact
+            fits are JSON.
         what: the quantities of the batch.
 
     Cost: linear; a thousand records are in memory at a time.
@@ -58,7 +58,9 @@ class _Digits(str):
     """An integer of any length."""
 
 
-def _text(value: str | list[Any]) -> str:
+def _text(value: str | list[Any] | None) -> str | None:
+    if value is None:
+        return None
     if isinstance(value, str):
         return str(value)
     if all(isinstance(part, _Digits) for part in value):

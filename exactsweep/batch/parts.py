@@ -5,6 +5,7 @@ from typing import NamedTuple
 from exactsweep.formats.outline import Outline
 from exactsweep.formats.polygons import read_outlines
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 
 class Part(NamedTuple):
@@ -12,11 +13,11 @@ class Part(NamedTuple):
 
     Attributes:
         name: its id, or else its index in the list.
-        polygon: a Polygon, or the message of its refusal.
+        polygon: a Polygon, a Region if it has holes, or the message of its refusal.
     """
 
     name: str
-    polygon: Polygon | str
+    polygon: Polygon | Region | str
 
 
 def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
@@ -38,6 +39,6 @@ def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
 def _read(outline: Outline, index: str) -> Part:
     name = index if outline.name is None else outline.name
     try:
-        return Part(name, outline.polygon())
+        return Part(name, outline.region() if outline.holes else outline.polygon())
     except ValueError as error:
         return Part(name, str(error))

@@ -2,39 +2,48 @@
 
 import json
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import Any, Literal
 
+from exactsweep import NoFitPolygon, Sweep
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.sweep import Sweep
+from exactsweep.text.results import direction_to_json
 
-Quantities = Literal["trajectory", "loops", "areas"]
-QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas")
-"""What a batch computes: the trajectory alone, all loops and areas, or the areas alone."""
+Quantities = Literal["trajectory", "loops", "areas", "nfp"]
+QUANTITIES: tuple[Quantities, ...] = ("trajectory", "loops", "areas", "nfp")
+"""What a batch computes: the trajectory alone, all loops and areas, the areas alone, or the no-fit
+polygon of each pair with its holes and exact fits."""
 
 COLUMNS = {
     "trajectory": ("kind", "direction", "trajectory"),
-    "loops": ("kind", "direction", "trajectory", "inner", "outer", "area"),
+    "loops": ("kind", "direction", "trajectory", "inner", "outer", "unswept", "area"),
     "areas": ("kind", "trajectory_area", "inner_area", "outer_area", "area"),
+    "nfp": ("kind", "exterior", "holes", "exact_fits", "area"),
 }
-"""The members of a record besides "index", "error", "id", "generatrix" and "directrix"."""
+"""The members of a record besides "index", "error", "id", "generatrix" and "directrix".
+
+Only records of kind "SS" have "unswept".
+"""
 
 
-def result_line(index: int, names: Mapping[str, object], sweep: Sweep, what: Quantities) -> bytes:
-    """Write what is wanted of a sweep.
+def result_line(
+    index: int, names: Mapping[str, object], result: Sweep | NoFitPolygon, what: Quantities
+) -> bytes:
+    """Write what is wanted of a pair.
 
     Args:
         index: the number of the pair, from 0.
         names: "id", "generatrix" and "directrix", those that there are.
-        sweep: the pair's.
+        result: the pair's sweep, or its no-fit polygon if that is wanted.
         what: the quantities.
 
     Returns:
         A line of JSON; its members are "index", the names and COLUMNS of the quantities, all
-        numbers but the index and the direction strings that `to_fraction` reads.
+        numbers but the index and the direction, which is null for kind "SS", strings that
+        `to_fraction` reads.
     """
-    return _line({"index": index, **names, **{c: _value(sweep, c) for c in COLUMNS[what]}})
+    columns = (c for c in COLUMNS[what] if c != "unswept" or result.kind == "SS")
+    return _line({"index": index, **names, **{c: _value(result, c) for c in columns}})
 
 
 def error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
@@ -52,12 +61,13 @@ def is_error(line: bytes) -> bool:
     return line.partition(b", ")[2].startswith(b'"error": ')
 
 
-def _value(sweep: Sweep, column: str) -> object:
-    loop, _, area = column.partition("_")
-    value: Any = getattr(sweep, loop)
+def _value(result: Sweep | NoFitPolygon, column: str) -> object:
+    if column.endswith("_area"):
+        return getattr(result, column.removesuffix("_area")).area
+    value: Any = getattr(result, column)
     if isinstance(value, Polygon):
-        return value.area if area else value.vertices
-    return value
+        return value.vertices
+    return [loop.vertices for loop in value] if column in ("holes", "unswept") else value
 
 
 def _line(record: Mapping[str, object]) -> bytes:
@@ -67,6 +77,5 @@ def _line(record: Mapping[str, object]) -> bytes:
 
 def _text(name: str, value: Any) -> str:
     if name == "direction":
-        # Integers as numbers, of whatever length.
-        return f"[{', '.join(format_fraction(Fraction(component)) for component in value)}]"
+        return direction_to_json(value)
     return json.dumps(value, default=format_fraction)

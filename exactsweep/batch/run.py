@@ -115,9 +115,9 @@ def _processes(work: Work, workers: int | None, scheduler: str | None) -> Proces
 
         return LocalProcesses(work, workers)
     from exactsweep.batch.cluster import Cluster
-    from exactsweep.batch.local import cores
+    from exactsweep.processes import count_cores
 
-    return Cluster(work, scheduler, workers or cores())
+    return Cluster(work, scheduler, workers or count_cores())
 
 
 _Pending = tuple[Chunk, Answer]

@@ -15,10 +15,12 @@ from exactsweep.formats.outline import choose
 from exactsweep.formats.polygons import find_outlines
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.sweep import Sweep, sweep
+from exactsweep.geometry.region import Region
+from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggestion
 
 Names = dict[str, object]
+_Shape = Polygon | Region
 _OPTIONS = ("direction", "reference")
 _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
@@ -67,7 +69,9 @@ class Work:
             if isinstance(pair, int):
                 generatrix, directrix = self._parts(pair)
                 names |= {"generatrix": generatrix.name, "directrix": directrix.name}
-                result = sweep(_polygon(generatrix, "generatrix"), _polygon(directrix, "directrix"))
+                result = self._result(
+                    _polygon(generatrix, "generatrix"), _polygon(directrix, "directrix")
+                )
             else:
                 result = self._read(pair, names)
             return result_line(index, names, result, self.what)
@@ -94,7 +98,16 @@ class Work:
         i, k = divmod(pair, len(self.directrices))
         return self.generatrices[i], self.directrices[k]
 
-    def _read(self, line: bytes, names: Names) -> Sweep:
+    def _result(
+        self, generatrix: _Shape, directrix: _Shape, **options: Any
+    ) -> Sweep | NoFitPolygon:
+        if self.what != "nfp":
+            return sweep(generatrix, directrix, **options)
+        if "direction" in options:
+            raise FormatError("$.direction: a no-fit polygon takes no direction")
+        return no_fit_polygon(directrix, generatrix, **options)
+
+    def _read(self, line: bytes, names: Names) -> Sweep | NoFitPolygon:
         if not line:
             raise FormatError(f"the line has more than {MAX_BYTES} bytes")
         text = decode_text(line)
@@ -113,9 +126,9 @@ class Work:
             name: _pair(document[name], name) for name in _OPTIONS if document.get(name) is not None
         }
         polygons = [self._member(document, name) for name in ("generatrix", "directrix")]
-        return sweep(*polygons, **options)
+        return self._result(*polygons, **options)
 
-    def _member(self, document: Mapping[str, object], name: str) -> Polygon:
+    def _member(self, document: Mapping[str, object], name: str) -> _Shape:
         if name not in document:
             raise FormatError(f"$ has no {name}")
         value = document[name]
@@ -125,7 +138,7 @@ class Work:
                 raise FormatError(f"$.{name}: there is no part {quoted(value)}{near}")
             return _polygon(self._by_name[value], name)
         try:
-            return choose(find_outlines(value), None).polygon()
+            return choose(find_outlines(value), None).region()
         except ValueError as error:
             raise FormatError(f"{name}: {error}") from None
 
@@ -134,7 +147,7 @@ class Work:
         return {part.name: part for part in self.generatrices}
 
 
-def _polygon(part: Part, member: str) -> Polygon:
+def _polygon(part: Part, member: str) -> _Shape:
     if isinstance(part.polygon, str):
         raise FormatError(f"{member}: {part.polygon}")
     return part.polygon

@@ -13,6 +13,7 @@ from math import ceil, floor
 from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
+from exactsweep.canvas.window import MOST_STRETCHED
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Rational, Vertex
 
@@ -20,8 +21,6 @@ from exactsweep.geometry.point import Rational, Vertex
 # that is no further off than so many times the size of the picture.
 _PLAIN = range(-2, 4)
 _NEAR = 1000
-# Both axes have one unit unless the picture would be a mere line.
-_MOST_STRETCHED = 12
 _SHOWN_DIGITS = 12
 _SHOWN_DECIMALS = 5
 
@@ -119,7 +118,7 @@ class Scale(NamedTuple):
             (Fraction(min(values)), Fraction(max(values))) for values in zip(*points, strict=True)
         ]
         sizes = [high - low for low, high in boxes]
-        is_true = max(sizes) <= _MOST_STRETCHED * min(sizes) or min(sizes) == 0
+        is_true = max(sizes) <= MOST_STRETCHED * min(sizes) or min(sizes) == 0
         if is_true:
             sizes = [max(sizes)] * 2
         x, y = (_axis(*box, size) for box, size in zip(boxes, sizes, strict=True))

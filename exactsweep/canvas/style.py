@@ -68,6 +68,7 @@ class Look:
         marker: marker of matplotlib at each point, None for none.
         hollow: whether markers are filled with white.
         order: what is drawn later, over the rest, has a higher one.
+        size: of markers, in points.
     """
 
     color: str
@@ -78,6 +79,7 @@ class Look:
     marker: str | None = None
     hollow: bool = False
     order: float = 3
+    size: float = 4.5
 
     @property
     def as_line(self) -> dict[str, Any]:
@@ -87,7 +89,7 @@ class Look:
             "linewidth": self.width,
             "linestyle": self.dash,
             "marker": self.marker,
-            "markersize": 4.5,
+            "markersize": self.size,
             "markerfacecolor": "white" if self.hollow else self.color,
             "zorder": self.order,
         }
@@ -113,6 +115,9 @@ INNER = Look(GREEN, 2.4, order=2.5)
 UNDERCUT = Look(RED, 0.5, hatch="//////", order=2)
 EXACT_FIT = Look(PURPLE, 2.2, marker="o", order=6)
 MANY_EXACT_FITS = Look(PURPLE, 0.5, order=6)
+POINT_FIT = Look(PURPLE, 0, dash="none", marker="*", order=7.2, size=12)
+FREE = Look(GREEN, 1.6, fill="#009e7338", dash=(0, (6, 1.5)), order=4.5)
+"""Positions without overlap: holes of a no-fit polygon, regions of an inner fit."""
 HANGING_END = Look(PURPLE, 0, dash="none", marker="o", hollow=True, order=6.1)
 TRAJECTORY = Look(BLACK, 1.2, order=5)
 REFERENCE = Look(BLACK, 0, dash="none", marker="o", order=7)

@@ -5,14 +5,14 @@ They are for looking at: coordinates are scaled exactly and then rounded to a hu
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import chain
 from typing import NamedTuple
 
 from exactsweep.canvas import style
-from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
+from exactsweep.canvas.window import Window
 from exactsweep.geometry.point import Vertex
 
 _WIDTH, _HEIGHT, _MARGIN = 420, 320, 12
@@ -22,7 +22,7 @@ _HATCH = "exactsweep-hatch"
 class Shape(NamedTuple):
     """A loop, or several loops or chains, and how they look."""
 
-    loops: list[Iterable[Vertex]]
+    loops: Sequence[Iterable[Vertex]]
     look: Look
     closed: bool = True
 
@@ -43,36 +43,19 @@ def svg(shapes: Iterable[Shape], title: str) -> str:
     Cost: linear in the number of points.
     """
     drawn = [Shape([list(loop) for loop in s.loops], s.look, s.closed) for s in shapes]
-    scale = Scale.of(*chain.from_iterable(shape.loops for shape in drawn))
-    placed = [[scale.places(loop) for loop in shape.loops] for shape in drawn]
-    xs, ys = zip(*chain.from_iterable(chain.from_iterable(placed)), strict=True)
-    left, top = min(xs), max(ys)
-    across, up = max(xs) - left, top - min(ys)
-    x_unit, y_unit = (_WIDTH / (across or 1), _HEIGHT / (up or 1))
-    if scale.is_true:
-        x_unit = y_unit = min(_WIDTH / (across or up or 1), _HEIGHT / (up or across or 1))
-    paths = [
-        _path(
-            [
-                [((x - left) * x_unit + _MARGIN, (top - y) * y_unit + _MARGIN) for x, y in loop]
-                for loop in loops
-            ],
-            shape,
-        )
-        for loops, shape in zip(placed, drawn, strict=True)
-    ]
-    width, height = across * x_unit + 2 * _MARGIN, up * y_unit + 2 * _MARGIN
+    points = chain.from_iterable(chain.from_iterable(shape.loops for shape in drawn))
+    window = Window.around(points, _WIDTH, _HEIGHT, _MARGIN)
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
-        f'viewBox="0 0 {width:.0f} {height:.0f}" role="img">'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{_HEIGHT}" '
+        f'viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img">'
         f"<title>{escape(title)}</title>"
         '<rect width="100%" height="100%" fill="#ffffff"/>'
-        f"{''.join(paths)}</svg>"
+        f"{''.join(_path(shape, window) for shape in drawn)}</svg>"
     )
 
 
-def _path(loops: list[list[tuple[float, float]]], shape: Shape) -> str:
-    data = path_data(loops, closed=shape.closed)
+def _path(shape: Shape, window: Window) -> str:
+    data = path_data((map(window.place, loop) for loop in shape.loops), closed=shape.closed)
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:
@@ -83,13 +66,14 @@ def _path(loops: list[list[tuple[float, float]]], shape: Shape) -> str:
             f'patternTransform="rotate(45)"><path d="M0 0V5" stroke="{look.color}" '
             'stroke-width="1.4"/></pattern>'
         )
+    ends = "" if shape.closed else ' stroke-linecap="round"'
     dash = ""
     if not isinstance(look.dash, str):
         lengths = " ".join(f"{length * look.width:.1f}" for length in look.dash[1])
         dash = f' stroke-dasharray="{lengths}"'
     return (
         f'{hatching}<path d="{data}" fill="{fill}" fill-rule="evenodd" stroke="{look.color}" '
-        f'stroke-width="{look.width}" stroke-linejoin="round"{dash}/>'
+        f'stroke-width="{look.width}" stroke-linejoin="round"{ends}{dash}/>'
     )
 
 

@@ -6,7 +6,7 @@ types, numbers written in lowest terms, indices in range. Nothing is computed fr
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd
@@ -20,8 +20,8 @@ VERSION = 1
 
 # Crossings have more digits than the input, and the area has more again; but reading a number
 # takes time that grows with the square of its length.
-_MAX_DIGITS = 20_000
-_MAX_AREA_DIGITS = 200_000
+MAX_DIGITS = 20_000
+MAX_AREA_DIGITS = 200_000
 MAX_BITS = 400_000  # of an int, which no reader has bounded yet
 
 Event = Literal["EV", "VE", "EE"]
@@ -94,37 +94,27 @@ def read(certificate: Any) -> Certificate:
     Raises: CertificateError, naming the key and the place in it.
     Cost: linear in the length of the input, for numbers of bounded length.
     """
-    if type(certificate) is not dict:
-        raise CertificateError(f"a certificate is an object, not a {type(certificate).__name__}")
-    for key in ("format", "version", *Certificate._fields):
-        if key not in certificate:
-            raise CertificateError(f"the key {key!r} is missing")
-    if len(certificate) > 2 + len(Certificate._fields):
-        raise CertificateError("there are unknown keys")
-    if not _is(certificate["format"], str, FORMAT):
-        raise CertificateError(f"format is not {FORMAT!r}")
-    if not _is(certificate["version"], int, VERSION):
-        raise CertificateError(f"version is not {VERSION}")
-    if not any(_is(certificate["kind"], str, kind) for kind in ("CC", "CM", "MM")):
+    check_keys(certificate, Certificate._fields)
+    if not any(is_exactly(certificate["kind"], str, kind) for kind in ("CC", "CM", "MM")):
         raise CertificateError("kind is not CC, CM or MM")
-    with limits(max_digits=_MAX_DIGITS):
+    with limits(max_digits=MAX_DIGITS):
         g, d, t, inner, outer = (
-            _loop(certificate[name], name)
+            read_loop(certificate[name], name)
             for name in ("generatrix", "directrix", "trajectory", "inner", "outer")
         )
         reference = _point(certificate["reference"], "reference")
-        fits = _list(certificate["exact_fits"], "exact_fits", _fit)
-    with limits(max_digits=_MAX_AREA_DIGITS):
-        area = _number(certificate["area"], "area")
+        fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
+    with limits(max_digits=MAX_AREA_DIGITS):
+        area = read_number(certificate["area"], "area")
 
     def contact(item: Any, place: str) -> Contact:
-        event, i, j = _tuple(item, place, 3)
+        event, i, j = read_tuple(item, place, 3)
         if event not in ("EV", "VE", "EE"):
             raise CertificateError(f"{place}: not EV, VE or EE")
         return Contact(event, _index(i, len(g), place), _index(j, len(d), place))
 
     def drawing(item: Any, place: str) -> Drawing:
-        position, feature = _tuple(item, place, 2)
+        position, feature = read_tuple(item, place, 2)
         return Drawing(_feature(position, len(t), place), _feature(feature, len(g), place))
 
     contacts = _evidence(certificate["contacts"], "contacts", len(t), contact)
@@ -148,24 +138,42 @@ def read(certificate: Any) -> Certificate:
     )
 
 
-def _is(item: Any, kind: type, value: object) -> bool:
+def check_keys(certificate: Any, fields: Collection[str]) -> None:
+    """Check that a certificate is an object of this format, with these keys and no others."""
+    if type(certificate) is not dict:
+        raise CertificateError(f"a certificate is an object, not a {type(certificate).__name__}")
+    for key in ("format", "version", *fields):
+        if key not in certificate:
+            raise CertificateError(f"the key {key!r} is missing")
+    if len(certificate) > 2 + len(fields):
+        raise CertificateError("there are unknown keys")
+    if not is_exactly(certificate["format"], str, FORMAT):
+        raise CertificateError(f"format is not {FORMAT!r}")
+    if not is_exactly(certificate["version"], int, VERSION):
+        raise CertificateError(f"version is not {VERSION}")
+
+
+def is_exactly(item: Any, kind: type, value: object) -> bool:
     """Equality of values of one type only: True is not 1."""
     return type(item) is kind and bool(item == value)
 
 
-def _list(item: Any, place: str, entry: Callable[[Any, str], _T]) -> tuple[_T, ...]:
+def read_list(item: Any, place: str, entry: Callable[[Any, str], _T]) -> tuple[_T, ...]:
+    """Read a list, each entry with its place."""
     if type(item) is not list:
         raise CertificateError(f"{place}: a {type(item).__name__}, not a list")
     return tuple(entry(value, f"{place}[{k}]") for k, value in enumerate(item))
 
 
-def _tuple(item: Any, place: str, length: int) -> list[Any]:
+def read_tuple(item: Any, place: str, length: int) -> list[Any]:
+    """Take a list of a known length apart."""
     if type(item) is not list or len(item) != length:
         raise CertificateError(f"{place}: not a list of {length}")
     return item
 
 
-def _number(item: Any, place: str) -> Fraction:
+def read_number(item: Any, place: str) -> Fraction:
+    """Read a rational in lowest terms."""
     if type(item) is not str:
         raise CertificateError(f"{place}: a {type(item).__name__}, not a number in a string")
     try:
@@ -178,12 +186,13 @@ def _number(item: Any, place: str) -> Fraction:
 
 
 def _point(item: Any, place: str) -> Point:
-    x, y = _tuple(item, place, 2)
-    return Point(_number(x, f"{place}[0]"), _number(y, f"{place}[1]"))
+    x, y = read_tuple(item, place, 2)
+    return Point(read_number(x, f"{place}[0]"), read_number(y, f"{place}[1]"))
 
 
-def _loop(item: Any, name: str) -> Loop:
-    points = _list(item, name, _point)
+def read_loop(item: Any, name: str) -> Loop:
+    """Read a loop of at least three points, the least one first."""
+    points = read_list(item, name, _point)
     if len(points) < 3:
         raise CertificateError(f"{name}: fewer than three vertices")
     if (least := min(points)) != points[0]:
@@ -191,13 +200,14 @@ def _loop(item: Any, name: str) -> Loop:
     return points
 
 
-def _fit(item: Any, place: str) -> tuple[Point, Point]:
-    hanging, end = _tuple(item, place, 2)
+def read_fit(item: Any, place: str) -> tuple[Point, Point]:
+    """Read a pair of points."""
+    hanging, end = read_tuple(item, place, 2)
     return _point(hanging, f"{place}[0]"), _point(end, f"{place}[1]")
 
 
 def _direction(item: Any) -> tuple[int, int]:
-    p, q = _tuple(item, "direction", 2)
+    p, q = read_tuple(item, "direction", 2)
     if type(p) is not int or type(q) is not int:
         raise CertificateError("direction: not a pair of integers")
     if max(p.bit_length(), q.bit_length()) > MAX_BITS:
@@ -214,7 +224,7 @@ def _index(item: Any, length: int, place: str) -> int:
 
 
 def _feature(item: Any, length: int, place: str) -> Feature:
-    kind, index = _tuple(item, place, 2)
+    kind, index = read_tuple(item, place, 2)
     if kind not in ("vertex", "edge"):
         raise CertificateError(f"{place}: neither a vertex nor an edge")
     return Feature(kind, _index(index, length, place))
@@ -223,7 +233,7 @@ def _feature(item: Any, length: int, place: str) -> Feature:
 def _evidence(
     item: Any, name: str, edges: int, entry: Callable[[Any, str], _T]
 ) -> tuple[tuple[_T, ...], ...]:
-    lists = _list(item, name, lambda listed, place: _list(listed, place, entry))
+    lists = read_list(item, name, lambda listed, place: read_list(listed, place, entry))
     if len(lists) != edges:
         raise CertificateError(f"{name}: {len(lists)} lists for a loop of {edges} edges")
     for k, listed in enumerate(lists):

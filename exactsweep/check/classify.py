@@ -1,34 +1,29 @@
 """One translation of one polygon against another: free, in contact, or overlapping.
 
 A plane sweep in the manner of Shamos and Hoey ("Geometric intersection problems", 1976) over the
-edges of both polygons, on ints. Where boundaries meet without crossing, they do so at a vertex of
-one of them, which is an event; there the two interiors are compared as cones. So
+edges of both polygons, holes and all, on ints. Where boundaries meet without crossing, they do so
+at a vertex of one of them, which is an event; there the two interiors are compared as cones. So
 
 - edges that cross, or cones at a common point with a direction in common: the interiors meet;
-- common points, and no two cones meet: the interiors are disjoint, because a boundary could enter
+- common points, and no two cones meet: the interiors are disjoint, because a ring could enter
   the other interior only from a common point, along a direction of both cones;
-- no common point: one polygon holds the other, or they are apart.
+- no common point: the exterior of one is inside the other interior, or they are apart. Were only
+  holes inside, both exteriors would surround them, and the inner one of the two would part the
+  interior of the other polygon.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
-from math import lcm
+from itertools import chain
 from typing import Any, Literal, NamedTuple
 
-from exactsweep.check.location import Coordinates, locate
-from exactsweep.check.meeting import (
-    Loop,
-    Pair,
-    common_direction,
-    corner,
-    direction_inside,
-    dot,
-    meetings,
-)
+from exactsweep.check.cone import Pair, common_direction, direction_inside, dot
+from exactsweep.check.location import locate_in_shape
+from exactsweep.check.meeting import cones_of, meetings, split_where_touching
+from exactsweep.check.shape import Shape, on_one_lattice, polygons_of
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon
 
 Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
 
@@ -41,10 +36,10 @@ class Classification(NamedTuple):
 
 
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
-    """Decide whether G + t, a translate of one simple polygon, meets another, D.
+    """Decide whether G + t, a translate of one polygon, meets another, D.
 
     Args:
-        directrix: D, a Polygon or its vertices, m edges, monotone or not.
+        directrix: D, a Polygon, its vertices or a Region, m edges, monotone or not.
         generatrix: G, likewise, n edges.
         t: a pair of rationals.
 
@@ -53,7 +48,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         only the boundaries meet, and the witness is in both. FREE: no common point, None.
 
     Raises:
-        PolygonError: a polygon is not simple.
+        PolygonError: vertices are not those of a simple polygon.
         NumberError: a coordinate is not an exact number.
 
     Cost: O((m + n) log(m + n)) comparisons, and as many insertions into one list.
@@ -63,48 +58,43 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     >>> [classify(square, square, t).verdict for t in [(3, 0), (2, 1), (1, 1)]]
     ['FREE', 'CONTACT', 'OVERLAP']
     """
-    scale, loops = _on_one_lattice(Polygon(directrix), Polygon(generatrix), t)
-    if _boxes_apart(*loops):
+    x, y = map(to_fraction, t)
+    polygons = [polygons_of(directrix), polygons_of(generatrix)]
+    scale, (d, g) = on_one_lattice(polygons, (x.denominator, y.denominator))
+    dx, dy = int(x * scale), int(y * scale)
+    shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)
+    if _boxes_apart(*shapes):
         return Classification("FREE", None)
     contact = None
-    for point, cones in meetings(loops):
+    for point, cones in meetings(shapes):
         if direction := common_direction(*cones):
-            return Classification("OVERLAP", _witness(point, direction, loops, scale))
+            return Classification("OVERLAP", _witness(point, direction, shapes, scale))
         contact = contact or point
     if contact:
         return Classification("CONTACT", _point(*contact, scale))
-    for inner, outer in (loops, loops[::-1]):
-        if locate(inner[0], outer) > 0:
-            direction = direction_inside(corner(inner, 0))
-            return Classification("OVERLAP", _witness(inner[0], direction, loops, scale))
+    for inner, outer in (shapes, shapes[::-1]):
+        start = inner[0][0]
+        if locate_in_shape(start, outer) > 0:
+            direction = direction_inside(cones_of(split_where_touching(inner))[start][0])
+            return Classification("OVERLAP", _witness(start, direction, shapes, scale))
     return Classification("FREE", None)
 
 
-def _on_one_lattice(d: Polygon, g: Polygon, t: tuple[Any, Any]) -> tuple[int, tuple[Loop, Loop]]:
-    """The vertices of D and of G + t in units of 1 / scale."""
-    (d_scale, d_points), (g_scale, g_points) = d.lattice(), g.lattice()
-    tx, ty = map(to_fraction, t)
-    scale = lcm(d_scale, g_scale, tx.denominator, ty.denominator)
-    k, dx, dy = scale // g_scale, int(tx * scale), int(ty * scale)
-    moved = [(x * k + dx, y * k + dy) for x, y in g_points]
-    k = scale // d_scale
-    return scale, ([(x * k, y * k) for x, y in d_points], moved)
-
-
-def _boxes_apart(one: Loop, other: Loop) -> bool:
+def _boxes_apart(one: Shape, other: Shape) -> bool:
     for axis in (0, 1):
-        a, b = [p[axis] for p in one], [p[axis] for p in other]
+        # The exterior is the first ring.
+        a, b = [p[axis] for p in one[0]], [p[axis] for p in other[0]]
         if max(a) < min(b) or max(b) < min(a):
             return True
     return False
 
 
-def _witness(point: Coordinates, direction: Pair, loops: tuple[Loop, Loop], scale: int) -> Point:
+def _witness(point: Pair, direction: Pair, shapes: tuple[Shape, Shape], scale: int) -> Point:
     """A point of both interiors: half-way to the next boundary in a direction of both cones."""
     x, y = point
     dx, dy = direction
     reach = []
-    for loop in loops:
+    for loop in chain(*shapes):
         # Signed distances of the vertices from the ray's line, and positions along it.
         off = [dx * (vy - y) - dy * (vx - x) for vx, vy in loop]
         for k, (vx, vy) in enumerate(loop):

@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
+from exactsweep.check.shape import on_one_lattice, polygons_of
 from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.polygon import Polygon
-
-Coordinates = tuple[int | Fraction, int | Fraction]
+from exactsweep.geometry.point import LatticePoint as Coordinates
 
 
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
-    """Locate a point: 1 in the open interior of a simple polygon, 0 on its boundary, -1 outside.
+    """Locate a point: 1 in the open interior of a polygon, 0 on its boundary, -1 outside.
 
     Args:
         point: a pair of rationals.
-        polygon: a Polygon or its vertices, n edges.
+        polygon: a Polygon, its vertices or a Region, n edges.
 
     Raises:
-        PolygonError: the polygon is not simple.
+        PolygonError: the vertices are not those of a simple polygon.
         NumberError: a coordinate is not an exact number.
 
     Cost: O(n) comparisons.
@@ -29,9 +27,15 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    scale, vertices = Polygon(polygon).lattice()
+    scale, (shape,) = on_one_lattice([polygons_of(polygon)])
     x, y = point
-    return locate((to_fraction(x) * scale, to_fraction(y) * scale), vertices)
+    return locate_in_shape((to_fraction(x) * scale, to_fraction(y) * scale), shape)
+
+
+def locate_in_shape(point: Coordinates, rings: Sequence[Sequence[Coordinates]]) -> int:
+    """Locate a point like `point_in_polygon`; outside all rings or in a hole is outside."""
+    sides = [locate(point, ring) for ring in rings]
+    return 0 if 0 in sides else 1 if sides.count(1) == 1 else -1
 
 
 def locate(point: Coordinates, loop: Sequence[Coordinates]) -> int:

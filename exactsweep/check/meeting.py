@@ -1,4 +1,4 @@
-"""Where the boundaries of two polygons meet, and how their interiors lie there."""
+"""Where the boundaries of two shapes meet, and how their interiors lie there."""
 
 from __future__ import annotations
 
@@ -9,10 +9,8 @@ from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
-from exactsweep.check.location import Coordinates
-
-Pair = Coordinates
-Loop = Sequence[Pair]
+from exactsweep.check.cone import Cone, Pair, Ray, cones_between, cross, dot, is_between, minus
+from exactsweep.check.shape import Shape, edges_of
 
 
 class _Edge(NamedTuple):
@@ -29,62 +27,54 @@ class _Edge(NamedTuple):
         (x, y), (dx, dy) = self.left, self.along
         return dy * (point[0] - x) - dx * (point[1] - y)
 
-
-class Cone(NamedTuple):
-    """The directions into a polygon at a boundary point: counter-clockwise from start to end."""
-
-    start: Pair
-    end: Pair
-
-    def holds(self, d: Pair) -> bool:
-        """Whether a direction is in the cone, its start included and its end not."""
-        if _cross(self.start, d) == 0 and dot(self.start, d) > 0:
-            return True
-        if _cross(self.end, d) == 0 and dot(self.end, d) > 0:
-            return False
-        if _cross(self.start, self.end) > 0:
-            return _cross(self.start, d) > 0 and _cross(d, self.end) > 0
-        return _cross(self.start, d) > 0 or _cross(d, self.end) > 0
+    @property
+    def rays(self) -> tuple[Ray, Ray]:
+        """The edge as seen from a point inside it."""
+        x, y = self.along
+        return Ray((x, y), self.sense > 0), Ray((-x, -y), self.sense < 0)
 
 
-def meetings(loops: tuple[Loop, Loop]) -> Iterator[tuple[Coordinates, tuple[Cone, Cone]]]:
-    """Common boundary points in the order of the sweep, each with the cones of both polygons.
+Cones = list[Cone]
+
+
+def meetings(shapes: tuple[Shape, Shape]) -> Iterator[tuple[Pair, tuple[Cones, Cones]]]:
+    """Common boundary points in the order of the sweep, each with the cones of both shapes.
 
     Complete as long as no cones met so far; past that, the order of the status is not kept.
     """
-    corners: dict[Pair, dict[int, Cone]] = defaultdict(dict)
+    corners: dict[Pair, dict[int, list[Ray]]] = defaultdict(dict)
     starting: dict[Pair, list[_Edge]] = defaultdict(list)
-    for owner, loop in enumerate(loops):
-        for k, p in enumerate(loop):
-            corners[p][owner] = corner(loop, k)
-            left, right = sorted((loop[k - 1], p))
-            sense = 1 if right == p else -1
-            starting[left].append(_Edge(left, right, _minus(right, left), sense, owner))
+    for owner, shape in enumerate(shapes):
+        for ring in shape:
+            for k, p in enumerate(ring):
+                corners[p].setdefault(owner, []).extend(corner(ring, k))
+                left, right = sorted((ring[k - 1], p))
+                sense = 1 if right == p else -1
+                starting[left].append(_Edge(left, right, minus(right, left), sense, owner))
     # The status: the edges over the current event from below to above. At equal x the lower
     # event comes first, as if the plane were tilted a little; so a vertical edge is the steepest.
     status: list[_Edge] = []
     for point in sorted(corners):
         low = bisect_left(status, True, key=lambda edge: edge.side(point) >= 0)
         high = bisect_left(status, True, lo=low, key=lambda edge: edge.side(point) > 0)
-        through = status[low:high]
-        cones = corners[point]
+        through = [edge for edge in status[low:high] if edge.right != point]
+        rays = corners[point]
         for edge in through:
-            if edge.owner not in cones:
-                cones[edge.owner] = _half_plane(edge)
-        if len(cones) == 2:
-            yield point, (cones[0], cones[1])
+            rays.setdefault(edge.owner, []).extend(edge.rays)
+        if len(rays) == 2:
+            yield point, (cones_between(rays[0]), cones_between(rays[1]))
         # Edges that run on together share one line: either order of them is right until the
         # first one ends, at an event that lies on both.
-        onward = [edge for edge in through if edge.right != point] + starting[point]
+        onward = through + starting[point]
         onward.sort(key=_BY_SLOPE)
         status[low:high] = onward
         for k in {low, low + len(onward)}:
             if 0 < k < len(status) and (crossing := _crossing(status[k - 1], status[k])):
                 a, b = sorted(status[k - 1 : k + 1], key=lambda edge: edge.owner)
-                yield crossing, (_half_plane(a), _half_plane(b))
+                yield crossing, (cones_between(a.rays), cones_between(b.rays))
 
 
-def _crossing(e: _Edge, f: _Edge) -> Coordinates | None:
+def _crossing(e: _Edge, f: _Edge) -> Pair | None:
     """The point inside both edges in which they cross; touching is left to the events."""
     if e.owner == f.owner:
         return None
@@ -96,48 +86,43 @@ def _crossing(e: _Edge, f: _Edge) -> Coordinates | None:
 
 
 def _compare_slopes(e: _Edge, f: _Edge) -> int:
-    turn = _cross(f.along, e.along)
+    turn = cross(f.along, e.along)
     return (turn > 0) - (turn < 0)
 
 
 _BY_SLOPE = cmp_to_key(_compare_slopes)
 
 
-def corner(loop: Loop, k: int) -> Cone:
-    """Cone of a counter-clockwise loop at its vertex k."""
-    p = loop[k]
-    return Cone(_minus(loop[(k + 1) % len(loop)], p), _minus(loop[k - 1], p))
+def corner(ring: Sequence[Pair], k: int) -> tuple[Ray, Ray]:
+    """The rays of a ring at its vertex k."""
+    p = ring[k]
+    ahead, back = minus(ring[(k + 1) % len(ring)], p), minus(ring[k - 1], p)
+    return Ray(ahead, True), Ray(back, False)
 
 
-def _half_plane(edge: _Edge) -> Cone:
-    x, y = edge.along
-    ahead, back = (x, y), (-x, -y)
-    return Cone(ahead, back) if edge.sense > 0 else Cone(back, ahead)
+def split_where_touching(shape: Shape) -> Shape:
+    """Make vertices of rings that lie inside edges of others vertices of those, too.
+
+    Cost: O(n) for one ring, O(n**2) for several.
+    """
+    if len(shape) == 1:
+        return shape
+    corners = {p for ring in shape for p in ring}
+    rings = []
+    for ring in shape:
+        points: list[Pair] = []
+        for a, b in edges_of([ring]):
+            way = minus(b, a)
+            inside = [p for p in corners if p not in (a, b) and is_between(p, a, b)]
+            points += [a, *sorted(inside, key=lambda p: dot(minus(p, a), way))]
+        rings.append(tuple(points))
+    return tuple(rings)
 
 
-def common_direction(one: Cone, other: Cone) -> Pair | None:
-    """A direction strictly inside both cones. If there is any, one cone begins in the other."""
-    for a, b in ((one, other), (other, one)):
-        if a.holds(b.start):
-            end = a.end if b.holds(a.end) else b.end
-            return direction_inside(Cone(b.start, end))
-    return None
-
-
-def direction_inside(cone: Cone) -> Pair:
-    """A direction strictly inside: between the two sides, or square to one if the cone is wide."""
-    (x, y), (end_x, end_y) = cone
-    return (x + end_x, y + end_y) if _cross(*cone) > 0 else (-y, x)
-
-
-def _minus(p: Pair, q: Pair) -> Pair:
-    return p[0] - q[0], p[1] - q[1]
-
-
-def _cross(p: Pair, q: Pair) -> int | Fraction:
-    return p[0] * q[1] - p[1] * q[0]
-
-
-def dot(p: Pair, q: Pair) -> int | Fraction:
-    """Scalar product of two directions."""
-    return p[0] * q[0] + p[1] * q[1]
+def cones_of(shape: Shape) -> dict[Pair, Cones]:
+    """The cones of a shape at each of its vertices; its rings touch in vertices only."""
+    rays: dict[Pair, list[Ray]] = defaultdict(list)
+    for ring in shape:
+        for k, p in enumerate(ring):
+            rays[p].extend(corner(ring, k))
+    return {p: cones_between(found) for p, found in rays.items()}

@@ -1,5 +1,8 @@
 """Proving a certificate from the definition alone.
 
+A certificate with the key `claim` is for polygons of any shape: `claim` says what is in it, and
+`complete` how it is proved. The others are sweeps of monotone polygons, and the rest is about them.
+
 With P = D + I(G), the Minkowski sum, a certificate says where three loops run:
 
     trajectory   the boundary of P
@@ -30,6 +33,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from exactsweep.check.certificate import Certificate, CertificateError, read
+from exactsweep.check.claim import read_claim
+from exactsweep.check.complete import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import exact_fits
@@ -72,14 +77,18 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
     Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
     the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
-    those only that are over G), and c log k for c pairs of convex corners.
+    those only that are over G), and c log k for c pairs of convex corners. For polygons of any
+    shape that of `reference_no_fit` and its like.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
     Verification(proved=False, reason="the key 'version' is missing", witness=None)
     """
     try:
-        _prove(read(certificate), max_steps)
+        if type(certificate) is dict and "claim" in certificate:
+            prove_claim(read_claim(certificate), max_steps)
+        else:
+            _prove(read(certificate), max_steps)
     except CertificateError as flaw:
         return Verification(False, str(flaw), flaw.witness)
     return Verification(True, "proved", None)

@@ -11,7 +11,9 @@ from exactsweep.cli.corpus import corpus_command
 from exactsweep.cli.draw import draw_command
 from exactsweep.cli.explain import explain_command
 from exactsweep.cli.help import add_examples
+from exactsweep.cli.ifp import ifp_command
 from exactsweep.cli.judge import judge_command
+from exactsweep.cli.nfp import nfp_command
 from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
@@ -37,6 +39,8 @@ def main() -> None:
 
 
 main.add_command(sweep_command)
+main.add_command(nfp_command)
+main.add_command(ifp_command)
 main.add_command(explain_command)
 main.add_command(draw_command)
 main.add_command(verify_command)

@@ -34,9 +34,9 @@ if TYPE_CHECKING:
 @click.option(
     "--compute",
     "what",
-    type=click.Choice(["trajectory", "loops", "areas"]),
+    type=click.Choice(["trajectory", "loops", "areas", "nfp"]),
     default="loops",
-    help="The trajectory alone, all loops (if left out), or just areas.",
+    help="The trajectory alone, all loops (if left out), just areas, or no-fit polygons.",
 )
 @click.option(
     "--workers",
@@ -76,6 +76,9 @@ def batch_command(
     "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
     'exactsweep sweep' reads, or the name of one in the file of --parts. Instead of PAIRS, --all
     takes two files and sweeps each polygon of the first one around each of the second.
+
+    A record of --compute nfp has the exterior, the holes and the exact fits of the no-fit polygon,
+    as 'exactsweep nfp --json' writes them; the generatrix is the one that orbits.
 
     The records are in the order of the pairs. A pair that is refused has a record that says why,
     and does not end the batch. A batch that is interrupted, however, goes on from where it was

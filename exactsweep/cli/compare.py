@@ -65,11 +65,11 @@ def compare_command(
     """  # noqa: D301
     from exactsweep.conform.judge.compare import compare
     from exactsweep.conform.judge.verdict import Verdict
-    from exactsweep.conform.report.text import told
+    from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.cases import read_case, read_result
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")
     found = compare(read_case(case), read_result(result), rounding=rounding)
-    write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else told(found), output)
+    write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else describe(found), output)
     sys.exit(0 if found.verdict.severity <= Verdict(accept).severity else 1)

@@ -86,7 +86,7 @@ def conform_command(
     from exactsweep.conform.report.text import progress
     from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
     from exactsweep.conform.run.journal import Journal
-    from exactsweep.conform.run.pool import Pool
+    from exactsweep.conform.run.pool import Judges
     from exactsweep.conform.run.run import Run
     from exactsweep.conform.run.runner import conduct
 
@@ -99,16 +99,16 @@ def conform_command(
     cases = distinct(selection.shipped() if path is None else selection.among(read_cases(path)))
     with ExitStack() as stack:
         stack.enter_context(_terminated_as_interrupted())
-        pool = stack.enter_context(Pool(command, seconds=timeout, workers=workers))
+        judges = stack.enter_context(Judges(command, seconds=timeout, workers=workers))
         kept = journal and stack.enter_context(
             Journal(
-                Path(journal), command=command, hello=pool.hello, seconds=timeout, resume=resume
+                Path(journal), command=command, hello=judges.hello, seconds=timeout, resume=resume
             )
         )
-        run = Run(pool.hello, command, Verdict(reports.accept))
+        run = Run(judges.hello, command, Verdict(reports.accept))
         tell = stack.enter_context(progress(run, total))
         smaller = shrink if reports.html or reports.json else 0
-        conduct(run, pool, cases, journal=kept or None, tell=tell, made_smaller=smaller)
+        conduct(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)
     if not run.summary.total() and not run.interrupted:
         raise SelectionError("no case is like that")
     reports.write(run)

@@ -7,6 +7,11 @@ EXAMPLES = {
         "house.json block.wkt",
         "parts.svg#bracket sheet.dxf#0 --flatten 1/1000 --json -o result.json",
     ],
+    "nfp": [
+        "plate.json fork.wkt",
+        "sheet.dxf#0 parts.svg#bracket --reference 1/2 0 --json -o result.json",
+    ],
+    "ifp": ["sheet.json part.wkt", "sheet.json part.wkt --certificate -o proof.json"],
     "explain": ["house.json block.wkt"],
     "draw": ["house.json block.wkt --position 13/5 13/5 -o block.svg"],
     "view": ["house.json block.wkt -o sweep.html"],
@@ -15,6 +20,7 @@ EXAMPLES = {
     "batch": [
         "--all parts.dxf sheets.json -o results.jsonl",
         "pairs.jsonl --parts parts.svg --compute areas -o areas.parquet",
+        "--all parts.json parts.json --compute nfp -o nfp.jsonl",
     ],
     "corpus list": ["--class MM --max-size 20", "families"],
     "corpus show": ["directions-y"],

@@ -1,4 +1,4 @@
-"""The pair that a command sweeps: its files and options."""
+"""The pair that a command works on: its files and options."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -7,8 +7,8 @@ from typing import Any
 
 import click
 
-from exactsweep import Point, sweep
-from exactsweep.formats import file_name, read_polygon
+from exactsweep import Point, Region, sweep
+from exactsweep.formats import file_name, read_region
 from exactsweep.formats.decimals import read_tolerance
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
@@ -62,12 +62,10 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
     ) -> None:
         if generatrix is not None and directrix is None:
             raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
-        if generatrix == directrix == "-":
-            raise click.UsageError("Only one polygon can be read from standard input.")
         if generatrix is None or directrix is None:
-            g, d = GENERATRIX, DIRECTRIX
+            g, d = Region(GENERATRIX), Region(DIRECTRIX)
         else:
-            g, d = read_polygon(generatrix, tolerance), read_polygon(directrix, tolerance)
+            g, d = _read(generatrix, directrix, tolerance)
         try:
             result = sweep(g, d, direction=direction, reference=reference)
         except DirectionError as error:
@@ -79,6 +77,44 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         command(result, **options)
 
     return with_pair
+
+
+def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Give a command two polygons, of which the second one moves, as positional arguments.
+
+    Args:
+        first: what the file of the one that stays is called.
+        second: what the file of the other one is called.
+
+    Returns:
+        A decorator for a function of two Regions and of options, of which "reference" is one.
+    """
+
+    def decorated(command: Callable[..., None]) -> Callable[..., None]:
+        @click.argument("stays", metavar=first, type=PATH)
+        @click.argument("moves", metavar=second, type=PATH)
+        @click.option(
+            "--reference",
+            nargs=2,
+            default=("0", "0"),
+            callback=_to_point,
+            metavar="X Y",
+            help=f"The point of {second} whose positions are told; 0 0 if left out.",
+        )
+        @takes_tolerance
+        @wraps(command)
+        def with_shapes(stays: str, moves: str, tolerance: Fraction | None, **options: Any) -> None:
+            command(*_read(stays, moves, tolerance), **options)
+
+        return with_shapes
+
+    return decorated
+
+
+def _read(first: str, second: str, tolerance: Fraction | None) -> tuple[Region, Region]:
+    if first == second == "-":
+        raise click.UsageError("Only one polygon can be read from standard input.")
+    return read_region(first, tolerance), read_region(second, tolerance)
 
 
 def takes_tolerance(command: Callable[..., None]) -> Callable[..., None]:

@@ -1,6 +1,7 @@
 """`exactsweep reproduce`."""
 
 import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import click
@@ -11,15 +12,26 @@ from exactsweep.formats import FormatError
 @click.command("reproduce")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 @click.option("--seed", default=1, show_default=True, help="Of the random pairs.")
-@click.option("--quick", is_flag=True, help="About a tenth of the pairs, and smaller counts.")
+@click.option(
+    "--quick",
+    is_flag=True,
+    help="A thirtieth of the pairs, smaller counts, no seconds.",
+)
 @click.option(
     "--out",
     "folder",
     type=click.Path(file_okay=False, path_type=Path),
-    help="Where the report goes; 'reproduced' if left out and no NAME is given.",
+    help="Where files go; 'reproduced' if left out and no NAME is given.",
 )
-@click.option("--list", "only_list", is_flag=True, help="List the claims.")
-@click.option("--cite", is_flag=True, help="Print how to cite the paper and this software.")
+@click.option(
+    "--list",
+    "only_list",
+    is_flag=True,
+    help="List the claims, with verdicts and kinds of evidence.",
+)
+@click.option(
+    "--cite", is_flag=True, help="Write CITATION.cff and references.bib, and nothing else."
+)
 def reproduce_command(
     names: tuple[str, ...],
     seed: int,
@@ -31,36 +43,45 @@ def reproduce_command(
     """Check the claims of the paper, one by one.
 
     Checks each definition, theorem, lemma, corollary, procedure and figure of the paper, or those
-    that are named, such as "Lemma 5.3", and writes a report, as HTML and as Markdown. The figures
-    are drawn beside it, as SVG and as PDF. Every check looks for counterexamples. The exit code is
-    1 if the evidence for a row fails.
+    that are named, such as "Lemma 5.3", and writes a report, as HTML and as Markdown. Beside it go
+    the figures, as SVG and as PDF, all that was found as ledger.json and as tables, and the
+    counterexamples, as files that 'exactsweep sweep' reads. Every check looks for counterexamples.
+    The exit code is 1 if the evidence for a row fails.
     """
     # All of this is needed by no other command.
-    from exactsweep.paper.claim import Run, reproduce
+    from exactsweep.paper.claim import Effort, reproduce
     from exactsweep.paper.ledger import CLAIMS, find
-    from exactsweep.paper.report import citation, render_row, write
+    from exactsweep.paper.report import render_row, totals, write, write_citation
 
+    target = folder or Path("reproduced")
     if cite:
-        click.echo(citation(), nl=False)
+        click.echo(" ".join(map(str, _write(target, write_citation))))
         return
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
         for claim in claims:
-            click.echo(f"{claim.name}: {claim.status.value}")
+            click.echo(f"{claim.name}: {claim.verdict.value} ({', '.join(claim.evidence)})")
         return
-    run = Run(seed, quick)
+    effort = Effort(seed, quick)
     rows = []
-    for row in reproduce(claims, run):
+    for row in reproduce(claims, effort):
         rows.append(row)
         if names:
             click.echo(render_row(row))
         else:
-            mark = f"FAILS: {row.disagreement}" if row.disagreement else row.claim.status.value
+            mark = f"FAILS: {row.disagreement}" if row.disagreement else row.claim.verdict.value
             click.echo(f"{row.seconds:6.2f} s  {row.claim.name}: {mark}")
+    if not names:
+        click.echo(totals(rows))
     if folder or not names:
-        target = folder or Path("reproduced")
-        try:
-            click.echo(" ".join(map(str, write(target, rows, run))))
-        except OSError as error:
-            raise FormatError(f"{target}: {error.strerror or error}") from None
+        paths = _write(target, lambda folder: write(folder, rows, effort))
+        click.echo(" ".join(map(str, paths)))
     sys.exit(any(row.disagreement for row in rows))
+
+
+def _write(folder: Path, write: Callable[[Path], Iterable[Path]]) -> Iterable[Path]:
+    """Write files into a folder, and refuse one that cannot be written to."""
+    try:
+        return write(folder)
+    except OSError as error:
+        raise FormatError(f"{folder}: {error.strerror or error}") from None

@@ -18,11 +18,12 @@ def verify_command(file: str, as_json: bool) -> None:
     """Check a certificate, from the definition.
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer, from
-    the definition of a sweep and the polygons in the certificate, by code that has nothing to do
-    with the one that wrote it. Prints "proved"; or the first thing that is wrong, with a witness,
-    a translation or a point to see it by, and the exit code is 1.
+    the definition of a sweep, of a no-fit polygon or of an inner fit, and the polygons in the
+    certificate, by code that has nothing to do with the one that wrote it. Prints "proved"; or the
+    first thing that is wrong, with a witness, a translation or a point to see it by, and the exit
+    code is 1.
 
-    'exactsweep sweep --certificate' writes certificates.
+    'exactsweep sweep', 'nfp' and 'ifp' write certificates, given --certificate.
     """
     from exactsweep.check import verify
 

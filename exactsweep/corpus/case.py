@@ -15,7 +15,7 @@ from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon, read_point
 from exactsweep.sweep import sweep
 
-Kind = Literal["CC", "CM", "MM"]
+Kind = Literal["CC", "CM", "MM", "SS"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 Ring = tuple[Point, ...]
 

@@ -1,7 +1,8 @@
 """Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws all of a sweep. For other pictures make a `Picture` on an Axes, with the
-`Scale` of what it is to hold, and draw on it:
+`plot_sweep` draws all of a sweep, `plot_no_fit` and `plot_inner_fit` all of a no-fit polygon and
+of an inner fit. For other pictures make a `Picture` on an Axes, with the `Scale` of what it is to
+hold, and draw on it:
 
     figure = new_figure()
     picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
@@ -19,6 +20,7 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
 from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save
+from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import Stretch, stretches
 from exactsweep.draw.sweeps import (
@@ -26,6 +28,7 @@ from exactsweep.draw.sweeps import (
     draw_exact_fits,
     draw_generatrix,
     draw_loops,
+    draw_shape,
     draw_trajectory,
     draw_undercuts,
     placed_generatrix,
@@ -45,12 +48,15 @@ __all__ = [
     "draw_exact_fits",
     "draw_generatrix",
     "draw_loops",
+    "draw_shape",
     "draw_sub_trajectories",
     "draw_trajectory",
     "draw_undercuts",
     "new_figure",
     "picture_suffix",
     "placed_generatrix",
+    "plot_inner_fit",
+    "plot_no_fit",
     "plot_sweep",
     "save",
     "stretches",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from exactsweep.evidence.contact import Contact
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region, around
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -90,11 +91,13 @@ class Features:
         )
 
 
-def _numbered(polygon: Polygon) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+def _numbered(shape: Polygon | Region) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
     """The vertices, and the numbers of the ends of the edges."""
-    size = len(polygon)
-    numbers = [polygon.vertex_index(k) for k in range(size)]
+    numbers = [shape.vertex_index(k) for k in range(len(shape))]
     return (
-        dict(zip(numbers, polygon.vertices, strict=True)),
-        {polygon.edge_index(k): (numbers[k], numbers[(k + 1) % size]) for k in range(size)},
+        dict(zip(numbers, shape.vertices, strict=True)),
+        {
+            shape.edge_index(k): (numbers[k], numbers[following])
+            for _, k, following in around(shape)
+        },
     )

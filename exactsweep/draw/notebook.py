@@ -1,17 +1,21 @@
-"""What a notebook shows of a polygon and of a sweep: a picture, and a table beside it."""
+"""What a notebook shows of a sweep, a no-fit polygon or an inner fit: a picture and a table."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import Shape, put_beside, svg
-from exactsweep.draw.sweeps import path, placed_generatrix, shift, telling_positions
+from exactsweep.draw.no_fits import Positions
+from exactsweep.draw.sweeps import parted, path, placed_generatrix, shift, telling_positions
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import Point
 from exactsweep.words import CLASSES, pair, size
 
 if TYPE_CHECKING:
+    from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
     from exactsweep.evidence.swept import Swept
 
 
@@ -21,31 +25,94 @@ def sweep_svg(s: Swept) -> str:
     Cost: that of the loops and the undercuts, and linear in their sizes.
     """
     outer, inner = s.outer.vertices, s.inner.vertices
-    dx, dy = shift(s)
-    placed = [placed_generatrix(s, place).vertices for place in telling_positions(s)]
+    placed = [placed_generatrix(s, place).rings for place in telling_positions(s)]
+    unswept = [loop.vertices for loop in s.unswept]
     shapes = [
-        Shape([outer, inner], style.SWEPT),
-        Shape([s.directrix.vertices], style.DIRECTRIX),
+        Shape([outer, inner, *unswept], style.SWEPT),
+        Shape(list(s.directrix.rings), style.DIRECTRIX),
         Shape([undercut.polygon.vertices for undercut in s.undercuts], style.UNDERCUT),
         Shape([outer], style.OUTER),
-        Shape([inner], style.INNER),
-        *(Shape([loop], style.GENERATRIX) for loop in placed),
+        Shape([inner, *unswept], style.INNER),
+        *(Shape(list(rings), style.GENERATRIX) for rings in placed),
         Shape([path(s).vertices], style.TRAJECTORY),
-        Shape(
-            [[Point(p.x + dx, p.y + dy) for p in fit] for fit in s.exact_fits],
-            style.EXACT_FIT,
-            closed=False,
-        ),
+        *_fit_shapes(s.exact_fits, shift(s)),
     ]
     title = f"{s.kind} sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
     return svg([shape for shape in shapes if shape.loops], title)
+
+
+def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
+    """Exact fits, moved by a vector."""
+    segments, points = parted(fits)
+    lines = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in segments]
+    # A line without length and with round ends is a dot.
+    dots = [[Point(p.x + by.x, p.y + by.y)] * 2 for p in points]
+    return [
+        Shape(lines, style.EXACT_FIT, closed=False),
+        Shape(dots, replace(style.POINT_FIT, width=8), closed=False),
+    ]
+
+
+def positions_svg(found: NoFitPolygon | InnerFit) -> str:
+    """Draw a no-fit polygon or an inner fit as an SVG image.
+
+    Cost: that of all its parts, and linear in their sizes.
+    """
+    shown = Positions.of(found)
+    by = shift(shown)
+    exterior = () if shown.exterior is None else shown.exterior.translated(by).rings
+    shapes = [
+        Shape(list(shown.directrix.rings), style.DIRECTRIX),
+        *(Shape(list(region.translated(by).rings), style.FREE) for region in shown.free),
+        Shape(list(exterior), style.TRAJECTORY),
+        *(
+            Shape(list(placed_generatrix(shown, place).rings), style.GENERATRIX)
+            for place in shown.telling()
+        ),
+        *_fit_shapes(shown.exact_fits, by),
+    ]
+    g, d = len(shown.generatrix), len(shown.directrix)
+    title = (
+        f"inner fit of {g} in {d} vertices"
+        if shown.exterior is None
+        else f"no-fit polygon of {g} around {d} vertices"
+    )
+    return svg([shape for shape in shapes if shape.loops], title)
+
+
+def no_fit_html(n: NoFitPolygon) -> str:
+    """Show a no-fit polygon as HTML: its picture, class, and sizes."""
+    rows = [
+        ("class", CLASSES[n.kind]),
+        ("reference", pair(n.reference)),
+        ("stationary", size(len(n.stationary), n.stationary.area)),
+        ("orbiting", size(len(n.orbiting), n.orbiting.area)),
+        ("exterior", size(len(n.exterior), n.exterior.area)),
+        ("holes", str(len(n.holes))),
+        ("exact fits", str(len(n.exact_fits))),
+        ("area", abridged(n.area)),
+    ]
+    return put_beside(positions_svg(n), rows)
+
+
+def inner_fit_html(f: InnerFit) -> str:
+    """Show an inner fit as HTML: its picture and sizes."""
+    rows = [
+        ("reference", pair(f.reference)),
+        ("container", size(len(f.container), f.container.area)),
+        ("part", size(len(f.part), f.part.area)),
+        ("regions", str(len(f.regions))),
+        ("exact fits", str(len(f.exact_fits))),
+        ("area", abridged(f.area)),
+    ]
+    return put_beside(positions_svg(f), rows)
 
 
 def sweep_html(s: Swept) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
-        ("monotone to", pair(s.direction)),
+        ("monotone to", "no shared direction" if s.direction is None else pair(s.direction)),
         ("reference", pair(s.reference)),
     ]
     loops = {
@@ -56,6 +123,7 @@ def sweep_html(s: Swept) -> str:
         "outer loop": s.outer,
     }
     rows += [(name, size(len(loop), loop.area)) for name, loop in loops.items()]
+    rows += [(f"unswept {k}", size(len(loop), loop.area)) for k, loop in enumerate(s.unswept)]
     rows += [
         ("swept area", abridged(s.area)),
         ("undercuts", str(len(s.undercuts))),

@@ -56,12 +56,17 @@ class Picture:
 
     def ring(self, outer: Points, inner: Points, look: Look, label: str | None = None) -> None:
         """Fill what lies between two loops; `inner` lies in `outer`."""
+        self.shape([outer, inner], look, label)
+
+    def shape(self, rings: Iterable[Points], look: Look, label: str | None = None) -> None:
+        """Fill what lies in the first of some counter-clockwise loops and in no other."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
+        exterior, *holes = (self.scale.places(ring) for ring in rings)
         paths = [
             Path([*places, places[0]], closed=True)
-            for places in (self.scale.places(outer), self.scale.places(inner)[::-1])
+            for places in (exterior, *(hole[::-1] for hole in holes))
         ]
         patch = PathPatch(Path.make_compound_path(*paths), label=self._once(label), **look.as_area)
         self.axes.add_patch(patch)

@@ -2,26 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TYPE_CHECKING, Protocol
 
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
+from exactsweep.canvas.style import Look
 from exactsweep.draw.features import Features, Span
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import stretches
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from exactsweep.evidence.no_fit import Fit
     from exactsweep.evidence.swept import Swept
     from exactsweep.evidence.undercut import Undercut
 
 _MOST_SHOWN = 4
 _MANY = 60
+
+
+class Moving(Protocol):
+    """G, which moves by D: a Sweep, or the shapes of a no-fit polygon."""
+
+    @property
+    def generatrix(self) -> Polygon | Region:
+        """G."""
+
+    @property
+    def directrix(self) -> Polygon | Region:
+        """D."""
+
+    @property
+    def reference(self) -> Point:
+        """The point of G whose positions are told."""
 
 
 def plot_sweep(
@@ -53,29 +73,36 @@ def plot_sweep(
         >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
         ['swept area', 'directrix D']
     """
-    require_matplotlib()
-    if positions is None:
-        places: Sequence[Point] = telling_positions(s)
-    else:
-        places = [read_point(place, f"position {k}") for k, place in enumerate(positions)]
-    if axes is None:
-        from matplotlib import pyplot
-
-        with style.in_style():
-            _, axes = pyplot.subplots(layout="compressed")
+    axes = axes or new_axes()
+    places = telling_positions(s) if positions is None else read_positions(positions)
     placed = [placed_generatrix(s, place).vertices for place in places]
     picture = Picture(axes, Scale.of(s.outer.vertices, path(s).vertices, *placed))
     draw_loops(picture, s)
     draw_undercuts(picture, s.undercuts)
     draw_trajectory(picture, s)
-    draw_exact_fits(picture, s)
+    draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
     draw_generatrix(picture, s, places)
     draw_contacts(picture, s, places)
     picture.legend()
     return axes
 
 
-def anchor(s: Swept) -> Point:
+def new_axes() -> Axes:
+    """Return the Axes of a new figure of `matplotlib.pyplot`."""
+    require_matplotlib()
+    from matplotlib import pyplot
+
+    with style.in_style():
+        _, axes = pyplot.subplots(layout="compressed")
+    return axes
+
+
+def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
+    """Read positions of the reference point."""
+    return [read_point(place, f"position {k}") for k, place in enumerate(positions)]
+
+
+def anchor(s: Moving) -> Point:
     """Return the point of G whose path is drawn: the reference point, or a vertex of G.
 
     A vertex where the reference point is off G by more than the sizes of G and D together: its
@@ -94,14 +121,14 @@ def anchor(s: Swept) -> Point:
     return s.reference if near else s.generatrix.vertices[0]
 
 
-def anchor_name(s: Swept) -> str:
+def anchor_name(s: Moving) -> str:
     """Return what the anchor is, in words."""
     if anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
 
 
-def shift(s: Swept) -> Point:
+def shift(s: Moving) -> Point:
     """Return the vector from a position of the reference point to that of the anchor."""
     x, y = anchor(s)
     return Point(x - s.reference.x, y - s.reference.y)
@@ -112,7 +139,7 @@ def path(s: Swept) -> Polygon:
     return s.trajectory.translated(shift(s))
 
 
-def placed_generatrix(s: Swept, position: Point) -> Polygon:
+def placed_generatrix(s: Moving, position: Point) -> Polygon | Region:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
@@ -132,10 +159,23 @@ def telling_positions(s: Swept) -> list[Point]:
 def draw_loops(picture: Picture, s: Swept) -> None:
     """Draw the swept area between the inner and the outer loop, and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
-    picture.ring(outer, inner, style.SWEPT, "swept area")
-    picture.area(s.directrix.vertices, style.DIRECTRIX, "directrix D")
+    unswept = [loop.vertices for loop in s.unswept]
+    picture.shape([outer, inner, *unswept], style.SWEPT, "swept area")
+    draw_shape(picture, s.directrix, style.DIRECTRIX, "directrix D")
     picture.line(inner, style.INNER, "inner loop", closed=True)
+    for hole in unswept:
+        picture.line(hole, style.INNER, "inner loop", closed=True)
     picture.line(outer, style.OUTER, "outer loop", closed=True)
+
+
+def draw_shape(
+    picture: Picture, shape: Polygon | Region, look: Look, label: str | None = None
+) -> None:
+    """Draw a polygon with its holes."""
+    if len(shape.rings) > 1:
+        picture.shape(shape.rings, look, label)
+    else:
+        picture.area(shape.vertices, look, label)
 
 
 def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
@@ -163,28 +203,69 @@ def draw_trajectory(picture: Picture, s: Swept) -> None:
         picture.lines(chains["several"], style.SEVERAL_EVENTS, f"{of}, several events")
 
 
-def draw_exact_fits(picture: Picture, s: Swept) -> None:
-    """Mark exact fits as positions of the anchor, hollow where they hang on the trajectory.
+def draw_exact_fits(
+    picture: Picture, s: Moving, fits: Iterable[Fit], loops: Iterable[Polygon]
+) -> None:
+    """Mark exact fits as positions of the anchor, hollow where they hang on a loop.
 
-    Many are thin lines without marks, so that they do not hide each other.
+    Many segments are thin lines without marks, so that they do not hide each other. A single
+    position is a star.
+
+    Args:
+        picture: a Picture.
+        s: what moves.
+        fits: the exact fits.
+        loops: of positions with free ones beside them.
     """
+    segments, points = parted(fits)
+    if segments:
+        look = style.MANY_EXACT_FITS if len(segments) > _MANY else style.EXACT_FIT
+        picture.lines([_moved(fit, s) for fit in segments], look, "exact fit")
+    if 0 < len(segments) <= _MANY:
+        hanging = [
+            [p]
+            for p in dict.fromkeys(p for fit in segments for p in fit)
+            if any(is_on(p, loop) for loop in loops)
+        ]
+        picture.lines([_moved(end, s) for end in hanging], style.HANGING_END)
+    if points:
+        picture.lines([_moved([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
+
+
+def parted(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
+    """Part exact fits into segments and single positions."""
+    listed = list(fits)
+    return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
+
+
+def is_on(p: Point, loop: Polygon) -> bool:
+    """Whether a point is on a loop. Cost: O(n).
+
+    >>> square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)
+    (True, False)
+    """
+    ring = loop.vertices
+    return any(
+        (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and min(a, b) <= p <= max(a, b)
+        for a, b in pairwise((*ring, ring[0]))
+    )
+
+
+def _moved(points: Iterable[Point], s: Moving) -> list[Point]:
+    """Positions of the reference point as those of the anchor."""
     dx, dy = shift(s)
-    fits = [[Point(p.x + dx, p.y + dy) for p in fit] for fit in s.exact_fits]
-    if len(fits) > _MANY:
-        picture.lines(fits, style.MANY_EXACT_FITS, "exact fit")
-    elif fits:
-        picture.lines(fits, style.EXACT_FIT, "exact fit")
-        picture.lines([[hanging] for hanging, _ in fits], style.HANGING_END)
+    return [Point(p.x + dx, p.y + dy) for p in points]
 
 
-def draw_generatrix(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
+def draw_generatrix(
+    picture: Picture, s: Moving, positions: Iterable[Point], label: str = "generatrix G"
+) -> None:
     """Draw G with its reference point at each of some positions, and dots where the anchor is."""
-    dx, dy = shift(s)
     dots = []
     for position in positions:
-        loop = placed_generatrix(s, position).vertices
-        picture.area(loop, style.GENERATRIX, "generatrix G")
-        dots.append([Point(position.x + dx, position.y + dy)])
+        draw_shape(picture, placed_generatrix(s, position), style.GENERATRIX, label)
+        dots.append(_moved([position], s))
     if dots:
         picture.lines(dots, style.REFERENCE, anchor_name(s))
 

@@ -21,6 +21,7 @@ from math import lcm
 from typing import Any, Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector, angle_key
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.geometry.segment import Segment, direction_of, segment
 
@@ -47,14 +48,14 @@ def edges_of(loop: Sequence[Vertex]) -> list[Edge]:
 
 
 def edge_contacts(
-    trajectory: Sequence[Vertex], generatrix: Sequence[Vertex], directrix: Sequence[Vertex]
+    trajectory: Sequence[Vertex], generatrix: Outline, directrix: Outline
 ) -> list[list[Contact]]:
     """Find all contacts along each edge of a trajectory.
 
     Args:
         trajectory: canonical loop of the translations.
-        generatrix: canonical loop of G.
-        directrix: canonical loop of D.
+        generatrix: the features of G.
+        directrix: the features of D.
 
     Returns:
         For each edge of the trajectory the sorted contacts that last for a piece of positive
@@ -77,8 +78,8 @@ def edge_contacts(
 
     directions = {direction for direction, _ in lines}
     g_edges, d_edges = (
-        {k: edge for k, edge in enumerate(edges_of(loop)) if direction_of(edge) in directions}
-        for loop in (generatrix, directrix)
+        {k: edge for k, edge in enumerate(shape.edges) if direction_of(edge) in directions}
+        for shape in (generatrix, directrix)
     )
     parallel: defaultdict[Vector, list[int]] = defaultdict(list)
     for j, edge in d_edges.items():
@@ -90,21 +91,21 @@ def edge_contacts(
             if (p < q) != (r < s):
                 note("EE", i, j, minus(r, p), minus(s, q))
     for i, j in facing(g_edges, directrix):
-        (p, q), v = g_edges[i], directrix[j]
+        (p, q), v = g_edges[i], directrix.vertices[j]
         note("EV", i, j, minus(v, p), minus(v, q))
     for j, i in facing(d_edges, generatrix):
-        (r, s), w = d_edges[j], generatrix[i]
+        (r, s), w = d_edges[j], generatrix.vertices[i]
         note("VE", i, j, minus(r, w), minus(s, w))
-    return [sorted(_without_parts(c, len(generatrix), len(directrix))) for c in found]
+    return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
 
 
-def _without_parts(contacts: set[Contact], n: int, m: int) -> set[Contact]:
+def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contact]:
     """Leave out each EV and VE contact whose vertex is an end of an edge in an EE contact."""
     implied = set()
     for event, i, j in contacts:
         if event == "EE":
-            implied |= {Contact("EV", i, j), Contact("EV", i, (j + 1) % m)}
-            implied |= {Contact("VE", i, j), Contact("VE", (i + 1) % n, j)}
+            implied |= {Contact("EV", i, j), Contact("EV", i, d.after[j])}
+            implied |= {Contact("VE", i, j), Contact("VE", g.after[i], j)}
     return contacts - implied
 
 
@@ -113,16 +114,15 @@ def minus(p: Vertex, q: Vertex) -> Vertex:
     return p[0] - q[0], p[1] - q[1]
 
 
-class Boundary:
-    """The boundary of an X-monotone polygon, for finding what lies at a point.
+class Boundary(Outline):
+    """The outline of an X-monotone polygon, for finding quickly what lies at a point.
 
     Args:
         loop: vertices, counter-clockwise; the numbering of the features follows it.
     """
 
     def __init__(self, loop: Sequence[Vertex]) -> None:
-        self.loop = loop
-        self.vertices = {vertex: k for k, vertex in enumerate(loop)}
+        super().__init__([loop])
         size = len(loop)
         left, right = min(range(size), key=loop.__getitem__), max(range(size), key=loop.__getitem__)
         self._chains = []
@@ -132,11 +132,7 @@ class Boundary:
 
     def scaled(self, factor: int) -> Boundary:
         """The boundary, enlarged by a positive factor. Cost: O(n)."""
-        return Boundary([(factor * x, factor * y) for x, y in self.loop])
-
-    def edge(self, k: int) -> Edge:
-        """Edge k, from vertex k to the next."""
-        return self.loop[k], self.loop[(k + 1) % len(self.loop)]
+        return Boundary([(factor * x, factor * y) for x, y in self.vertices])
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(log n)."""
@@ -152,19 +148,19 @@ class Boundary:
                     yield k
 
 
-def contacts_at(generatrix: Boundary, directrix: Boundary, t: Vertex) -> list[Contact]:
+def contacts_at(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
     """Find all contacts of G + t with D, VV among them.
 
     Args:
-        generatrix: the boundary of G, X-monotone.
-        directrix: the boundary of D, likewise.
+        generatrix: the features of G.
+        directrix: the features of D.
         t: a translation.
 
     Returns:
         Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
         that overlap in positive length.
 
-    Cost: O((m + n) log(m + n)).
+    Cost: O((m + n) log(m + n)) for two Boundaries, O(m n) for others.
     """
     scale = lcm(t[0].denominator, t[1].denominator)
     if scale > 1:
@@ -172,20 +168,19 @@ def contacts_at(generatrix: Boundary, directrix: Boundary, t: Vertex) -> list[Co
         generatrix, directrix = generatrix.scaled(scale), directrix.scaled(scale)
     t = int(scale * t[0]), int(scale * t[1])
     found: set[Contact] = set()
-    n, m = len(generatrix.loop), len(directrix.loop)
-    for i, w in enumerate(generatrix.loop):
+    for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
-        j = directrix.vertices.get(point)
+        j = directrix.numbers.get(point)
         if j is not None:
             found.add(Contact("VV", i, j))
         else:
             found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
-    for j, v in enumerate(directrix.loop):
+    for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
     # Edges that overlap have an end of one on the other: a contact of the kinds found.
     for event, i, j in list(found):
-        own = [i] if event == "EV" else [i, (i - 1) % n]
-        others = [j] if event == "VE" else [j, (j - 1) % m]
+        own = [i] if event == "EV" else [i, generatrix.before[i]]
+        others = [j] if event == "VE" else [j, directrix.before[j]]
         for e in own:
             piece = segment(generatrix.edge(e))
             for d in others:
@@ -198,27 +193,26 @@ def contacts_at(generatrix: Boundary, directrix: Boundary, t: Vertex) -> list[Co
     return sorted(found)
 
 
-def facing(edges: Mapping[int, Edge], loop: Sequence[Vertex]) -> Iterator[tuple[int, int]]:
+def facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, int]]:
     """Pairs of an edge and a vertex that can touch without overlap.
 
     Args:
         edges: edges of a polygon that has its interior on their left, by number.
-        loop: the other polygon, counter-clockwise, no three neighbours collinear.
+        outline: the other one, no three neighbours collinear.
 
     Returns:
         (number of the edge, index of the vertex).
 
     Cost: O((m + n) log n + pairs) for n edges and m vertices.
 
-    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
     >>> sorted(facing({0: ((0, 0), (1, 0)), 1: ((1, 0), (0, 1))}, square))
     [(0, 2), (0, 3), (1, 0)]
     """
     order = sorted((_angle((q, p)), i) for i, (p, q) in edges.items())
     angles = [angle for angle, _ in order]
-    size = len(loop)
-    for j, v in enumerate(loop):
-        before, after = loop[j - 1], loop[(j + 1) % size]
+    for j, v in enumerate(outline.vertices):
+        before, after = outline.vertices[outline.before[j]], outline.vertices[outline.after[j]]
         if (v[0] - before[0]) * (after[1] - v[1]) <= (v[1] - before[1]) * (after[0] - v[0]):
             continue
         first, last = _angle((before, v)), _angle((v, after))

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from exactsweep.evidence.contact import Boundary, Contact, contacts_at, edges_of, minus
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Point, Rational, Vertex
 from exactsweep.geometry.segment import direction_of
 
@@ -111,13 +112,14 @@ class _Guide:
     def __init__(self, s: Swept) -> None:
         self.sweep = s
         self.generatrix, self.directrix = s._boundaries
-        self.path = Boundary(s._frame.turned(s._translations))
-        loop = self.path.loop
+        path = s._frame.turned(s._translations)
+        self.path = Outline([path]) if s.kind == "SS" else Boundary(path)
+        loop = self.path.vertices
         self.first = min(range(len(loop)), key=loop.__getitem__)
 
     def steps(self) -> tuple[Step, ...]:
         s = self.sweep
-        edges = edges_of(self.path.loop)
+        edges = edges_of(self.path.vertices)
         landmarks = self._landmarks()
         halves = self._halves()
         found = []
@@ -148,10 +150,10 @@ class _Guide:
         event, i, j = contact
         g, d = self.generatrix, self.directrix
         if event == "EV":
-            (p, q), v = g.edge(i), d.loop[j]
+            (p, q), v = g.edge(i), d.vertices[j]
             ends = minus(v, p), minus(v, q)
         elif event == "VE":
-            w, (p, q) = g.loop[i], d.edge(j)
+            w, (p, q) = g.vertices[i], d.edge(j)
             ends = minus(p, w), minus(q, w)
         else:
             (p, q), (v, w) = g.edge(i), d.edge(j)
@@ -170,17 +172,17 @@ class _Guide:
         if step[0] * turned[1] > step[1] * turned[0]:
             return "corner", self._meeting(edge[1], contacts)
         g, d = self.generatrix, self.directrix
-        stops = [c for c in contacts_at(g, d, edge[1]) if blocks(c, step, g.loop, d.loop)]
+        stops = [c for c in contacts_at(g, d, edge[1]) if blocks(c, step, g, d)]
         return ("stop", stops) if stops else ("exact fit", [])
 
     def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
         """The vertices, of features in contact on the way there, that meet at a translation."""
-        g, d = self.generatrix.loop, self.directrix.loop
+        g, d = self.generatrix, self.directrix
         found = set()
         for event, i, j in contacts:
-            for a in (i, (i + 1) % len(g)) if event[0] == "E" else (i,):
-                for b in (j, (j + 1) % len(d)) if event[1] == "E" else (j,):
-                    if minus(d[b], g[a]) == t:
+            for a in (i, g.after[i]) if event[0] == "E" else (i,):
+                for b in (j, d.after[j]) if event[1] == "E" else (j,):
+                    if minus(d.vertices[b], g.vertices[a]) == t:
                         found.add(Contact("VV", a, b))
         return list(found)
 
@@ -198,14 +200,23 @@ class _Guide:
             else:
                 place("undercut opens", number, positions[0])
                 place("undercut closes", number, positions[-1])
-        for number, (hanging, _) in enumerate(self.sweep.exact_fits):
-            place("exact fit", number, hanging)
+        for number, fit in enumerate(self.sweep.exact_fits):
+            # In a cave or a hole none of its ends is on the trajectory.
+            hanging = next(filter(self._is_passed, dict.fromkeys(fit)), None)
+            if hanging is not None:
+                place("exact fit", number, hanging)
         placed.sort(key=lambda item: item[0])
         found: defaultdict[int, list[Landmark]] = defaultdict(list)
-        size = len(self.path.loop)
+        size = len(self.path.vertices)
         for (k, _), landmark in placed:
             found[(k + self.first) % size].append(landmark)
         return found
+
+    def _is_passed(self, position: Point) -> bool:
+        """Whether a position is on the trajectory."""
+        frame = self.sweep._frame
+        (point,) = frame.turned(frame.raised([position], self.sweep.reference))
+        return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
 
     def _place(self, position: Point) -> tuple[int, Rational]:
         """Where a position lies on the trajectory, from its first vertex in the frame.
@@ -214,12 +225,12 @@ class _Guide:
         """
         frame = self.sweep._frame
         (point,) = frame.turned(frame.raised([position], self.sweep.reference))
-        vertex = self.path.vertices.get(point)
+        vertex = self.path.numbers.get(point)
         k = next(self.path.edges_through(point)) if vertex is None else vertex - 1
-        return (k - self.first) % len(self.path.loop), _progress(self.path.edge(k), point)
+        return (k - self.first) % len(self.path.vertices), _progress(self.path.edge(k), point)
 
     def _halves(self) -> list[Half]:
-        loop = self.path.loop
+        loop = self.path.vertices
         size, left, right = len(loop), loop[self.first][0], max(loop)[0]
         halves: list[Half] = ["upper"] * size
         for k in range(self.first, self.first + size):
@@ -245,21 +256,19 @@ def _direction(start: Point, end: Point) -> Vector:
     return (p, q) if _progress(((0, 0), (p, q)), minus(end, start)) > 0 else (-p, -q)
 
 
-def blocks(
-    contact: Contact, step: Vertex, generatrix: Sequence[Vertex], directrix: Sequence[Vertex]
-) -> bool:
+def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:
     """Whether G overlaps D at a contact after any short enough move.
 
     Args:
         contact: of G, where it is now, with D; they do not overlap.
         step: the direction of the move, a vector.
-        generatrix: loop of G, counter-clockwise, by which its features are numbered.
-        directrix: loop of D, likewise.
+        generatrix: the features of G.
+        directrix: the features of D.
 
     Cost: O(1).
 
     Example:
-        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
         >>> on_top = Contact("EE", 0, 2)
         >>> [blocks(on_top, step, square, square) for step in [(1, 0), (1, 1), (1, -1)]]
         [False, False, True]
@@ -286,10 +295,11 @@ def blocks(
     return _cross(first, step) > 0 and _cross(step, last) > 0
 
 
-def _rays(loop: Sequence[Vertex], k: int) -> tuple[Vertex, Vertex]:
+def _rays(outline: Outline, k: int) -> tuple[Vertex, Vertex]:
     """From vertex k, the ways to the previous and to the next vertex."""
-    here = loop[k]
-    return minus(loop[k - 1], here), minus(loop[(k + 1) % len(loop)], here)
+    vertices = outline.vertices
+    here = vertices[k]
+    return minus(vertices[outline.before[k]], here), minus(vertices[outline.after[k]], here)
 
 
 def _cross(p: Vertex, q: Vertex) -> Rational:

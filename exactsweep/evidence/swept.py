@@ -18,6 +18,7 @@ from exactsweep.evidence.undercut import Undercut, closing_positions, pockets
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import abridged
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon, read_point
 from exactsweep.procedures.chain import inverse, split
@@ -95,10 +96,15 @@ class Swept:
         """The outer loop of the swept area."""
         return self._loop(lambda half: half.outer, ORIGIN)
 
+    @property
+    def unswept(self) -> tuple[Polygon, ...]:
+        """The holes of the swept area beside the inner loop: none, but of kind "SS"."""
+        return ()
+
     @cached_property
     def area(self) -> Fraction:
-        """The swept area, outer minus inner loop."""
-        return self.outer.area - self.inner.area
+        """The swept area: the outer loop without the inner one and what is not swept."""
+        return self.outer.area - sum((loop.area for loop in self.unswept), self.inner.area)
 
     @cached_property
     def _translations(self) -> list[Vertex]:
@@ -108,10 +114,7 @@ class Swept:
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
         """Contacts along the edges of the trajectory, features numbered in canonical order."""
-        frame = self._frame
-        return edge_contacts(
-            self._translations, frame.lattice(self.generatrix), frame.lattice(self.directrix)
-        )
+        return edge_contacts(self._translations, *self._outlines)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
@@ -146,7 +149,16 @@ class Swept:
         return tuple(map(self._as_given, contacts_at(*self._boundaries, t)))
 
     @cached_property
-    def _boundaries(self) -> tuple[Boundary, Boundary]:
+    def _outlines(self) -> tuple[Outline, Outline]:
+        """The features of G and of D on the lattice, not turned."""
+        frame = self._frame
+        return (
+            Outline([frame.lattice(self.generatrix)]),
+            Outline([frame.lattice(self.directrix)]),
+        )
+
+    @cached_property
+    def _boundaries(self) -> tuple[Outline, Outline]:
         frame = self._frame
         return (
             Boundary(frame.turned(frame.lattice(self.generatrix))),
@@ -185,7 +197,7 @@ class Swept:
 
     @cached_property
     def _tracer(self) -> Tracer:
-        return Tracer(self._translations, self._frame.lattice(self.generatrix))
+        return Tracer(self._translations, self._outlines[0])
 
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:

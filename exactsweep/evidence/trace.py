@@ -17,6 +17,7 @@ from typing import Literal, NamedTuple
 
 from exactsweep.evidence.contact import edges_of, minus
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, covered, offset, segment
 
@@ -40,21 +41,21 @@ class Tracer:
 
     Args:
         trajectory: canonical loop of the translations.
-        generatrix: canonical loop.
+        generatrix: the features of G.
     """
 
-    def __init__(self, trajectory: Sequence[Vertex], generatrix: Sequence[Vertex]) -> None:
+    def __init__(self, trajectory: Sequence[Vertex], generatrix: Outline) -> None:
         self._positions = {vertex: k for k, vertex in enumerate(trajectory)}
         self._trajectory = trajectory
         self._generatrix = generatrix
         self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
         self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
         self._g_corners: defaultdict[frozenset[Vector], list[Vertex]] = defaultdict(list)
-        segments = [segment(edge) for edge in edges_of(generatrix)]
-        for i, (edge, own) in enumerate(zip(edges_of(generatrix), segments, strict=True)):
+        segments = [segment(edge) for edge in generatrix.edges]
+        for i, (edge, own) in enumerate(zip(generatrix.edges, segments, strict=True)):
             self._g_edges[own.direction].append((i, edge, own))
             self._g_lines[own.direction, own.offset].append(own)
-            corner = frozenset((segments[i - 1].direction, own.direction))
+            corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
             self._g_corners[corner].append(edge[0])
         paths: defaultdict[Vector, list[tuple[Segment, int]]] = defaultdict(list)
         for k, edge in enumerate(edges_of(trajectory)):
@@ -152,19 +153,18 @@ class Tracer:
         if not paths:
             return
         by_offset = self._vertices_by_offset(u)
-        span = [along(u, w) for w in self._generatrix]
+        span = [along(u, w) for w in self._generatrix.vertices]
         low = whole.low - max(span) - self._longest[u]
         high = whole.high - min(span)
         first = bisect_left(paths, low, key=lambda item: item[0].low)
         last = bisect_right(paths, high, key=lambda item: item[0].low)
-        size = len(self._generatrix)
         for path, k in paths[first:last]:
             ends = by_offset.get(whole.offset - path.offset, ())
             for i in ends:
-                w = self._generatrix[i]
+                w = self._generatrix.vertices[i]
                 position = Feature("edge", k)
-                if (i + 1) % size in ends:
-                    own = segment((w, self._generatrix[(i + 1) % size]), u)
+                if self._generatrix.after[i] in ends:
+                    own = segment(self._generatrix.edge(i), u)
                     total = Segment(u, whole.offset, path.low + own.low, path.high + own.high)
                     yield total, Trace(position, Feature("edge", i))
                 else:
@@ -173,7 +173,7 @@ class Tracer:
     def _vertices_by_offset(self, u: Vector) -> defaultdict[Rational, list[int]]:
         if u not in self._g_by_offset:
             self._g_by_offset[u] = defaultdict(list)
-            for i, w in enumerate(self._generatrix):
+            for i, w in enumerate(self._generatrix.vertices):
                 self._g_by_offset[u][offset(u, w)].append(i)
         return self._g_by_offset[u]
 

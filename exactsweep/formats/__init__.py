@@ -10,6 +10,7 @@ from exactsweep.formats.polygons import (
     parse_polygons,
     read_polygon,
     read_polygons,
+    read_region,
 )
 from exactsweep.formats.writing import FORMATS, format_polygons, rounded_polygons
 
@@ -27,6 +28,7 @@ __all__ = [
     "read_certificate",
     "read_polygon",
     "read_polygons",
+    "read_region",
     "read_text",
     "rounded_polygons",
     "to_numpy",

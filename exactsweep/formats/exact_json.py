@@ -82,8 +82,9 @@ def read_exact(document: object) -> list[Outline]:
     """Find the polygons of an exact JSON document.
 
     Args:
-        document: a list of vertices, or an object with such a list as "vertices"; or an object
-            whose "polygons" is a list of these, "id" in an object being its name.
+        document: a list of vertices, or an object with such a list as "vertices", or as "exterior"
+            and with a list of these as "holes"; or an object whose "polygons" is a list of these,
+            "id" in an object being its name.
 
     Returns:
         list of Outline.
@@ -107,15 +108,25 @@ def read_exact(document: object) -> list[Outline]:
 def _outline(value: object, path: str) -> Outline:
     if not isinstance(value, dict):
         return Outline(path, partial(read_vertices, value, path))
-    if "vertices" not in value:
+    member = "vertices" if "vertices" in value else "exterior"
+    if member not in value:
         raise FormatError(
             f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
             if path == "$"
             else f'{path} has no "vertices"'
         )
     name = read_name(value.get("id"), f"{path}.id")
-    inner = f"{path}.vertices"
-    return Outline(path, partial(read_vertices, value["vertices"], inner), name)
+    holes = value.get("holes", []) if member == "exterior" else []
+    if not isinstance(holes, list):
+        raise FormatError(f"{path}.holes is {described(holes)}, not a list of holes")
+    exterior, *inner = (
+        Outline(place, partial(read_vertices, ring, place))
+        for place, ring in [
+            (f"{path}.{member}", value[member]),
+            *((f"{path}.holes[{k}]", hole) for k, hole in enumerate(holes)),
+        ]
+    )
+    return exterior._replace(place=path, name=name, holes=tuple(inner))
 
 
 def read_name(value: object, path: str) -> str | None:

@@ -1,16 +1,20 @@
 """The polygons of a file before they are read: which there are, and which one is meant."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, NoReturn, Self
+from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import NumberError, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 from exactsweep.words import suggestion
 
 _SHOWN = 4
+_Shape = TypeVar("_Shape", Polygon, Region)
 
 
 class NamedPolygon(NamedTuple):
@@ -35,12 +39,14 @@ class Outline(NamedTuple):
         vertices: reads them, or raises FormatError.
         name: its id, or None.
         layer: its layer, or None.
+        holes: its inner rings, in order.
     """
 
     place: str
     vertices: Callable[[], Sequence[Point]]
     name: str | None = None
     layer: str | None = None
+    holes: tuple[Outline, ...] = ()
 
     @classmethod
     def refused(cls, reason: str, name: str | None = None, layer: str | None = None) -> Self:
@@ -53,8 +59,19 @@ class Outline(NamedTuple):
 
     def polygon(self) -> Polygon:
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
+        for hole in self.holes:
+            raise FormatError(f"{hole.place}: an inner ring: polygons with holes cannot be swept")
+        return self._read(lambda: Polygon(self.vertices()))
+
+    def region(self) -> Region:
+        """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
+        if not self.holes:
+            return Region(self.polygon())
+        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in self.holes]))
+
+    def _read(self, shape: Callable[[], _Shape]) -> _Shape:
         try:
-            return Polygon(self.vertices())
+            return shape()
         except PolygonError as error:
             raise PolygonError(f"{self.place}: {error}" if self.place else str(error)) from None
         except NumberError as error:

@@ -12,6 +12,7 @@ from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.outline import NamedPolygon, Outline, choose
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 
 def parse_polygon(text: str, choice: str | None = None, tolerance: object = None) -> Polygon:
@@ -90,6 +91,25 @@ def read_polygon(path: str, tolerance: object = None) -> Polygon:
     file, choice = _split(path)
     with _naming(file):
         return parse_polygon(read_text(file), choice, tolerance)
+
+
+def read_region(path: str, tolerance: object = None) -> Region:
+    """Read a polygon with its holes from a file, or from standard input.
+
+    Args:
+        path: as for `read_polygon`; JSON may also be an object with a list of vertices as
+            "exterior" and a list of these as "holes", and WKT may have inner rings.
+        tolerance: as for `parse_polygons`.
+
+    Returns:
+        A Region, without holes where there are none.
+
+    Raises:
+        FormatError: anything wrong with the file or in it; the message names the file.
+    """
+    file, choice = _split(path)
+    with _naming(file):
+        return choose(parse_outlines(read_text(file), tolerance), choice).region()
 
 
 def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:

@@ -1,4 +1,4 @@
-"""WKT in (OGC 06-103r4, 7.2): POLYGONs and MULTIPOLYGONs, each polygon with one ring."""
+"""WKT in (OGC 06-103r4, 7.2): POLYGONs and MULTIPOLYGONs."""
 
 import re
 from collections.abc import Iterator
@@ -26,18 +26,18 @@ class _Token(NamedTuple):
 
 
 def parse_wkt(text: str) -> list[Outline]:
-    """Read the outer rings of WKT polygons.
+    """Read WKT polygons.
 
     Args:
         text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
             in upper or lower case; numbers as `read_decimal` reads them.
 
     Returns:
-        list of Outline, the first point of each one repeated at its end.
+        list of Outline, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, inner rings (holes), Z or M coordinates, a ring that is not
-            closed, whatever is not WKT; the message starts with line and column.
+        FormatError: other geometries, Z or M coordinates, a ring that is not closed, whatever is
+            not WKT; the message starts with line and column.
 
     Cost: linear in the length of the text.
 
@@ -84,15 +84,21 @@ class _Reader:
 
     def _polygon(self) -> Outline:
         self._expect("(")
-        place = self._place()
+        exterior = self._ring(self._place())
+        holes = []
+        while self.token.text == ",":
+            place = self._place()
+            self._advance()
+            holes.append(self._ring(place))
+        self._expect(")")
+        return exterior._replace(holes=tuple(holes))
+
+    def _ring(self, place: str) -> Outline:
         self._expect("(")
         ring = [self._point()]
         while self.token.text == ",":
             self._advance()
             ring.append(self._point())
-        self._expect(")")
-        if self.token.text == ",":
-            self._refuse("an inner ring: polygons with holes cannot be swept")
         self._expect(")")
         if ring[0] != ring[-1]:
             raise FormatError(

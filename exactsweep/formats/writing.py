@@ -1,7 +1,7 @@
 """Polygons out: exactly, or not at all."""
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from html import escape
 from itertools import chain
@@ -85,17 +85,32 @@ def _json(polygons: Sequence[NamedPolygon]) -> str:
 
 
 def _wkt(polygons: Sequence[NamedPolygon]) -> str:
-    return "".join(f"{wkt_geometry(row)}\n" for row in _rows(polygons, "WKT"))
+    names = (_called(k, polygon) for k, polygon in enumerate(polygons))
+    return "".join(
+        wkt_polygon({name: p.polygon.vertices}) for name, p in zip(names, polygons, strict=True)
+    )
 
 
-def wkt_geometry(row: _Row, *, closed: bool = True) -> str:
-    """Write points, pairs of decimals, as a POLYGON or a LINESTRING.
+def wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
+    r"""Write one WKT POLYGON, a line.
 
-    >>> wkt_geometry([("0", "0"), ("1.5", "0")], closed=False)
-    'LINESTRING (0 0, 1.5 0)'
+    Args:
+        rings: the exterior and the holes, each by the name that a refusal gives it.
+
+    Raises:
+        FormatError: a coordinate that is not a finite decimal.
+
+    Example:
+        >>> wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
+        'POLYGON ((0 0, 0.5 0, 0 1, 0 0))\n'
     """
-    points = ", ".join(f"{x} {y}" for x, y in (row + row[:1] if closed else row))
-    return f"POLYGON (({points}))" if closed else f"LINESTRING ({points})"
+    rows = [wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
+    return f"POLYGON ({', '.join(rows)})\n"
+
+
+def wkt_points(name: str, points: Sequence[Point]) -> str:
+    """Write points as a list of WKT, in parentheses; refuses as `wkt_polygon` does."""
+    return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
 def _geojson(polygons: Sequence[NamedPolygon]) -> str:
@@ -141,19 +156,23 @@ def _dxf(polygons: Sequence[NamedPolygon]) -> str:
 
 def _rows(polygons: Sequence[NamedPolygon], form: str) -> list[_Row]:
     """The vertices of each polygon as decimals."""
-    rows = []
-    for k, (polygon, name, _) in enumerate(polygons):
-        row = []
-        for i, vertex in enumerate(polygon.vertices):
-            try:
-                row.append((format_decimal(vertex.x), format_decimal(vertex.y)))
-            except FormatError as error:
-                called = f"polygon {k}" if name is None else ascii(name)[1:-1]
-                raise FormatError(
-                    f"{called}, vertex {i}: {error}, which is all that {form} can hold"
-                ) from None
-        rows.append(row)
-    return rows
+    return [_row(_called(k, p), p.polygon.vertices, form) for k, p in enumerate(polygons)]
+
+
+def _called(k: int, polygon: NamedPolygon) -> str:
+    return f"polygon {k}" if polygon.name is None else ascii(polygon.name)[1:-1]
+
+
+def _row(name: str, points: Sequence[Point], form: str) -> _Row:
+    row = []
+    for i, (x, y) in enumerate(points):
+        try:
+            row.append((format_decimal(x), format_decimal(y)))
+        except FormatError as error:
+            raise FormatError(
+                f"{name}, vertex {i}: {error}, which is all that {form} can hold"
+            ) from None
+    return row
 
 
 def _printable(name: str, form: str) -> str:

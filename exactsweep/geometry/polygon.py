@@ -80,6 +80,11 @@ class Polygon:
             self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
         return self._vertices
 
+    @property
+    def rings(self) -> tuple[tuple[Point, ...], ...]:
+        """The vertices, as those of the only ring of its boundary."""
+        return (self.vertices,)
+
     def lattice(self) -> tuple[int, tuple[LatticePoint, ...]]:
         """Return the polygon on the coarsest integer lattice that holds it.
 

@@ -10,22 +10,36 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from random import Random
 from time import process_time
 from typing import NamedTuple
 
+from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.growth import Growth
 
-Ring = Sequence[tuple[int, int]]
+Corners = Sequence[tuple[int, int]]
 
 
-class Status(Enum):
+class Verdict(Enum):
     """What became of a claim."""
 
     REPRODUCED = "reproduced"
     CONDITION = "reproduced with a condition"
     SHARPENED = "sharpened"
     REFUTED = "refuted as stated"
+    BY_THEOREM = "refuted by theorem"
+    MISPRINT = "misprint"
+
+
+KINDS = {
+    "proved": "the proof is written out",
+    "cited": "the proof is in the literature",
+    "exhaustive": "all cases of a finite set were tried, or all up to the first that fails",
+    "sampled": "random pairs were tried, as many as is said",
+    "counted": "operations, vertices or undercuts were counted over doubling sizes",
+    "measured": "seconds and bytes were measured over doubling sizes",
+    "case": "given cases were computed",
+}
+"""What each kind of evidence is."""
 
 
 class Counterexample(NamedTuple):
@@ -40,8 +54,8 @@ class Counterexample(NamedTuple):
 
     text: str
     how: str
-    generatrix: Ring = ()
-    directrix: Ring = ()
+    generatrix: Corners = ()
+    directrix: Corners = ()
 
 
 class Table(NamedTuple):
@@ -60,58 +74,63 @@ class Evidence:
         tried: what was looked at, and how much of it.
         failure: a counterexample to the statement as corrected; empty if there is none.
         against: a counterexample to the statement as printed; None if there is none.
+        others: further counterexamples, to other parts of it.
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
+        sampled: how many random pairs each law was tried on, at least.
     """
 
     tried: str
     failure: str = ""
     against: Counterexample | None = None
+    others: tuple[Counterexample, ...] = ()
     tables: tuple[Table, ...] = ()
     growth: tuple[Growth, ...] = ()
+    sampled: int = 0
+
+    @property
+    def cases(self) -> tuple[Counterexample, ...]:
+        """All counterexamples."""
+        return (self.against, *self.others) if self.against else self.others
 
 
 @dataclass(frozen=True)
-class Run:
-    """The seed and the effort of a run.
+class Effort:
+    """The seed of a run, and how much is tried in it.
 
-    >>> Run(seed=1).random("Lemma 5.3").random() == Run(seed=1).random("Lemma 5.3").random()
+    >>> Effort(seed=1).random("Lemma 5.3").bits64() == Effort(seed=1).random("Lemma 5.3").bits64()
     True
     """
 
     seed: int = 1
     quick: bool = False
 
-    def random(self, label: str) -> Random:
+    def random(self, label: str) -> Prng:
         """Return a source of numbers that depends on the seed and a label alone."""
-        return Random(f"{self.seed} {label}")
+        return Prng(f"{self.seed} {label}")
 
-    def effort(self, count: int) -> int:
+    def cases(self, count: int) -> int:
         """Return how many cases to try where a check names a number: thrice that, or a tenth."""
         return max(1, count // 10) if self.quick else 3 * count
 
 
 @dataclass(frozen=True)
 class Claim:
-    """A row of the ledger.
-
-    Attributes:
-        name: as in the paper, or a short sentence where it has no number.
-        section: of the paper.
-        says: the statement, in our words.
-        status: what became of it.
-        code: dotted names of what implements it.
-        check: looks for counterexamples.
-        corrected: the statement that holds, or the condition; empty if nothing is to be said.
-    """
+    """A row of the ledger; its fields are described at the head of ledger.toml."""
 
     name: str
     section: str
-    says: str
-    status: Status
+    words: str
+    verdict: Verdict
+    evidence: tuple[str, ...]
     code: tuple[str, ...]
-    check: Callable[[Run], Evidence] = field(repr=False)
-    corrected: str = ""
+    check: Callable[[Effort], Evidence] = field(repr=False)
+    correction: str = ""
+    proof: str = ""
+    weight: int = 0
+    kernel: str = ""
+    see: tuple[str, ...] = ()
+    figure: str = ""
 
 
 class Row(NamedTuple):
@@ -123,11 +142,11 @@ class Row(NamedTuple):
 
     @property
     def disagreement(self) -> str:
-        """Why the evidence does not bear out the status; empty if it does."""
-        status, evidence = self.claim.status, self.evidence
+        """Why the evidence does not bear out the verdict; empty if it does."""
+        verdict, evidence = self.claim.verdict, self.evidence
         if evidence.failure:
             return evidence.failure
-        objected = status in (Status.CONDITION, Status.REFUTED)
+        objected = verdict not in (Verdict.REPRODUCED, Verdict.SHARPENED)
         if objected and evidence.against is None:
             return "no counterexample to the statement as printed was found"
         if not objected and evidence.against is not None:
@@ -144,26 +163,26 @@ def first_failure(failures: Iterator[str]) -> str:
     return next(filter(None, failures), "")
 
 
-def reproduce(claims: Iterable[Claim], run: Run) -> Iterator[Row]:
+def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
     """Check claims one by one.
 
     Args:
         claims: rows of the ledger.
-        run: the seed and the effort.
+        effort: the seed, and how much is tried.
 
     Yields:
         A Row for each claim. A check that breaks off counts as one that fails.
 
     Example:
         >>> from exactsweep.paper.ledger import find
-        >>> row, = reproduce([find("Slope")], Run(quick=True))
-        >>> row.claim.status.value, row.disagreement
-        ('refuted as stated', '')
+        >>> row, = reproduce([find("Slope")], Effort(quick=True))
+        >>> row.claim.verdict.value, row.disagreement
+        ('misprint', '')
     """
     for claim in claims:
         start = process_time()
         try:
-            evidence = claim.check(run)
+            evidence = claim.check(effort)
         except Exception as error:
             evidence = Evidence("broken off", f"{type(error).__name__}: {error}")
         yield Row(claim, evidence, process_time() - start)

@@ -6,13 +6,16 @@ coordinates as always, and the counts are the same on every run and every machin
 
 from __future__ import annotations
 
+import tracemalloc
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from time import process_time
 from typing import Any, Protocol
 
-from exactsweep.paper.growth import Growth, grow
-from exactsweep.paper.pairs import Chains, Pair, Ring
+from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.paper.growth import Bound, Growth, grow
+from exactsweep.paper.pairs import Chains, Pair
 
 
 @dataclass
@@ -96,11 +99,11 @@ for _make, _names in (
         setattr(Counted, f"__{_name}__", _make(f"__{_name}__"))
 
 
-def counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     """The same points in counted ints.
 
     >>> with counting() as tally:
-    ...     (x, y), = counted([(3, 4)])
+    ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
     (True, Tally(multiplications=2, comparisons=1))
     """
@@ -134,43 +137,86 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
     2
     """
-    fed = Chains(*(counted(chain) for chain in chains))  # type: ignore[arg-type]
+    fed = Chains(*(make_counted(chain) for chain in chains))  # type: ignore[arg-type]
     with counting() as tally:
         out = sum(1 for _ in run(fed))
     return tally.total + out
 
 
-def operations_grow(
+def grow_operations(
     procedure: str,
     run: Callable[[Chains], Iterable[Any]],
     family: Family,
-    bound: tuple[str, Callable[[int, int], float]],
+    bound: Bound,
     sizes: Iterable[tuple[int, int]],
+    limit: float = 1.08,
 ) -> Growth:
     """Count the operations of a procedure beside a bound in m and n."""
     what = f"operations of {procedure}"
-    return _grow(what, lambda chains: operations(run, chains), family, bound, sizes)
+    return _grow(what, lambda chains: operations(run, chains), family, bound, sizes, limit)
 
 
-def vertices_grow(
+def grow_vertices(
     what: str,
     run: Callable[[Chains], Iterable[Any]],
     family: Family,
-    bound: tuple[str, Callable[[int, int], float]],
+    bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
     """Count the vertices that come out beside a bound in m and n."""
     return _grow(f"vertices of {what}", lambda c: sum(1 for _ in run(c)), family, bound, sizes)
 
 
-def _grow(
-    what: str,
-    count: Callable[[Chains], int],
+def grow_seconds(
+    procedure: str,
+    run: Callable[[Chains], Any],
     family: Family,
-    bound: tuple[str, Callable[[int, int], float]],
+    bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
-    def beside(m: int, n: int) -> tuple[int, float]:
+    """Measure the processor's time, the least of three runs or of as many as take 0.2 seconds."""
+
+    def seconds(chains: Chains) -> float:
+        times: list[float] = []
+        while len(times) < 3 or (sum(times) < 0.2 and len(times) < 50):
+            start = process_time()
+            run(chains)
+            times.append(process_time() - start)
+        return min(times)
+
+    return _grow(f"seconds of {procedure}", seconds, family, bound, sizes)
+
+
+def grow_bytes(
+    procedure: str,
+    run: Callable[[Chains], Any],
+    family: Family,
+    bound: Bound,
+    sizes: Iterable[tuple[int, int]],
+) -> Growth:
+    """Measure the peak of the memory that a procedure takes beside its input."""
+
+    def peak(chains: Chains) -> float:
+        tracemalloc.start()
+        try:
+            before = tracemalloc.get_traced_memory()[0]
+            run(chains)
+            return tracemalloc.get_traced_memory()[1] - before
+        finally:
+            tracemalloc.stop()
+
+    return _grow(f"bytes of {procedure}", peak, family, bound, sizes)
+
+
+def _grow(
+    what: str,
+    count: Callable[[Chains], float],
+    family: Family,
+    bound: Bound,
+    sizes: Iterable[tuple[int, int]],
+    limit: float = 1.08,
+) -> Growth:
+    def beside(m: int, n: int) -> tuple[float, float]:
         return count(Pair(*family(m, n)).chains), bound[1](m, n)
 
-    return grow(what, family.__name__, bound[0], sizes, beside)
+    return grow(what, family.__name__, bound[0], sizes, beside, limit)

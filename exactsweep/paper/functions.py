@@ -52,7 +52,7 @@ def common_points(first: Points, second: Points) -> list[Fraction]:
     return sorted(x for x in xs if left <= right and value(first, x) == value(second, x))
 
 
-def clipped(chain: Points, left: Fraction, right: Fraction) -> list[Vertex]:
+def clip(chain: Points, left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
     return exact([(left, value(chain, left)), *inside, (right, value(chain, right))])

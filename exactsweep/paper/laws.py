@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.claim import Run
-from exactsweep.paper.pairs import Kind, Pair, Ring, random_pairs
+from exactsweep.paper.claim import Effort
+from exactsweep.paper.pairs import Pair, random_pairs
 from exactsweep.procedures.chain import split
 
 Law = Callable[[Pair], str]
 """What is wrong with a pair; empty if nothing is."""
 
 
-def broken(law: Law, pairs: Iterable[Pair]) -> str:
+def break_law(law: Law, pairs: Iterable[Pair]) -> str:
     """Say with which pair a law breaks, made smaller, and how; empty if it holds for all.
 
     >>> law = lambda pair: "" if len(pair.directrix) < 4 else "four corners"
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> broken(law, [Pair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
+    >>> break_law(law, [Pair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
     'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
     """
     for pair in pairs:
         if wrong(law, pair):
-            least = shrunk(law, pair)
+            least = shrink(law, pair)
             return f"{wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
     return ""
 
@@ -36,7 +37,7 @@ def wrong(law: Law, pair: Pair) -> str:
         return f"{type(error).__name__}: {error}"
 
 
-def shrunk(law: Law, pair: Pair) -> Pair:
+def shrink(law: Law, pair: Pair) -> Pair:
     """Leave out vertices and halve coordinates as long as the law stays broken."""
     while smaller := next((p for p in _smaller(pair) if wrong(law, p)), None):
         pair = smaller
@@ -70,20 +71,36 @@ class Trial:
     All trials of a run draw the same pairs, whose loops by the definition are kept.
     """
 
-    def __init__(self, run: Run) -> None:
-        self.run = run
+    def __init__(self, effort: Effort) -> None:
+        self.effort = effort
         self.failure = ""
         self._tried: dict[str, list[str]] = {}
+        self._counts: list[int] = []
 
-    def of(self, law: Law, kind: Kind, count: int, *, strict: bool = True) -> Trial:
-        """Try a law, of which the first line of the docstring is told; returns the trial itself."""
-        effort = self.run.effort(count)
-        if not self.failure:
-            self.failure = broken(law, random_pairs(self.run, kind, effort, strict=strict))
+    def of(self, law: Law, pairs: str) -> Trial:
+        """Try a law on pairs; returns the trial itself.
+
+        Args:
+            law: its docstring's first line says what holds.
+            pairs: how many of which class, such as "100 CC, 60 MM weak".
+        """
         text = (law.__doc__ or "").split("\n")[0]
         counts = self._tried.setdefault(text, [])
-        counts.append(f"{effort} {kind}{'' if strict else ' with vertical edges'}")
+        self._counts.append(0)
+        for number, kind, *weak in map(str.split, pairs.split(",")):
+            count = self.effort.cases(int(number))
+            self._counts[-1] += count
+            if not self.failure:
+                self.failure = break_law(
+                    law, random_pairs(self.effort, kind, count, strict=not weak)
+                )
+            counts.append(f"{count} {kind}{' with vertical edges' if weak else ''}")
         return self
+
+    @property
+    def sampled(self) -> int:
+        """On how many pairs each law was tried, at least."""
+        return min(self._counts, default=0)
 
     @property
     def tried(self) -> str:

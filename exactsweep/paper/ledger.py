@@ -1,115 +1,86 @@
-"""All rows of the ledger, in the order of the paper, and how to find one by its name."""
+"""All rows of the ledger, in the order of the paper, and how to find one by its name.
+
+What the paper says is in ledger.toml; the functions that check it are in `checks` and `figures`,
+and are loaded when they are run.
+"""
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Callable, Mapping
 from difflib import get_close_matches
+from functools import partial
+from importlib.resources import files
+from pkgutil import resolve_name
+from typing import Any
 
-from exactsweep.paper import figures
-from exactsweep.paper.checks import (
-    appendix,
-    section1,
-    section2,
-    section3,
-    section4,
-    section4_sizes,
-    section5,
-    section5_sizes,
-    section5_time,
-)
-from exactsweep.paper.claim import Claim
+from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict, first_failure
+from exactsweep.paper.laws import Trial
 
-ORDER = (
-    "Definition 1.1",
-    "Definition 1.2",
-    "Definition 1.3",
-    "Paths of two points",
-    "Sweep and Minkowski sum",
-    "Figure 1",
-    "Theorem 2.1",
-    "Figure 2",
-    "Theorem 2.2",
-    "Definition 2.1",
-    "Figure 3",
-    "Distance travelled",
-    "Table 1",
-    "VV is incidental",
-    "Convex chain",
-    "Definition 3.1",
-    "Slope",
-    "Lemma 3.1",
-    "Figure 4",
-    "Lemma 3.2",
-    "Figure 5",
-    "Corollary 3.3",
-    "Trajectory_CC",
-    "SweepI_CC",
-    "SweepO_CC",
-    "Corollary 3.4",
-    "Lemma 4.1",
-    "Figure 6",
-    "Lemma 4.2",
-    "Total size of the parts",
-    "Corollary 4.3",
-    "Every edge of D is touched",
-    "Number of undercuts",
-    "Corollary 4.4",
-    "Monotone inner boundary",
-    "Trajectory_CM",
-    "SweepI_CM",
-    "SweepO_CM",
-    "Corollary 4.5",
-    "Two forms of a bottom chain",
-    "Figure 7",
-    "Corollary 4.6",
-    "Lemma 5.1",
-    "Lemma 5.2",
-    "Monotone trajectory",
-    "Definition 5.1",
-    "Definition 5.2",
-    "Lemma 5.3",
-    "Figure 8",
-    "Local width",
-    "Figure 9",
-    "Corollary 5.4",
-    "Lemma 5.5",
-    "Lemma 5.6",
-    "Figure 10",
-    "Figure 10's count",
-    "Trajectory_MM",
-    "Sweep_MM",
-    "Two chains in linear time",
-    "Levels of divide and conquer",
-    "LowerEnvelope_MM",
-    "Corollary 5.7",
-    "Corollary 5.8",
-    "A faster inner loop",
-    "Figure 11",
-    "Lemma A.1",
-    "Figure 12",
-    "Lemma A.2",
-    "Figure 13",
-    "Lemma A.3",
-    "Corollary A.4",
-    "LowerEnvelope_CM",
-)
-_MODULES = (
-    section1,
-    section2,
-    section3,
-    section4,
-    section4_sizes,
-    section5,
-    section5_sizes,
-    section5_time,
-    appendix,
-    figures,
-)
-_BY_NAME: dict[str, Claim] = {claim.name: claim for module in _MODULES for claim in module.CLAIMS}
-CLAIMS: tuple[Claim, ...] = tuple(_BY_NAME[name] for name in ORDER)
+CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
 class UnknownClaimError(ValueError):
     """A name that no row of the ledger has."""
+
+
+def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
+    """Try the laws of a row on random pairs, run its check, and measure what it claims to cost."""
+    trial = Trial(effort)
+    for law, pairs in row.get("laws", {}).items():
+        trial.of(resolve_name(f"{CHECKS}.{law}"), pairs)
+    found = [Evidence(trial.tried, trial.failure, sampled=trial.sampled)]
+    if "check" in row:
+        found.append(resolve_name(f"{CHECKS}.{row['check']}")(effort))
+    if "figure" in row:
+        check = resolve_name(f"{FIGURES}.figure.check_figure")
+        found.append(check(row["figure"], _join(row["against"])))
+    if "costs" in row:
+        found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
+    return Evidence(
+        " ".join(filter(None, (one.tried for one in found))),
+        first_failure(one.failure for one in found),
+        next((one.against for one in found if one.against), None),
+        tuple(case for one in found for case in one.others),
+        tuple(table for one in found for table in one.tables),
+        tuple(series for one in found for series in one.growth),
+        max(one.sampled for one in found),
+    )
+
+
+def _join(text: str) -> str:
+    """Text without its line ends."""
+    return " ".join(text.split())
+
+
+def _read(row: Mapping[str, Any]) -> Claim:
+    check: Callable[[Effort], Evidence] = partial(examine, row)
+    return Claim(
+        row["name"],
+        row["section"],
+        _join(row["words"]),
+        Verdict(row["verdict"]),
+        tuple(row["evidence"]),
+        tuple(row["code"]),
+        check,
+        _join(row.get("correction", "")),
+        _join(row.get("proof", "")),
+        row.get("weight", 0),
+        _join(row.get("kernel", "")),
+        tuple(row.get("see", ())),
+        row.get("figure", ""),
+    )
+
+
+def read_rows() -> list[dict[str, Any]]:
+    """The tables of ledger.toml."""
+    text = files("exactsweep.paper").joinpath("ledger.toml").read_text(encoding="utf-8")
+    rows: list[dict[str, Any]] = tomllib.loads(text)["claim"]
+    return rows
+
+
+CLAIMS: tuple[Claim, ...] = tuple(map(_read, read_rows()))
+_BY_NAME = {claim.name: claim for claim in CLAIMS}
 
 
 def find(name: str) -> Claim:
@@ -125,7 +96,7 @@ def find(name: str) -> Claim:
     exactsweep.paper.ledger.UnknownClaimError: no claim 'Lema 5.3'; did you mean 'Lemma 5.3'?
     """
     wanted = " ".join(name.lower().split())
-    names = {known.lower(): known for known in ORDER}
+    names = {known.lower(): known for known in _BY_NAME}
     if wanted in names:
         return _BY_NAME[names[wanted]]
     close = [known for known in names if wanted and wanted in known]

@@ -6,20 +6,15 @@ takes for granted; weak ones have vertical edges, at the ends and inside their c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from random import Random
-from typing import Any, Literal, NamedTuple, TypeVar
+from collections.abc import Iterator
+from typing import NamedTuple
 
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.corpus.generator.shapes import Grid, Ring, convex, monotone
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.claim import Run
+from exactsweep.paper.claim import Effort
 from exactsweep.procedures.chain import inverse, split
-
-Ring = list[tuple[int, int]]
-Kind = Literal["CC", "CM", "MM"]
-
-
-P = TypeVar("P", bound=tuple[Any, Any])
 
 
 class Chains(NamedTuple):
@@ -52,68 +47,23 @@ class Pair(NamedTuple):
         return Pair(g, d)
 
 
-def hull(points: Sequence[P]) -> list[P]:
-    """The convex hull, counter-clockwise, corners only (Andrew's monotone chain).
-
-    >>> hull([(0, 0), (1, 1), (2, 0), (1, 0), (0, 2)])
-    [(0, 0), (2, 0), (0, 2)]
-    """
-    ordered = sorted(set(points))
-    ring: list[P] = []
-    for run in (ordered, ordered[::-1]):
-        half: list[P] = []
-        for point in run:
-            x, y = point
-            while len(half) > 1:
-                (ax, ay), (bx, by) = half[-2:]
-                if (bx - ax) * (y - by) - (by - ay) * (x - bx) > 0:
-                    break
-                half.pop()
-            half.append(point)
-        ring += half[:-1]
-    return ring
-
-
-def convex(rng: Random, *, strict: bool) -> Ring:
-    """A convex polygon; where it is strict, the grid is sheared until no edge is vertical."""
-    side = rng.choice([2, 4, 9])
-    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 9))]
-    found = hull(points)
-    if len(found) < 3:
-        found = [(0, 0), (side, 0), (rng.randint(0, side), side)]
-    return [((side + 1) * x + y, y) for x, y in found] if strict else found
-
-
-def monotone(rng: Random, *, strict: bool) -> Ring:
-    """An X-monotone polygon, seldom convex."""
-    height, width = rng.choice([2, 5, 30]), rng.randint(3, 9)
-    slope = rng.randint(-2, 2)
-    chains: list[Ring] = []
-    for sign in (-1, 1):
-        chain: Ring = []
-        for x in sorted(rng.sample(range(1, width), rng.randint(1, min(5, width - 1)))):
-            chain.append((x, sign * rng.randint(1, height)))
-            if not strict and rng.random() < 0.5:
-                chain.append((x, sign * rng.randint(1, height)))
-        chains.append(chain)
-    bottom, top = chains
-    left, right = [(0, 0)], [(width, 0)]
-    if not strict:
-        for end in (left, right):
-            if rng.random() < 0.5:
-                end.append((end[0][0], rng.randint(1, height)))
-        left.reverse()
-    ring = [left[-1], *bottom, *right, *reversed(top), *left[:-1]]
-    return [(x, y + slope * x) for x, y in ring]
-
-
-def random_pair(rng: Random, kind: Kind, *, strict: bool = True) -> Pair:
+def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> Pair:
     """Draw a pair of a class; now and then both on one scale, now and then on two."""
-    shapes: dict[str, Callable[..., Ring]] = {"C": convex, "M": monotone}
-    generatrix, directrix = (shapes[letter](rng, strict=strict) for letter in kind)
-    factor = rng.choice([1, 1, 2, 7])
-    enlarged = [(factor * x, factor * y) for x, y in directrix]
-    return Pair(_corners(generatrix), _corners(enlarged))
+    generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
+    factor = random.choice([1, 1, 2, 7])
+    return Pair(_corners(generatrix), _corners([(factor * x, factor * y) for x, y in directrix]))
+
+
+def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
+    """A convex or a monotone ring; where it is strict, no edge is vertical."""
+    if letter == "C":
+        side = random.choice([2, 4, 9])
+        found = convex(random, 9, side)
+        return [((side + 1) * x + y, y) for x, y in found] if strict else found
+    height, slope = random.choice([2, 5, 30]), random.between(-2, 2)
+    ends = {"walls": 0, "pointed": 8} if strict else {"walls": 3, "pointed": 4}
+    ring = monotone(random, Grid(cells=(1, 5), widths=(1, 1, 2, 3), height=height, **ends))
+    return [(x, y + slope * x) for x, y in ring]
 
 
 def _corners(ring: Ring) -> Ring:
@@ -121,7 +71,7 @@ def _corners(ring: Ring) -> Ring:
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 
-def random_pairs(run: Run, kind: Kind, count: int, *, strict: bool = True) -> Iterator[Pair]:
+def random_pairs(effort: Effort, kind: str, count: int, *, strict: bool = True) -> Iterator[Pair]:
     """Draw pairs that depend on the seed of the run, their class and their number alone."""
     for number in range(count):
-        yield random_pair(run.random(f"{kind} {strict} {number}"), kind, strict=strict)
+        yield draw_pair(effort.random(f"{kind} {strict} {number}"), kind, strict=strict)

@@ -41,23 +41,23 @@ def ratios(growth: Sequence[Growth]) -> bytes:
     from matplotlib.ticker import NullFormatter, NullLocator
 
     with context(SETTINGS):
-        figure = Figure(figsize=(4.6, 2.6), layout="constrained")
+        figure = Figure(figsize=(4.6, 2.2 + 0.16 * len(growth)), layout="constrained")
         axes = figure.subplots()
         for series, (colour, marker) in zip(growth, cycle(STYLES), strict=False):
             axes.plot(
-                [point.n for point in series.points],
+                [max(point.m, point.n) for point in series.points],
                 [point.ratio for point in series.points],
                 color=colour,
                 marker=marker,
-                label=f"{series.what}, {series.family}, / ({series.bound})",
+                label=f"{series.what}, {series.family}, {series.varied}, / ({series.bound})",
             )
-        sizes = sorted({point.n for series in growth for point in series.points})
+        sizes = sorted({max(point.m, point.n) for series in growth for point in series.points})
         axes.set_xscale("log")
         axes.set_xticks(sizes, [str(size) for size in sizes])
         axes.xaxis.set_minor_locator(NullLocator())
         axes.xaxis.set_minor_formatter(NullFormatter())
         axes.set_ylim(0, 1.1 * max(p.ratio for series in growth for p in series.points))
-        axes.set_xlabel("n")
+        axes.set_xlabel("the greater of m and n")
         axes.set_ylabel("count / bound")
         figure.legend(loc="outside lower left", frameon=False)
         out = BytesIO()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import platform
 import re
 from base64 import b64encode
 from collections import Counter
@@ -15,29 +14,44 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from exactsweep import __version__, sweep
+from exactsweep import sweep
 from exactsweep.canvas.svg import path_data
 from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
-from exactsweep.paper.claim import Counterexample, Row, Run, Status
-from exactsweep.paper.figures import FIGURES
+from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.data import describe_environment, slug, write_data
+from exactsweep.paper.figures.figure import load
+from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
 
 XY = Sequence[tuple[float, float]]
 
+GROWTH = (
+    *("what", "family", "doubled", "m", "n", "divided by"),
+    *("first", "last", "exponent", "of the bound", "found"),
+)
+"""The columns of `growth_row`."""
+WEIGHTS = {
+    1: "False claims",
+    2: "False steps and remarks",
+    3: "Missing conditions",
+    4: "Slips of the pen",
+}
+"""Errata by weight."""
+
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
-    """Write report.html and report.md, and the pictures that the latter shows, into a folder.
+def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path, Path]:
+    """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, but for the times.
+    The same seed, effort and versions give the same bytes, but for what is measured.
 
     Returns:
-        The paths of the two.
+        The paths of the three.
 
     Raises:
         OSError: the folder cannot be written to.
@@ -49,15 +63,15 @@ def write(folder: Path, rows: Sequence[Row], run: Run) -> tuple[Path, Path]:
     figures = write_figures(folder, rows)
     paths = folder / "report.html", folder / "report.md"
     for path in paths:
-        text = render(path.name, rows, run, drawn, figures)
+        text = render(path.name, rows, effort, drawn, figures)
         path.write_text(text, encoding="utf-8", newline="\n")
-    return paths
+    return *paths, write_data(folder, rows, effort)
 
 
 def render(
     name: str,
     rows: Sequence[Row],
-    run: Run,
+    effort: Effort,
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
@@ -65,17 +79,17 @@ def render(
     sections: dict[str, list[Row]] = {}
     for row in rows:
         sections.setdefault(row.claim.section, []).append(row)
-    statuses = Counter(row.claim.status for row in rows)
+    verdicts = Counter(row.claim.verdict for row in rows)
     text = (
         _environment(html=name.endswith("html"))
         .get_template(f"{name}.j2")
         .render(
             rows=rows,
             sections=sections,
-            counts=[(status.value, statuses[status]) for status in Status],
+            counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
             failing=[row for row in rows if row.disagreement],
-            run=run,
-            versions=_versions(),
+            effort=effort,
+            environment=describe_environment(effort),
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
@@ -83,6 +97,15 @@ def render(
         )
     )
     return f"{text.rstrip()}\n"
+
+
+def totals(rows: Sequence[Row]) -> str:
+    """How many rows have which verdict, how many fail, and how long all took."""
+    verdicts = Counter(row.claim.verdict for row in rows)
+    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in Verdict if verdicts[v])
+    failing = [row.claim.name for row in rows if row.disagreement]
+    borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all borne out"
+    return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
 
 
 def render_row(row: Row) -> str:
@@ -96,11 +119,10 @@ def render_row(row: Row) -> str:
 def _plots(rows: Sequence[Row]) -> dict[str, bytes]:
     if not plots.available():
         return {}
-    return {r.claim.name: plots.ratios(r.evidence.growth) for r in rows if r.evidence.growth}
-
-
-def _versions() -> dict[str, str]:
-    return {"exactsweep": __version__, "Python": platform.python_version()}
+    counted = {
+        row.claim.name: [g for g in row.evidence.growth if g.unit not in LIMITS] for row in rows
+    }
+    return {name: plots.ratios(growth) for name, growth in counted.items() if growth}
 
 
 @cache
@@ -117,11 +139,15 @@ def _environment(*, html: bool) -> Environment:
         "cell": lambda text: str(text).replace("|", "\\|"),
         "file_name": _file_name,
         "formula": formula,
+        "cite": cite,
+        "growth_row": growth_row,
+        "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
-        "slug": lambda text: re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-"),
+        "slug": slug,
     }
     environment.filters.update(filters)
+    environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
     return environment
 
 
@@ -150,8 +176,41 @@ def alignments(rows: Sequence[Sequence[str]]) -> list[str]:
     ]
 
 
+def growth_row(series: Growth) -> list[str]:
+    """A series in one line: sizes, the first and the last ratio, and exponents.
+
+    That of seconds is over the three largest sizes; all others are over all.
+    """
+    first, end = series.points[0], series.points[-1]
+    last = 3 if series.unit == "seconds" else 0
+    return [
+        series.what,
+        series.family,
+        series.varied,
+        *(f"{a} to {b}" if a != b else str(a) for a, b in ((first.m, end.m), (first.n, end.n))),
+        series.bound,
+        *(f"{point.ratio:.3g}" for point in (first, end)),
+        *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
+        series.verdict,
+    ]
+
+
+def miss(sampled: int) -> str:
+    """What a sample says: three in n is the least share that is missed once in twenty times.
+
+    >>> miss(300)
+    '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'
+    """
+    if not sampled:
+        return ""
+    return (
+        f"{sampled:,} pairs a law: a fault of more than one pair in {max(1, sampled // 3):,} is "
+        "missed with a chance below 5%."
+    )
+
+
 def _file_name(name: str) -> str:
-    return "growth-" + re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+    return f"growth-{slug(name)}"
 
 
 def _picture(case: Counterexample) -> Markup:
@@ -161,18 +220,35 @@ def _picture(case: Counterexample) -> Markup:
     return Markup(pair_svg(Pair(list(case.generatrix), list(case.directrix))))
 
 
-def citation() -> str:
-    """The citation data: CITATION.cff, and BibTeX for the paper and the works that correct it.
+def write_citation(folder: Path) -> list[Path]:
+    """Write CITATION.cff, and references.bib for the paper and the works that bear on it.
 
-    >>> citation().count("@article{")
-    3
+    Raises:
+        OSError: the folder cannot be written to.
     """
-    folder = files("exactsweep.paper")
-    texts = (
-        folder.joinpath(name).read_text(encoding="utf-8")
-        for name in ("CITATION.cff", "references.bib")
-    )
-    return "\n".join(texts)
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = []
+    for name in ("CITATION.cff", "references.bib"):
+        text = files("exactsweep.paper").joinpath(name).read_text(encoding="utf-8")
+        paths.append(folder / name)
+        paths[-1].write_text(text, encoding="utf-8")
+    return paths
+
+
+def cite(key: str) -> str:
+    """A work of references.bib in one line.
+
+    >>> cite("hershberger1989finding")
+    'Hershberger 1989, Finding the upper envelope of n line segments in O(n log n) time, \
+doi:10.1016/0020-0190(89)90136-1'
+    """
+    (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", bibtex(), re.S)
+    fields = dict(re.findall(r"^  (\w+) *= \{(.*)\},?$", entry, re.M))
+    names = [author.partition(",")[0] for author in fields["author"].split(" and ")]
+    who = " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
+    title = re.sub(r"[{}\\]", "", fields["title"]).replace("--", "-")
+    doi = f", doi:{fields['doi']}" if "doi" in fields else ""
+    return f"{who} {fields['year']}, {title}{doi}"
 
 
 def bibtex() -> str:
@@ -231,12 +307,11 @@ def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
     """
     if not plots.available():
         return {}
-    holding = {row.claim.name for row in rows if not row.disagreement}
     drawn = {}
-    for figure in FIGURES:
-        if figure.name in holding:
-            picture = figure.draw()
+    for row in rows:
+        if row.claim.figure and not row.disagreement:
+            picture, stem = load(row.claim.figure).draw(), slug(row.claim.name)
             for suffix in SUFFIXES:
-                save(picture, str(folder / f"figure-{figure.number}{suffix}"))
-            drawn[figure.name] = (folder / f"figure-{figure.number}.svg").read_bytes()
+                save(picture, str(folder / f"{stem}{suffix}"))
+            drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()
     return drawn

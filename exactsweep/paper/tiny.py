@@ -1,4 +1,4 @@
-"""All simple polygons on a tiny grid, and the first pair of them with which a statement fails.
+"""All strictly X-monotone polygons on a tiny grid, and the first pair that breaks a statement.
 
 Pairs come by their number of vertices, then by the size of both bounding boxes: the first one that
 fails is a smallest counterexample on that grid.
@@ -6,37 +6,44 @@ fails is a smallest counterexample on that grid.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
-from itertools import combinations, permutations, product
+from itertools import combinations, pairwise, product
 
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.pairs import Pair, Ring
-from exactsweep.procedures.chain import ChainError, split
+from exactsweep.paper.claim import Counterexample, Evidence
+from exactsweep.paper.pairs import Pair
+from exactsweep.procedures.chain import split
 
 Shape = Callable[[Ring], bool]
 
 
 @cache
 def polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
-    """All simple polygons with a number of corners on the grid of 0, ..., side, moved to (0, 0).
+    """All strictly X-monotone polygons with a number of corners on a grid, moved to (0, 0).
 
-    >>> len(polygons(1, 3)), len(polygons(1, 4))
-    (4, 1)
+    >>> polygons(2, 3)[0]
+    ((0, 0), (1, 0), (2, 1))
     """
     found = set()
-    points = sorted(product(range(side + 1), repeat=2))
-    for chosen in combinations(points, vertices):
-        if min(x for x, _ in chosen) > 0 or min(y for _, y in chosen) > 0:
+    for chosen in combinations(sorted(product(range(side + 1), repeat=2)), vertices):
+        first, *others, last = chosen
+        if first[0] > 0 or min(y for _, y in chosen) > 0:
             continue
-        for rest in permutations(chosen[1:]):
+        for sides in product((True, False), repeat=len(others)):
+            bottom = [first, *(p for p, low in zip(others, sides, strict=True) if low), last]
+            top = [first, *(p for p, low in zip(others, sides, strict=True) if not low), last]
+            if any(p[0] == q[0] for chain in (bottom, top) for p, q in pairwise(chain)):
+                continue
             try:
-                corners = Polygon([chosen[0], *rest]).vertices
+                corners = Polygon([*bottom, *top[-2:0:-1]]).vertices
             except PolygonError:
                 continue
-            if len(corners) == vertices:
-                found.add(tuple((int(x), int(y)) for x, y in corners))
+            ring = tuple((int(x), int(y)) for x, y in corners)
+            if len(corners) == vertices and set(bottom) <= set(split(ring)[0]):
+                found.add(ring)
     return tuple(sorted(found, key=_size))
 
 
@@ -44,30 +51,19 @@ def _size(ring: Sequence[tuple[int, int]]) -> tuple[int, Sequence[tuple[int, int
     return max(x for x, _ in ring) + max(y for _, y in ring), ring
 
 
+def is_any(ring: Ring) -> bool:
+    """Whether a polygon is one."""
+    return True
+
+
 def is_convex(ring: Ring) -> bool:
     """Whether a polygon is convex."""
     return Polygon(ring).is_convex
 
 
-def is_strict(ring: Ring) -> bool:
-    """Whether a polygon is X-monotone and has no vertical edge."""
-    return is_weak(ring) and all(
-        p[0] != q[0] for p, q in zip(ring, ring[1:] + ring[:1], strict=True)
-    )
-
-
-def is_weak(ring: Ring) -> bool:
-    """Whether a polygon is X-monotone, vertical edges allowed."""
-    try:
-        split(ring)
-    except ChainError:
-        return False
-    return True
-
-
-def convex_and_strict(ring: Ring) -> bool:
-    """Whether a polygon is convex and has no vertical edge."""
-    return is_convex(ring) and is_strict(ring)
+def is_bent(ring: Ring) -> bool:
+    """Whether a polygon is not convex."""
+    return not Polygon(ring).is_convex
 
 
 def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[Pair]:
@@ -86,17 +82,40 @@ def _chosen(side: int, vertices: int, shape: Shape) -> list[Ring]:
     return [ring for ring in map(list, polygons(side, vertices)) if shape(ring)]
 
 
-def smallest_pair(
+def search_grid(
     side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[Pair], str]
-) -> tuple[Pair, str] | None:
-    """Find the first pair on a grid with which something fails, and what does; None if none does.
+) -> Evidence:
+    """Look for the first pair on a grid with which a statement fails.
 
-    >>> def four_corners(pair):
-    ...     return "a square" if len(pair.generatrix) == 4 else ""
-    >>> smallest_pair(1, 7, is_convex, is_convex, four_corners)[0].generatrix
-    [(0, 0), (1, 0), (1, 1), (0, 1)]
+    Args:
+        side: of the grid, whose coordinates are 0, ..., side.
+        most: vertices of both polygons together.
+        generatrix: which polygons are tried for G.
+        directrix: the same for D.
+        fails: what goes wrong with a pair; empty if nothing does.
+
+    Returns:
+        Evidence with what was tried and a counterexample, if there is one.
+
+    Example:
+        >>> def four_corners(pair):
+        ...     return "a square" if len(pair.generatrix) == 4 else ""
+        >>> search_grid(2, 7, is_convex, is_convex, four_corners).against.generatrix
+        [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
-    for pair in tiny_pairs(side, most, generatrix, directrix):
+    where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
+    return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
+
+
+def search(pairs: Iterable[Pair], fails: Callable[[Pair], str], where: str) -> Evidence:
+    """Look for the first of some pairs with which a statement fails; `where` says which they are.
+
+    Returns Evidence as `search_grid` does.
+    """
+    number = 0
+    for number, pair in enumerate(pairs, 1):
         if text := fails(pair):
-            return pair, text
-    return None
+            how = f"the first of all pairs {where}, smallest first"
+            tried = f"The first {number:,} pairs {where}."
+            return Evidence(tried, against=Counterexample(text, how, *pair))
+    return Evidence(f"All {number:,} pairs {where}.")

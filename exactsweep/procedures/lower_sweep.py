@@ -12,7 +12,8 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
-Kind = Literal["CC", "CM", "MM"]
+Kind = Literal["CC", "CM", "MM", "SS"]
+"""The classes of the paper; and "SS", of polygons of any shape, which has no lower sweep."""
 
 
 class LowerSweep:
@@ -44,7 +45,7 @@ class LowerSweep:
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of_own(self.path)
+            return Envelope.of_convex(self.path)
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)

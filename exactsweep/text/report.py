@@ -1,6 +1,6 @@
-"""The text report of a sweep, for people to read."""
+"""Text reports of sweeps, no-fit polygons and inner fits, for people to read."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
@@ -8,9 +8,11 @@ from io import StringIO
 from rich.console import Console
 from rich.table import Table
 
+from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 from exactsweep.words import CLASSES, pair
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
@@ -58,8 +60,123 @@ def report(sweep: Swept, terminal_width: int | None = None) -> str:
         "trajectory": sweep.trajectory,
         "inner loop": sweep.inner,
         "outer loop": sweep.outer,
+        **{f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)},
     }
-    return laid_out([_facts(sweep), _sizes(sweep, loops), _loops(loops)], terminal_width)
+    facts = {
+        "class": CLASSES[sweep.kind],
+        "direction": "none" if sweep.direction is None else pair(sweep.direction),
+        "reference": pair(sweep.reference),
+        "undercuts": str(len(sweep.undercuts)),
+        "exact fits": str(len(sweep.exact_fits)),
+    }
+    given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
+    shapes = {**given, **loops}
+    return _told(facts, shapes, "swept area", sweep.area, _texts(loops), terminal_width)
+
+
+def no_fit_report(n: NoFitPolygon, terminal_width: int | None = None) -> str:
+    """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
+
+    Args:
+        n: a NoFitPolygon.
+        terminal_width: as for `report`.
+
+    Returns:
+        Lines of text, as by `report`.
+
+    Example:
+        >>> from exactsweep import no_fit_polygon
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        >>> print(no_fit_report(no_fit_polygon(slot, square)), end="")
+        class        CM, convex generatrix and monotone directrix
+        reference    (0,0)
+        holes        0
+        exact fits   1
+        <BLANKLINE>
+                     vertices  area about  area exactly
+        stationary          8              7
+        orbiting            4              1
+        exterior            4              16
+        no fit                             16
+        <BLANKLINE>
+        exterior     (-1,-1) (3,-1) (3,3) (-1,3)
+        exact fit 0  (1,3) (1,1)
+    """
+    loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
+    facts = {
+        "class": CLASSES[n.kind],
+        "reference": pair(n.reference),
+        "holes": str(len(n.holes)),
+        "exact fits": str(len(n.exact_fits)),
+    }
+    given = {"stationary": n.stationary, "orbiting": n.orbiting}
+    texts = _texts(loops) | _fit_texts(n.exact_fits)
+    return _told(facts, {**given, **loops}, "no fit", n.area, texts, terminal_width)
+
+
+def inner_fit_report(f: InnerFit, terminal_width: int | None = None) -> str:
+    """Describe the positions of a part inside a container.
+
+    Args:
+        f: an InnerFit.
+        terminal_width: as for `report`.
+
+    Returns:
+        Lines of text, as by `report`.
+
+    Example:
+        >>> from exactsweep import inner_fit_polygon
+        >>> bin, part = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (2, 0), (2, 2), (0, 2)]
+        >>> print(inner_fit_report(inner_fit_polygon(bin, part)), end="")
+        the part     fits exactly
+        reference    (0,0)
+        regions      0
+        exact fits   1
+        <BLANKLINE>
+                     vertices  area about  area exactly
+        container           4              8
+        part                4              4
+        positions                          0
+        <BLANKLINE>
+        exact fit 0  (0,0) (2,0)
+    """
+    exact = "fits exactly" if f.exact_fits else "does not fit"
+    facts = {
+        "the part": "fits" if f.regions else exact,
+        "reference": pair(f.reference),
+        "regions": str(len(f.regions)),
+        "exact fits": str(len(f.exact_fits)),
+    }
+    loops = {
+        f"region {k}{f', hole {j - 1}' if j else ''}": ring
+        for k, region in enumerate(f.regions)
+        for j, ring in enumerate((region.exterior, *region.holes))
+    }
+    shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
+    texts = _texts(loops) | _fit_texts(f.exact_fits)
+    return _told(facts, shapes, "positions", f.area, texts, terminal_width)
+
+
+def _told(
+    facts: Mapping[str, str],
+    shapes: Mapping[str, Polygon | Region],
+    name: str,
+    area: Fraction,
+    texts: Mapping[str, str],
+    terminal_width: int | None,
+) -> str:
+    width = max(map(len, [*facts, *shapes, name, *texts]))
+    sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    sizes.add_column(min_width=width, style="bold")
+    sizes.add_column("vertices", justify="right")
+    sizes.add_column("area about", overflow="fold")
+    sizes.add_column("area exactly", overflow="fold")
+    for called, shape in shapes.items():
+        sizes.add_row(called, str(len(shape)), *_area(shape.area))
+    sizes.add_row(name, "", *_area(area))
+    tables = [_rows(facts, width), sizes, *([_rows(texts, width)] if texts else [])]
+    return laid_out(tables, terminal_width)
 
 
 def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
@@ -89,26 +206,12 @@ def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
 
 
-def _facts(sweep: Swept) -> Table:
-    table = _named_rows()
-    table.add_row("class", CLASSES[sweep.kind])
-    table.add_row("direction", pair(sweep.direction))
-    table.add_row("reference", pair(sweep.reference))
-    table.add_row("undercuts", str(len(sweep.undercuts)))
-    table.add_row("exact fits", str(len(sweep.exact_fits)))
-    return table
-
-
-def _sizes(sweep: Swept, loops: dict[str, Polygon]) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column(min_width=10, style="bold")
-    table.add_column("vertices", justify="right")
-    table.add_column("area about", overflow="fold")
-    table.add_column("area exactly", overflow="fold")
-    polygons = {"generatrix": sweep.generatrix, "directrix": sweep.directrix, **loops}
-    for name, polygon in polygons.items():
-        table.add_row(name, str(len(polygon)), *_area(polygon.area))
-    table.add_row("swept area", "", *_area(sweep.area))
+def _rows(texts: Mapping[str, str], width: int) -> Table:
+    table = Table.grid(padding=(0, 2, 0, 0))
+    table.add_column(min_width=width, style="bold")
+    table.add_column(overflow="fold")
+    for name, text in texts.items():
+        table.add_row(name, text)
     return table
 
 
@@ -117,19 +220,13 @@ def _area(area: Fraction) -> tuple[str, str]:
     return "" if rounded == exact else rounded, exact
 
 
-def _loops(loops: dict[str, Polygon]) -> Table:
-    table = _named_rows()
-    for name, loop in loops.items():
-        # Lines are broken at blanks, and a vertex must not be.
-        table.add_row(name, str(loop).replace(", ", ","))
-    return table
+def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
+    # Lines are broken at blanks, and a vertex must not be.
+    return {name: str(loop).replace(", ", ",") for name, loop in loops.items()}
 
 
-def _named_rows() -> Table:
-    table = Table.grid(padding=(0, 2, 0, 0))
-    table.add_column(min_width=10, style="bold")
-    table.add_column(overflow="fold")
-    return table
+def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
+    return {f"exact fit {k}": " ".join(map(pair, dict.fromkeys(fit))) for k, fit in enumerate(fits)}
 
 
 def approximation(value: Fraction) -> str:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
-from exactsweep.formats.outline import NamedPolygon
-from exactsweep.formats.writing import _wkt
+from exactsweep.formats.writing import wkt_points, wkt_polygon
+from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification
@@ -28,7 +30,9 @@ def sweep_to_json(sweep: Swept) -> str:
     Returns:
         One object, a name a line: "kind", "direction", "reference", "area", and the vertex lists
         "generatrix", "directrix", "trajectory", "inner" and "outer". The direction is a pair
-        of integers; all other numbers are strings that `to_fraction` reads.
+        of integers; all other numbers are strings that `to_fraction` reads. Of kind "SS" the
+        direction is null, "unswept" lists the other holes of the swept area, and a polygon with
+        holes is an object, "exterior" and "holes".
 
     Cost: linear in the length of the result.
     """
@@ -36,23 +40,88 @@ def sweep_to_json(sweep: Swept) -> str:
     texts = {
         **_input(sweep),
         **{name: _written(loop.vertices) for name, loop in loops.items()},
+        **({"unswept": _written(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
         "area": _written(sweep.area),
     }
     return _object(texts)
 
 
-def certificate_to_json(sweep: Swept) -> str:
-    """Write the certificate of a sweep, `Sweep.certificate`, as JSON.
+def no_fit_to_json(n: NoFitPolygon) -> str:
+    """Write a no-fit polygon, its input included, as JSON.
 
     Args:
-        sweep: a Sweep.
+        n: a NoFitPolygon.
+
+    Returns:
+        One object, a name a line: "stationary", "orbiting", "kind", "reference", "exterior",
+        "holes", "exact_fits" and "area", written as by `sweep_to_json`; an exact fit is a pair of
+        points.
+
+    Cost: linear in the length of the result.
+    """
+    return _object(
+        {
+            "stationary": _written(as_json(n.stationary)),
+            "orbiting": _written(as_json(n.orbiting)),
+            "kind": _written(n.kind),
+            "reference": _written(n.reference),
+            "exterior": _written(n.exterior.vertices),
+            "holes": _written(_loops(n.holes)),
+            "exact_fits": _written(n.exact_fits),
+            "area": _written(n.area),
+        }
+    )
+
+
+def inner_fit_to_json(f: InnerFit) -> str:
+    """Write the positions of a part inside a container, its input included, as JSON.
+
+    Args:
+        f: an InnerFit.
+
+    Returns:
+        One object, a name a line: "container", "part", "reference", "regions", each an object,
+        "exterior" and "holes", "exact_fits" and "area", written as by `no_fit_to_json`.
+
+    Cost: linear in the length of the result.
+    """
+    return _object(
+        {
+            "container": _written(as_json(f.container)),
+            "part": _written(as_json(f.part)),
+            "reference": _written(f.reference),
+            "regions": _written([_rings(region) for region in f.regions]),
+            "exact_fits": _written(f.exact_fits),
+            "area": _written(f.area),
+        }
+    )
+
+
+def as_json(shape: Polygon | Region) -> object:
+    """Make the list of vertices of a shape, or of one with holes the object of its rings."""
+    return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
+
+
+def _rings(region: Region) -> dict[str, object]:
+    return {"exterior": region.exterior.vertices, "holes": _loops(region.holes)}
+
+
+def _loops(loops: Iterable[Polygon]) -> list[object]:
+    return [loop.vertices for loop in loops]
+
+
+def certificate_to_json(result: Swept | NoFitPolygon | InnerFit) -> str:
+    """Write the certificate of a result as JSON.
+
+    Args:
+        result: a Sweep, a NoFitPolygon or an InnerFit.
 
     Returns:
         One object, a name a line.
 
-    Cost: that of `exactsweep.evidence.certificate`.
+    Cost: that of its `certificate`.
     """
-    return _object({name: json.dumps(value) for name, value in sweep.certificate().items()})
+    return _object({name: json.dumps(value) for name, value in result.certificate().items()})
 
 
 def story_to_json(sweep: Swept) -> str:
@@ -100,14 +169,20 @@ def verification_to_json(verification: Verification) -> str:
 
 
 def _input(sweep: Swept) -> dict[str, str]:
-    direction = (format_fraction(Fraction(component)) for component in sweep.direction)
     return {
-        "generatrix": _written(sweep.generatrix.vertices),
-        "directrix": _written(sweep.directrix.vertices),
+        "generatrix": _written(as_json(sweep.generatrix)),
+        "directrix": _written(as_json(sweep.directrix)),
         "kind": _written(sweep.kind),
-        "direction": f"[{', '.join(direction)}]",
+        "direction": direction_to_json(sweep.direction),
         "reference": _written(sweep.reference),
     }
+
+
+def direction_to_json(direction: Vector | None) -> str:
+    """Write a direction as a pair of integers, of whatever length; null for none."""
+    if direction is None:
+        return "null"
+    return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
 def _numbers(polygon: Polygon) -> dict[str, list[int]]:
@@ -142,13 +217,13 @@ def _written(value: object) -> str:
 
 
 def sweep_to_wkt(sweep: Swept) -> str:
-    """Write the loops of a sweep as three lines of WKT: trajectory, inner loop, outer loop.
+    """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
 
     Args:
         sweep: a Sweep.
 
     Returns:
-        Three POLYGONs, a line each, in exact decimals.
+        POLYGONs, a line each, in exact decimals: three, and one for each unswept hole.
 
     Raises:
         FormatError: a coordinate is not a finite decimal, such as 1/3, which WKT cannot hold.
@@ -156,4 +231,62 @@ def sweep_to_wkt(sweep: Swept) -> str:
     Cost: linear in the length of the result, times the cost of a division of that length.
     """
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
-    return _wkt([NamedPolygon(loop, name) for name, loop in loops.items()])
+    loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
+    return "".join(wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
+
+
+def no_fit_to_wkt(n: NoFitPolygon) -> str:
+    """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
+
+    Args:
+        n: a NoFitPolygon.
+
+    Returns:
+        Lines of WKT in exact decimals: a POLYGON, and a LINESTRING or a POINT for each exact fit.
+
+    Raises:
+        FormatError: as by `sweep_to_wkt`.
+
+    Example:
+        >>> from exactsweep import no_fit_polygon
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        >>> print(no_fit_to_wkt(no_fit_polygon(slot, square)), end="")
+        POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
+        LINESTRING (1 3, 1 1)
+    """
+    return _area_to_wkt("", n.exterior, n.holes) + _fits_to_wkt(n.exact_fits)
+
+
+def inner_fit_to_wkt(f: InnerFit) -> str:
+    """Write the positions of a part inside a container as WKT.
+
+    Args:
+        f: an InnerFit.
+
+    Returns:
+        Lines of WKT in exact decimals: a POLYGON for each region, a LINESTRING or a POINT for each
+        exact fit; "POLYGON EMPTY" where the part does not fit.
+
+    Raises:
+        FormatError: as by `sweep_to_wkt`.
+    """
+    lines = [
+        _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
+        for k, region in enumerate(f.regions)
+    ]
+    return "".join(lines) + _fits_to_wkt(f.exact_fits) or "POLYGON EMPTY\n"
+
+
+def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
+    rings = {f"{prefix}exterior": exterior.vertices}
+    return wkt_polygon(rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)})
+
+
+def _fits_to_wkt(fits: Iterable[Fit]) -> str:
+    lines = []
+    for k, fit in enumerate(fits):
+        ends = list(dict.fromkeys(fit))
+        points = wkt_points(f"exact fit {k}", ends)
+        lines.append(f"{'LINESTRING' if len(ends) > 1 else 'POINT'} {points}\n")
+    return "".join(lines)

@@ -13,6 +13,7 @@ from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Boundary, Contact, edges_of, facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Point, Vertex
 
 # The numbers below which it takes some seconds at most to find them.
@@ -49,9 +50,9 @@ def meetings_on_edges(s: Swept) -> dict[Point, list[Contact]]:
     frame = Frame(s.direction, lcm(*(polygon.lattice()[0] for polygon in polygons)))
     g, d, path = (frame.turned(frame.lattice(polygon)) for polygon in polygons)
     pairs = set()
-    for i, j in facing(dict(enumerate(edges_of(g))), d):
+    for i, j in facing(dict(enumerate(edges_of(g))), Outline([d])):
         pairs |= {(i, j), ((i + 1) % len(g), j)}
-    for j, i in facing(dict(enumerate(edges_of(d))), g):
+    for j, i in facing(dict(enumerate(edges_of(d))), Outline([g])):
         pairs |= {(i, j), (i, (j + 1) % len(d))}
     boundary = Boundary(path)
     meetings: defaultdict[Vertex, list[Contact]] = defaultdict(list)

@@ -192,7 +192,7 @@ def test_no_pairs_are_a_batch_too(tmp_path: Path) -> None:
 
 
 def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas$"):
+    with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas, nfp$"):
         all_pairs([], [], "all")
     (tmp_path / "pairs").write_text("")
     with pytest.raises(BatchError, match=r"^2 parts have the name 'square'$"):

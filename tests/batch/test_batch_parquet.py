@@ -11,7 +11,7 @@ from exactsweep.batch.output import Output
 PARTS = part_list(8)
 
 
-@pytest.mark.parametrize("what", ["trajectory", "loops", "areas"])
+@pytest.mark.parametrize("what", ["trajectory", "loops", "areas", "nfp"])
 @pytest.mark.parametrize("rows", [1, 5, 1000])
 def test_a_table_has_the_same_records(
     tmp_path: Path, what: str, rows: int, monkeypatch: pytest.MonkeyPatch
@@ -26,11 +26,12 @@ def test_a_table_has_the_same_records(
     assert list(tmp_path.iterdir()) == [path]
     table = pyarrow.parquet.read_table(path).to_pylist()
     for line, row in zip(lines.splitlines(), table, strict=True):
-        record = json.loads(line)
-        given = {name: value for name, value in row.items() if value is not None}
-        for name in ("direction", "trajectory", "inner", "outer"):
-            if name in given:
-                given[name] = json.loads(given[name])
+        record = {name: value for name, value in json.loads(line).items() if value is not None}
+        given = {
+            name: json.loads(value) if str(value).startswith("[") else value
+            for name, value in row.items()
+            if value is not None
+        }
         assert given == record
 
 

@@ -1,17 +1,22 @@
 """The benchmarks' families, counting numbers and bounds; on counts alone, which never vary."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from click.testing import CliRunner
 
+from benchmarks import scaling
+from benchmarks.__main__ import main
 from benchmarks.families import FAMILIES
-from benchmarks.growth import exponent
 from benchmarks.outlines import OUTLINES, part_pairs
-from benchmarks.procedures import SWEEP_OUTER_MM, TRAJECTORY_CM, Chains
-from benchmarks.scaling import RUNS, Run, measure
 from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
-from exactsweep.paper.counting import Counted, counted, counting
+from exactsweep.paper.claim import Effort
+from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
+from exactsweep.paper.counting import Counted, counting, make_counted
+from exactsweep.paper.growth import Growth, Size
+from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 
@@ -37,7 +42,7 @@ def test_a_family_is_the_same_on_every_machine() -> None:
 
 @pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
 def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
-    chains = Chains.of(*bumps(*sizes))
+    chains = Pair(*bumps(*sizes)).chains
     m_b, n_t, n_b = sizes
     lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
     assert lengths == sizes
@@ -73,7 +78,7 @@ def test_counted_numbers_stay_counted() -> None:
 
 
 def test_comparisons_are_counted_once() -> None:
-    (x, y), (u, v) = counted([(1, 2), (1, 3)])
+    (x, y), (u, v) = make_counted([(1, 2), (1, 3)])
     with counting() as tally:
         assert x < y
         assert x == u
@@ -85,27 +90,57 @@ def test_comparisons_are_counted_once() -> None:
 def test_counting_changes_no_result(family: str) -> None:
     generatrix, directrix = FAMILIES[family](20, 20, 0)
     plain, chains = (
-        Chains.of(g, d)
-        for g, d in ((generatrix, directrix), (counted(generatrix), counted(directrix)))
+        Pair(g, d).chains
+        for g, d in ((generatrix, directrix), (make_counted(generatrix), make_counted(directrix)))
     )
     trajectories = [trajectory_mm(c.top, c.directrix) for c in (plain, chains)]
     assert list(trajectories[0]) == list(trajectories[1])
 
 
 def test_counts_are_the_same_on_every_run() -> None:
-    for run in (Run(TRAJECTORY_CM, "cm", "m = n", 8), Run(SWEEP_OUTER_MM, "mm", "n", 8, 8)):
-        first, second = (measure(run, quick=True) for _ in range(2))
+    for cost in COSTS[9:13]:
+        first, second = (cost.count(Effort(quick=True)) for _ in range(2))
         assert first.points == second.points
 
 
-def test_exponents_are_those_of_powers() -> None:
-    sizes = [2**k for k in range(3, 9)]
-    assert exponent(sizes, [5 * size**3 for size in sizes]) == pytest.approx(3)
+def test_every_bound_is_tried_with_both_sizes_together_and_alone() -> None:
+    for row in (
+        "Corollary 3.4",
+        "Corollary 4.5",
+        "Corollary 4.6",
+        "Corollary 5.7",
+        "Corollary 5.8",
+    ):
+        assert {cost.varied for cost in COSTS if cost.row == row} == {"mn", "m", "n"}
+    assert DOUBLINGS >= 5
 
 
-@pytest.mark.parametrize("run", RUNS, ids=lambda r: f"{r.procedure.name} {r.family} {r.varied}")
-def test_operations_stay_within_the_claimed_bound(run: Run) -> None:
-    series = measure(run, quick=True)
-    # Small pairs are mostly ends; the envelopes of MM are merged in batches, which makes steps.
-    assert series.last_growth < 1.3
-    assert series.counted < series.claimed + 0.3
+@pytest.mark.parametrize(
+    "cost", COSTS, ids=lambda c: f"{c.procedure} {c.family.__name__} {c.varied}"
+)
+def test_operations_and_bytes_stay_within_the_claimed_bound(cost: Cost) -> None:
+    assert cost.count(Effort(quick=True)).failure == ""
+    assert cost.weigh(Effort(quick=True)).failure == ""
+
+
+def test_the_summary_has_a_verdict() -> None:
+    points = tuple(Size(m, m, float(m * m), float(m)) for m in (8, 16, 32))
+    good = Growth("operations of f", "ints", "m²", tuple(replace(p, bound=p.count) for p in points))
+    beyond = Growth("bytes of f", "ints", "m", points)
+    assert tabulate([good]).rows[0][-4:] == ["2.00", "-", "-", "within"]
+    assert tabulate([good, beyond]).rows[0][-4:] == ["2.00", "-", "2.00", "beyond"]
+
+
+def test_scaling_says_by_its_exit_code_whether_all_is_within(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    cost = COSTS[0]
+    monkeypatch.setattr(scaling, "COSTS", (cost,))
+    result = CliRunner().invoke(main, ["scaling", "--quick"])
+    assert result.exit_code == 0
+    assert "All are within the bounds." in result.output
+    slow = replace(cost, bound=("1", lambda m, n: 1.0))
+    monkeypatch.setattr(scaling, "COSTS", (slow,))
+    result = CliRunner().invoke(main, ["scaling", "--quick"])
+    assert result.exit_code == 1
+    assert "operations of Trajectory_CC on cc" in result.output

@@ -5,11 +5,14 @@ from itertools import pairwise, product
 
 import pytest
 import strategies as own
+from cells import Holed, doubled, moved, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapes import Cells, cell_sets
 
 from exactsweep import NumberError, Point, Polygon, PolygonError
-from exactsweep.check import classify, point_in_polygon
+from exactsweep.check import Classification, classify, point_in_polygon
+from exactsweep.geometry.number import to_fraction
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -194,3 +197,71 @@ def test_every_vertex_and_midpoint_of_an_edge_is_on_the_boundary() -> None:
     for a, b in edges(Polygon(SPIRAL)):
         assert point_in_polygon(a, SPIRAL) == 0
         assert point_in_polygon(((a.x + b.x) / 2, (a.y + b.y) / 2), SPIRAL) == 0
+
+
+# --- Shapes with holes ---------------------------------------------------------------------------
+
+
+def box(x0: int, y0: int, x1: int, y1: int) -> Polygon:
+    return Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+
+
+RING = Holed(box(0, 0, 4, 4), (box(1, 1, 3, 3),))
+TWICE = Holed(box(0, 0, 8, 8), (box(2, 2, 6, 6),))
+PINCHED = Holed(box(0, 0, 4, 4), (Polygon([(0, 2), (2, 1), (3, 2), (2, 3)]),))
+
+
+@pytest.mark.parametrize(
+    ("d", "g", "t", "verdict"),
+    [
+        pytest.param(RING, box(0, 0, 1, 1), ("3/2", "3/2"), "FREE", id="G in a hole of D"),
+        pytest.param(RING, box(0, 0, 2, 2), (1, 1), "CONTACT", id="G fills a hole of D"),
+        pytest.param(RING, box(0, 0, 2, 2), (1, "11/10"), "OVERLAP", id="G too high in the hole"),
+        pytest.param(RING, box(0, 0, 9, 9), (-1, -1), "OVERLAP", id="G over all"),
+        pytest.param(box(0, 0, 1, 1), RING, ("-3/2", "-3/2"), "FREE", id="D in a hole of G"),
+        pytest.param(RING, RING, (0, 0), "OVERLAP", id="G is D"),
+        pytest.param(TWICE, RING, (2, 2), "CONTACT", id="ring that fills a ring"),
+        pytest.param(TWICE, RING, (4, 4), "OVERLAP", id="ring on a ring"),
+        pytest.param(RING, box(0, 0, 4, 4), (4, 4), "CONTACT", id="outside, corner on corner"),
+        pytest.param(
+            RING, Holed(box(0, 0, 6, 6), (box(1, 1, 5, 5),)), (-1, -1), "CONTACT", id="around"
+        ),
+        pytest.param(
+            Holed(box(0, 0, 9, 9), (box(1, 1, 8, 8),)),
+            Holed(box(0, 0, 9, 9), (box(2, 2, 7, 7),)),
+            (0, 0),
+            "OVERLAP",
+            id="one inside the other along the exterior",
+        ),
+        pytest.param(PINCHED, [(0, 0), (1, "-1/2"), (1, "1/2")], (0, 2), "CONTACT", id="pinch"),
+        pytest.param(PINCHED, [(0, 0), (-1, "-1/2"), (-1, "1/2")], (0, 2), "CONTACT", id="tips"),
+        pytest.param(PINCHED, [(0, 0), (1, 0), (1, 1)], (0, 2), "OVERLAP", id="tip beside a pinch"),
+        pytest.param(box(-9, -9, 9, 9), PINCHED, (0, 0), "OVERLAP", id="pinched inside"),
+    ],
+)
+def test_known_verdicts_with_holes(
+    d: object, g: object, t: tuple[object, object], verdict: str
+) -> None:
+    found = classify(d, g, t)
+    assert found.verdict == verdict
+    check_witness(d, g, t, found)
+    x, y = map(to_fraction, t)
+    assert classify(g, d, (-x, -y)).verdict == verdict
+
+
+def check_witness(d: object, g: object, t: tuple[object, object], found: Classification) -> None:
+    if found.witness is not None:
+        (x, y), (dx, dy) = found.witness, map(to_fraction, t)
+        where = 1 if found.verdict == "OVERLAP" else 0
+        assert point_in_polygon((x, y), d) == where
+        assert point_in_polygon((x - dx, y - dy), g) == where
+
+
+@patient
+@given(cell_sets(), cell_sets(), st.tuples(st.integers(-9, 9), st.integers(-9, 9)))
+def test_verdict_with_holes_is_as_counted(d: Cells, g: Cells, twice: tuple[int, int]) -> None:
+    t = (Fraction(twice[0], 2), Fraction(twice[1], 2))
+    shape, other = shape_of(d), shape_of(g)
+    found = classify(shape, other, t)
+    assert found.verdict == verdict_by_counting(doubled(d), moved(doubled(g), twice))
+    check_witness(shape, other, t, found)

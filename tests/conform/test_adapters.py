@@ -19,7 +19,7 @@ from exactsweep.conform.adapters.adapter import prepared
 from exactsweep.conform.adapters.table import main
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
-from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case, find_case, generate
@@ -40,7 +40,7 @@ def verdicts(name: str, cases: Iterator[Case]) -> set[Verdict]:
     adapter = installed(name)
     peer = CallablePeer(adapter.answer, adapter.hello)
     try:
-        return {judged(peer, case).verdict for case in cases}
+        return {judge_case(peer, case).verdict for case in cases}
     finally:
         adapter.close()
 
@@ -145,7 +145,7 @@ def test_journals_become_a_table(tmp_path: Path) -> None:
         peer = CallablePeer(lambda *_, found=answers: next(found), hello)
         with Journal(path, command=[], hello=hello, seconds=1) as journal:
             for _ in range(3):
-                journal.add(judged(peer, case))
+                journal.add(judge_case(peer, case))
         table = CliRunner().invoke(main, [str(path)]).stdout.splitlines()
         assert table[0].startswith("| program | cases | exact or equivalent | but for exact fits |")
         assert table[2] == f"| a program | 2 | 1 |  |  | 1 {expected} |  |  |  |  |  |"

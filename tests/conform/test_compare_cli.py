@@ -7,7 +7,7 @@ import pytest
 from command import refusal, run
 
 from exactsweep.conform.judge.verdict import Comparison, Verdict
-from exactsweep.conform.report.text import told
+from exactsweep.conform.report.text import describe
 from exactsweep.corpus import case_to_json, find_case
 
 CASE = find_case("fits-square")
@@ -127,5 +127,5 @@ def test_wrong_usage_has_exit_code_2() -> None:
     assert run("compare", "fits-square").exit_code == 2
 
 
-def test_a_verdict_without_parts_is_told() -> None:
-    assert told(Comparison("a", Verdict.TIMEOUT, "10 s")) == "a: timeout, 10 s\n"
+def test_a_verdict_without_parts_is_described() -> None:
+    assert describe(Comparison("a", Verdict.TIMEOUT, "10 s")) == "a: timeout, 10 s\n"

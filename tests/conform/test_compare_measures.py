@@ -13,7 +13,7 @@ from strategies import points, simple_rings
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
 from exactsweep.conform.judge.frechet import walk_together
-from exactsweep.conform.judge.hausdorff import Place, Segment, distance_squared
+from exactsweep.conform.judge.hausdorff import LoopEdge, Place, distance_squared
 from exactsweep.conform.judge.region import RegionError, area, differences, simplest
 
 Ring = Sequence[Point]
@@ -127,11 +127,11 @@ def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: F
 
 def brute(one: Ring, other: Ring, pieces: int) -> Fraction:
     """The greatest squared distance of many places on one ring to another ring."""
-    target = [Segment(a, b) for a, b in pairwise([*_whole(other), _whole(other)[0]])]
+    target = [LoopEdge(a, b) for a, b in pairwise([*_whole(other), _whole(other)[0]])]
     best = Fraction(0)
     for a, b in pairwise([*_whole(one), _whole(one)[0]]):
         for k in range(pieces):
-            place: Place = Segment(a, b).at(Fraction(k, pieces))
+            place: Place = LoopEdge(a, b).at(Fraction(k, pieces))
             best = max(best, min(segment.distance(place) for segment in target))
     return best
 

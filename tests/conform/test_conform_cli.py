@@ -18,8 +18,8 @@ from command import EXACTSWEEP, ROOT, refusal, run, shell
 from exactsweep.check import classify
 from exactsweep.conform import Verdict
 from exactsweep.conform.report.junit import junit
-from exactsweep.conform.run.outcome import Outcome, outcome_of
-from exactsweep.conform.run.peer import answered
+from exactsweep.conform.run.outcome import Outcome, judge_answer
+from exactsweep.conform.run.peer import read_answer
 from exactsweep.conform.run.protocol import Hello, case_line, read_hello, read_object
 from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case, case_to_json
@@ -212,8 +212,8 @@ def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
     assert line == [case_line(case.id, case.kind, *rings, case.reference, said.numbers)]
     verdicts = ["exact", "unsupported", "crash"]
     for text, verdict in zip(answers, verdicts, strict=True):
-        answer = answered(read_object(text))
-        assert outcome_of(case, case, answer, said.loops).verdict == verdict
+        answer = read_answer(read_object(text))
+        assert judge_answer(case, case, answer, said.loops).verdict == verdict
 
 
 def test_the_python_example_is_exact_or_declines() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
-from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.corpus import Case, cases
 
@@ -89,7 +89,7 @@ SLOW = {"slow", "silent"}
 
 @pytest.mark.parametrize(("peer", "name", "verdict"), ALL, indirect=["peer"])
 def test_a_fault_gets_its_verdict(peer: ProcessPeer, name: str, verdict: str) -> None:
-    outcome = judged(peer, CASES[name])
+    outcome = judge_case(peer, CASES[name])
     assert outcome.verdict == verdict, outcome.reason
     assert bool(outcome.reason) == (verdict not in ("exact", "equivalent"))
 
@@ -101,26 +101,26 @@ def test_all_faults_are_tried() -> None:
 
 @pytest.mark.parametrize("peer", ["twice"], indirect=True)
 def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: ProcessPeer) -> None:
-    first, second, third = (judged(peer, CASES[name]) for name in ("notch", "slot", "notch"))
+    first, second, third = (judge_case(peer, CASES[name]) for name in ("notch", "slot", "notch"))
     assert [first.verdict, second.verdict, third.verdict] == ["exact", "malformed", "exact"]
     assert "answers 'notch', which was not asked" in second.reason
 
 
 @pytest.mark.parametrize("peer", ["crash"], indirect=True)
 def test_what_it_said_last_is_kept(peer: ProcessPeer) -> None:
-    outcome = judged(peer, CASES["notch"])
+    outcome = judge_case(peer, CASES["notch"])
     assert (outcome.reason, outcome.stderr) == ("exited with code 3", "about to fail\n")
 
 
 @pytest.mark.parametrize("peer", ["unsupported"], indirect=True)
 def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
-    assert judged(peer, CASES["notch"]).reason == "says: too hard"
+    assert judge_case(peer, CASES["notch"]).reason == "says: too hard"
 
 
 def test_the_correct_one_is_exact_everywhere() -> None:
     peer = ProcessPeer([sys.executable, str(IMPLEMENTATIONS / "correct.py")])
     try:
-        outcomes = [judged(peer, case) for case in [*CASES.values(), *cases()]]
+        outcomes = [judge_case(peer, case) for case in [*CASES.values(), *cases()]]
         assert peer.close() is None
     finally:
         peer.kill()

@@ -10,7 +10,7 @@ import pytest
 from command import eventually, processes
 
 from exactsweep.conform.run.channel import Channel, ClosedError
-from exactsweep.conform.run.outcome import judged
+from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError
 from exactsweep.corpus import Case
@@ -69,7 +69,7 @@ def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> Non
     peer = ProcessPeer([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600)
     before = peak()
     for _ in range(2):
-        outcome = judged(peer, CASE)
+        outcome = judge_case(peer, CASE)
         assert outcome.verdict == verdict
         assert reason in outcome.reason
     assert len(outcome.reason) < 300
@@ -99,7 +99,7 @@ def test_what_goes_on_after_bye_is_ended_and_told(
     seconds = 0.3 if kind == "never-ends" else 600
     monkeypatch.setattr("exactsweep.conform.run.process.TO_END", seconds)
     peer = ProcessPeer([*HOSTILE, kind, mark])
-    assert judged(peer, CASE).verdict == "unsupported"
+    assert judge_case(peer, CASE).verdict == "unsupported"
     assert peer.close() == AFTER_BYE[kind]
 
 
@@ -107,7 +107,7 @@ def test_a_case_larger_than_a_pipe_does_not_block(mark: str) -> None:
     peer = ProcessPeer([*HOSTILE, "never-reads", mark], seconds=0.3)
     ring = [(k, k * k) for k in range(4000)]
     large = Case.of("large", "", ring, SQUARE)
-    assert judged(peer, large).verdict == "timeout"
+    assert judge_case(peer, large).verdict == "timeout"
     peer.kill()
 
 
@@ -128,6 +128,8 @@ def test_another_hello_after_a_restart_is_no_answer(tmp_path: Path) -> None:
         "sys.stdin.readline()\n"
     )
     peer = ProcessPeer([sys.executable, str(program)])
-    assert judged(peer, CASE).reason == "exited with code 0"
-    assert judged(peer, CASE).reason == "did not start again: its hello is another one than before"
+    assert judge_case(peer, CASE).reason == "exited with code 0"
+    assert (
+        judge_case(peer, CASE).reason == "did not start again: its hello is another one than before"
+    )
     peer.kill()

@@ -18,12 +18,12 @@ from exactsweep import sweep
 from exactsweep.conform import Verdict
 from exactsweep.conform.run.cases import SelectionError
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
-from exactsweep.conform.run.pool import JudgeError, Pool
+from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import (
     Hello,
     ProtocolError,
     UnsupportedError,
-    asked,
+    adapt,
     read_hello,
 )
 from exactsweep.conform.run.run import SHOWN, Run
@@ -66,7 +66,7 @@ def test_exact_arithmetic_is_exact_in_all_terms(numbers: str, reference: str) ->
 
 
 def test_a_case_keeps_its_shape_in_all_terms() -> None:
-    whole = asked(THIRDS, Hello("mine", numbers="int32", reference="first"))
+    whole = adapt(THIRDS, Hello("mine", numbers="int32", reference="first"))
     assert all(c.denominator == 1 for point in whole.directrix_ring for c in point)
     assert whole.reference == whole.generatrix_ring[0]
     again = Case.of("", "", whole.directrix_ring, whole.generatrix_ring, whole.reference)
@@ -78,8 +78,8 @@ def test_numbers_that_do_not_hold_a_case_are_not_asked() -> None:
     large = Case.of("large", "", [(0, 0), (2**70 + 1, 0), (0, 1)], SQUARE)
     for numbers in ("int32", "int64", "binary64"):
         with pytest.raises(UnsupportedError, match=f"{numbers} does not hold the case"):
-            asked(large, Hello.of("mine", ["inner"], numbers, "given"))
-    assert asked(large, Hello("mine", numbers="integer")) is large
+            adapt(large, Hello.of("mine", ["inner"], numbers, "given"))
+    assert adapt(large, Hello("mine", numbers="integer")) is large
 
 
 @pytest.mark.parametrize(
@@ -161,12 +161,12 @@ def test_a_hello_is_read_as_it_was_written() -> None:
 
 @pytest.mark.parametrize("workers", [1, 3])
 def test_all_workers_come_to_the_same(workers: int) -> None:
-    with Pool(CORRECT, workers=workers) as pool:
-        outcomes = list(pool.judge(FEW))
-        pool.finish()
+    with Judges(CORRECT, workers=workers) as judges:
+        outcomes = list(judges.judge(FEW))
+        judges.finish()
     assert sorted(outcome.id for outcome in outcomes) == sorted(case.id for case in FEW)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}
-    assert pool.complaints == []
+    assert judges.complaints == []
 
 
 def test_cases_are_taken_as_they_are_needed() -> None:
@@ -177,8 +177,8 @@ def test_cases_are_taken_as_they_are_needed() -> None:
             taken.append(k)
             yield FEW[k % len(FEW)]
 
-    with Pool(CORRECT) as pool:
-        outcomes = pool.judge(endless())
+    with Judges(CORRECT) as judges:
+        outcomes = judges.judge(endless())
         for _ in range(5):
             next(outcomes)
     assert len(taken) < 10
@@ -187,38 +187,38 @@ def test_cases_are_taken_as_they_are_needed() -> None:
 def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
-    with Pool(CORRECT) as pool:
-        conduct(run, pool, [FEW[2], wrong, *FEW[3:]])
+    with Judges(CORRECT) as judges:
+        conduct(run, judges, [FEW[2], wrong, *FEW[3:]])
     assert run.interrupted
     assert run.complaints[0].startswith("case 'wrong': ")
     assert [outcome.id for outcome in run.outcomes] == [FEW[2].id]
 
 
 def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    from exactsweep.conform.run import worker
+    from exactsweep.conform.run import outcome as judging
     from exactsweep.conform.run.peer import CallablePeer
 
     def endless(*arguments: object, **options: object) -> None:
         while True:
             pass
 
-    monkeypatch.setattr(worker, "TO_COMPARE", 0.05)
+    monkeypatch.setattr(judging, "TO_COMPARE", 0.05)
     monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
     peer: Any = CallablePeer(exact, Hello("mine"))
-    outcome = worker.judge(peer, THIRDS)
+    outcome = judging.judge_in_time(peer, THIRDS)
     assert outcome.verdict == "timeout"
     assert "comparing it takes more than 0.05 s" in outcome.reason
 
 
 def test_a_worker_that_is_killed_ends_the_run() -> None:
-    with Pool(CORRECT) as pool:
-        outcomes = pool.judge(FEW)
+    with Judges(CORRECT) as judges:
+        outcomes = judges.judge(FEW)
         next(outcomes)
-        os.kill(pool._workers[0]._started.process.pid, signal.SIGKILL)
+        os.kill(next(iter(judges._pool._executor._processes)), signal.SIGKILL)
         with pytest.raises(JudgeError, match=r"^case '.*': the process that judges has ended$"):
             list(outcomes)
         with pytest.raises(JudgeError):
-            pool.finish()
+            judges.finish()
 
 
 # Interrupted, and gone on with.

@@ -80,7 +80,7 @@ def change(*path: Any, to: Any) -> Callable[[Any], None]:
         (lambda data: data.pop("title"), r"^\$ has no 'title'$"),
         (lambda data: data["expected"].pop("area"), r"^\$\.expected has no 'area'$"),
         (change("id", to=7), r"^\$\.id is 7, not a string$"),
-        (change("class", to="MC"), r"^\$\.class is 'MC', not one of CC, CM, MM$"),
+        (change("class", to="MC"), r"^\$\.class is 'MC', not one of CC, CM, MM, SS$"),
         (change("flags", to="part"), r"^\$\.flags is 'part', not a list$"),
         (change("flags", to=[1]), r"^\$\.flags\[0\] is 1, not a string$"),
         (change("directrix", to=None), r"^\$\.directrix is null, not a list of"),

@@ -75,7 +75,7 @@ def test_a_polygon_is_drawn_upright() -> None:
     (path,) = ElementTree.fromstring(
         Polygon([(0, 0), (2, 0), (2, 1), (0, "1/2")])._repr_svg_()
     ).iterfind(f"{SVG}path")
-    assert path.attrib["d"] == "M12.00 222.00L432.00 222.00L432.00 12.00L12.00 117.00Z"
+    assert path.attrib["d"] == "M12.00 259.00L408.00 259.00L408.00 61.00L12.00 160.00Z"
 
 
 def test_the_summary_tells_the_sizes() -> None:

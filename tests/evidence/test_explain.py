@@ -153,7 +153,7 @@ def test_what_blocks_leads_to_overlap_and_all_else_does_not(
     loops = s._boundaries
     way = s._frame.turned([aside])[0]
     t = s._frame.turned(s._frame.raised([position], s.reference))[0]
-    stopped = any(blocks(c, way, loops[0].loop, loops[1].loop) for c in contacts_at(*loops, t))
+    stopped = any(blocks(c, way, *loops) for c in contacts_at(*loops, t))
     assert stopped == (verdict(s, beyond(position, aside)) == "OVERLAP")
 
 

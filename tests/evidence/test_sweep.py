@@ -295,7 +295,7 @@ def test_sizes_of_sweeps_with_a_convex_generatrix(pair: Pair) -> None:
 @seldom
 def test_no_fit_polygon_is_the_trajectory(pair: Pair) -> None:
     generatrix, directrix = pair
-    assert no_fit_polygon(directrix, generatrix) == sweep(generatrix, directrix).trajectory
+    assert no_fit_polygon(directrix, generatrix).exterior == sweep(generatrix, directrix).trajectory
 
 
 @given(any_pair, st.data())
@@ -332,7 +332,6 @@ STANDING = [(y, x) for x, y in LYING]
             DirectionError,
             r"^the generatrix is not monotone to \(1, 0\)",
         ),
-        ((LYING, STANDING), {}, DirectionError, "^the polygons share no direction"),
         (
             (STANDING, LYING),
             {"direction": (2, 0)},

@@ -186,7 +186,7 @@ def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
     lying, standing = Polygon(NOTCHED), Polygon([(y, x) for x, y in NOTCHED])
     with pytest.raises(DirectionError) as caught:
-        sweep(lying, standing)
+        shared_direction(lying, standing)
     message = str(caught.value)
     assert message.startswith("the polygons share no direction of monotonicity: ")
     one, other = (
@@ -199,7 +199,7 @@ def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
 
 def test_not_monotone_at_all_is_said() -> None:
     with pytest.raises(DirectionError, match="the directrix: no direction"):
-        sweep(UNIT, STAR)
+        shared_direction(Polygon(UNIT), Polygon(STAR))
 
 
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:

@@ -1,19 +1,32 @@
 """The ledger of the paper: complete, tied to the code, and borne out by its evidence."""
 
-import random
 import re
+from itertools import pairwise, product
 from pkgutil import resolve_name
+from typing import Any
 
 import pytest
 from command import ROOT
 
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Row, Run, Status, reproduce
-from exactsweep.paper.growth import Growth, Point, doubled
-from exactsweep.paper.laws import Trial, broken, shrunk
-from exactsweep.paper.ledger import CLAIMS, ORDER, UnknownClaimError, find
-from exactsweep.paper.pairs import Pair, random_pair, random_pairs
-from exactsweep.paper.tiny import is_convex, is_strict, is_weak, polygons, smallest_pair
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.paper.claim import (
+    KINDS,
+    Claim,
+    Counterexample,
+    Effort,
+    Evidence,
+    Row,
+    Verdict,
+    reproduce,
+)
+from exactsweep.paper.growth import Growth, Size, double
+from exactsweep.paper.laws import Trial, break_law, shrink
+from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
+from exactsweep.paper.pairs import Pair, draw_pair, random_pairs
+from exactsweep.paper.tiny import is_any, is_convex, polygons, search_grid
+from exactsweep.procedures.chain import split
 
+RIGHT = (Verdict.REPRODUCED, Verdict.SHARPENED)
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
 NUMBERED = {
     "Definition": "1.1 1.2 1.3 2.1 3.1 5.1 5.2",
@@ -22,6 +35,7 @@ NUMBERED = {
     "Corollary": "3.3 3.4 4.3 4.4 4.5 4.6 5.4 5.7 5.8 A.4",
     "Table": "1",
 }
+ORDER = [claim.name for claim in CLAIMS]
 PROCEDURES = [
     *(f"{name}_{kind}" for name in ("Trajectory", "SweepI", "SweepO") for kind in ("CC", "CM")),
     *("Trajectory_MM", "Sweep_MM", "LowerEnvelope_CM", "LowerEnvelope_MM"),
@@ -47,13 +61,14 @@ def test_a_claim_names_code_that_exists(claim: Claim) -> None:
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
 def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
-    assert claim.says.endswith((".", ")."))
-    assert claim.status is Status.REPRODUCED or claim.corrected
+    assert set(claim.evidence) <= set(KINDS)
+    assert claim.words.endswith((".", ")."))
+    assert claim.verdict is Verdict.REPRODUCED or claim.correction
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
 def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
-    (row,) = reproduce([claim], Run(seed=2, quick=True))
+    (row,) = reproduce([claim], Effort(seed=2, quick=True))
     assert row.disagreement == ""
     assert row.evidence.tried
 
@@ -61,36 +76,34 @@ def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
 def test_the_readme_names_the_same_errata() -> None:
     readme = (ROOT / "exactsweep/paper/README.md").read_text(encoding="utf-8")
     errata = readme.split("## Where the paper is corrected")[1].split("\n## ")[0]
-    refuted, condition = errata.split("Right under a condition:")
-    for text, status in ((refuted, Status.REFUTED), (condition, Status.CONDITION)):
-        named = set(re.findall(r"\*\*(.*?)\*\*", text))
-        assert named == {claim.name for claim in CLAIMS if claim.status is status}
+    named = set(re.findall(r"\*\*(.*?)\*\*", errata))
+    assert named <= {claim.name for claim in CLAIMS if claim.weight}
 
 
-def row_of(status: Status, evidence: Evidence) -> Row:
-    claim = Claim("A claim", "1", "It holds.", status, (), lambda run: evidence)
-    return next(reproduce([claim], Run()))
+def row_of(status: Verdict, evidence: Evidence) -> Row:
+    claim = Claim("A claim", "1", "It holds.", status, (), (), lambda effort: evidence)
+    return next(reproduce([claim], Effort()))
 
 
 def test_a_failure_disagrees_with_every_status() -> None:
-    for status in Status:
+    for status in Verdict:
         assert row_of(status, Evidence("much", "it fails")).disagreement == "it fails"
 
 
 def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
     against = Evidence("much", against=Counterexample("a case", "by chance"))
-    for status in Status:
-        announced = status in (Status.CONDITION, Status.REFUTED)
+    for status in Verdict:
+        announced = status not in RIGHT
         assert bool(row_of(status, Evidence("much")).disagreement) == announced
         assert bool(row_of(status, against).disagreement) != announced
 
 
 def test_a_check_that_breaks_off_fails() -> None:
-    def check(run: Run) -> Evidence:
+    def check(effort: Effort) -> Evidence:
         raise ZeroDivisionError("by zero")
 
-    claim = Claim("A claim", "1", "It holds.", Status.REPRODUCED, (), check)
-    (row,) = reproduce([claim], Run())
+    claim = Claim("A claim", "1", "It holds.", Verdict.REPRODUCED, (), (), check)
+    (row,) = reproduce([claim], Effort())
     assert row.disagreement == "ZeroDivisionError: by zero"
 
 
@@ -99,7 +112,7 @@ def test_a_check_that_breaks_off_fails() -> None:
     [
         ("Lema 5.3", "did you mean 'Lemma 5.3'?"),
         ("5.8", "did you mean 'Corollary 5.8'?"),
-        ("trajectory", "'Trajectory_CC' or 'Trajectory_CM'"),
+        ("trajectory", "'Sum with the trajectory' or 'Trajectory_CC'"),
         ("", "'--list' shows them all"),
         ("xyzzy", "'--list' shows them all"),
     ],
@@ -115,39 +128,53 @@ def test_names_are_found_in_any_spelling() -> None:
 
 
 def test_pairs_depend_on_seed_class_and_number_alone() -> None:
-    few, many = (list(random_pairs(Run(3), "MM", count)) for count in (4, 9))
+    few, many = (list(random_pairs(Effort(3), "MM", count)) for count in (4, 9))
     assert many[:4] == few
-    assert list(random_pairs(Run(4), "MM", 4)) != few
+    assert list(random_pairs(Effort(4), "MM", 4)) != few
 
 
 @pytest.mark.parametrize("strict", [True, False])
 def test_random_pairs_are_of_their_class(strict: bool) -> None:
+    walls = 0
     for number in range(60):
-        pair = random_pair(random.Random(number), "CM", strict=strict)
-        shape = is_strict if strict else is_weak
+        pair = draw_pair(Prng(str(number)), "CM", strict=strict)
         assert is_convex(pair.generatrix)
-        assert shape(pair.generatrix)
-        assert shape(pair.directrix)
+        for ring in pair:
+            split(ring)
+            walls += sum(p[0] == q[0] for p, q in pairwise([*ring, ring[0]]))
+    assert (walls == 0) == strict
 
 
 def test_all_polygons_of_a_tiny_grid_are_there() -> None:
-    # On the 2 by 2 grid: a square and its four halves; on 3 by 3, 76 triangles up to where they
-    # lie in it, 44 of which touch both axes.
-    assert [len(polygons(1, n)) for n in (3, 4, 5)] == [4, 1, 0]
-    assert len(polygons(2, 3)) == 44
+    # Heights over x = 0, 1, 2: 27, of which 5 are on a line; and 8, of which 2, do not touch y = 0.
+    assert len(polygons(2, 3)) == 27 - 5 - (8 - 2)
+    # Over x = 0, 1, 2 again, two heights over 1: no three on a line, at least one is zero.
+    quadrilaterals = [
+        heights
+        for heights in product(range(3), repeat=4)
+        if heights[1] < heights[2]
+        and min(heights) == 0
+        and 2 * heights[1] < heights[0] + heights[3] < 2 * heights[2]
+    ]
+    bent = 0
+    for a, low, high, b in product(range(3), repeat=4):
+        apart = (2 * low - a - b) * (2 * high - a - b) > 0
+        bent += low < high and min(a, low, high, b) == 0 and apart
+    assert len(polygons(2, 4)) == len(quadrilaterals) + bent
     assert all(min(x for x, _ in ring) == 0 for ring in polygons(2, 5))
 
 
 def test_the_smallest_pair_comes_first() -> None:
-    found = smallest_pair(2, 7, is_weak, is_weak, lambda p: "" if len(p[0]) < 4 else "four")
-    assert found is not None
-    assert found[0] == Pair([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (1, 0), (0, 1)])
-    assert smallest_pair(1, 6, is_weak, is_weak, lambda p: "") is None
+    found = search_grid(2, 7, is_convex, is_any, lambda p: "" if len(p[0]) < 4 else "four")
+    assert found.against is not None
+    assert found.against[2:] == ([(0, 0), (1, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 1)])
+    nothing = search_grid(2, 6, is_any, is_any, lambda p: "")
+    assert nothing == Evidence("All 256 pairs with up to 6 vertices on the 3 by 3 grid.")
 
 
 def test_a_broken_law_is_shown_with_a_small_pair() -> None:
     pair = Pair(TRIANGLE, [(0, 0), (9, 0), (9, 7), (5, 9), (0, 8)])
-    least = shrunk(lambda p: "" if len(p.directrix) < 4 else "four corners", pair)
+    least = shrink(lambda p: "" if len(p.directrix) < 4 else "four corners", pair)
     assert len(least.directrix) == 4
     assert max(x for x, _ in least.directrix) < 9
 
@@ -156,7 +183,7 @@ def test_a_law_that_raises_is_broken() -> None:
     def law(pair: Pair) -> str:
         raise IndexError("beyond")
 
-    assert broken(law, [Pair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
+    assert break_law(law, [Pair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
 
 
 def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
@@ -164,20 +191,43 @@ def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
         """It always fails."""
         return "of course"
 
-    trial = Trial(Run(quick=True)).of(law, "CC", 20).of(law, "CM", 20, strict=False)
+    trial = Trial(Effort(quick=True)).of(law, "20 CC, 20 CM weak")
     assert trial.failure.startswith("of course; G = ")
     assert trial.tried == "It always fails. Pairs: 2 CC, 2 CM with vertical edges."
 
 
+def series(power: float, what: str = "vertices", limit: float = 1.08) -> Growth:
+    points = tuple(Size(m, n, round(1000 * n**power), n) for m, n in double(8, 3))
+    return Growth(what, "ints", "n", points, limit)
+
+
 def test_growth_tells_flat_rising_and_falling() -> None:
-    sizes = doubled(8, 3)
-
-    def series(power: float) -> Growth:
-        points = tuple(Point(m, n, round(1000 * n**power), n) for m, n in sizes)
-        return Growth("vertices", "ints", "n", points)
-
-    assert series(1).is_flat()
+    assert series(1).is_flat
     assert series(1).is_attained
-    assert not series(1.2).is_flat()
-    assert "rose by a factor" in series(2).failure()
+    assert series(1.2).failure.startswith(
+        "vertices on ints, m and n doubled: divided by n they rose"
+    )
     assert not series(0.2).is_attained
+
+
+def test_measured_growth_is_judged_by_its_exponent() -> None:
+    assert series(1.3, "seconds of f").is_flat
+    assert series(1.4, "bytes of f").is_flat
+    assert not series(2, "seconds of f").is_flat
+    assert not series(2, "bytes of f").is_flat
+    assert series(1.15, limit=0.2).is_flat
+    assert not series(1.25, limit=0.2).is_flat
+
+
+def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
+    named = {name for row in read_rows() for name in row.get("laws", {})}
+    named |= {row["check"] for row in read_rows() if "check" in row}
+    assert all((resolve_name(f"{CHECKS}.{name}").__doc__ or "").endswith(".") for name in named)
+
+
+@pytest.mark.parametrize("row", read_rows(), ids=ORDER)
+def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
+    assert ("sampled" in row["evidence"]) or not row.get("laws")
+    assert ("figure" in row) == ("against" in row) != bool({"check", "laws", "costs"} & set(row))
+    assert ("weight" in row) == (Verdict(row["verdict"]) not in RIGHT)
+    assert ("measured" in row["evidence"]) == ("costs" in row)

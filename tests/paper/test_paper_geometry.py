@@ -1,12 +1,21 @@
 """The ledger's own computations: free parts of the plane, envelopes of segments, families."""
 
-import random
 from fractions import Fraction
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from exactsweep import sweep
-from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, needles, printed_count
+from exactsweep.corpus.generator.growing import (
+    bumps,
+    edges_of_bumps,
+    edges_over_needles,
+    needles,
+    printed_count,
+    terraces,
+)
+from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import (
@@ -17,9 +26,13 @@ from exactsweep.paper.checks.planar import (
     swept_polygons,
 )
 from exactsweep.paper.checks.section2 import CAVE, sweep_pieces
+from exactsweep.paper.checks.section4 import labels_name_the_extremes
+from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
-from exactsweep.paper.functions import between, clipped, common_points, value
-from exactsweep.paper.pairs import Pair, random_pair
+from exactsweep.paper.checks.undercuts import lower_undercuts
+from exactsweep.paper.functions import between, clip, common_points, value
+from exactsweep.paper.pairs import Pair, draw_pair
+from exactsweep.procedures.mm import sweep_mm
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 U_SHAPE = [(0, 0), (5, 0), (5, 4), (4, 4), (4, 1), (1, 1), (1, 4), (0, 4)]
@@ -49,7 +62,7 @@ def test_free_parts_are_counted(boxes: list[tuple[int, int, int, int]], parts: i
 
 def test_contact_pieces_are_the_trajectory_of_a_monotone_pair() -> None:
     for number in range(12):
-        pair = random_pair(random.Random(number), "CM")
+        pair = draw_pair(Prng(str(number)), "CM")
         s = sweep(*pair)
         if s.exact_fits:
             continue
@@ -73,7 +86,7 @@ def test_the_cave_of_theorem_2_2_has_a_middle_that_is_passed_by() -> None:
 
 def test_convex_cells_cover_a_polygon() -> None:
     for number in range(20):
-        ring = random_pair(random.Random(number), "MM", strict=False).generatrix
+        ring = draw_pair(Prng(str(number)), "MM", strict=False).generatrix
         cells = [Polygon(cell) for cell in convex_cells(ring)]
         assert sum(cell.area for cell in cells) == Polygon(ring).area
         assert all(cell.is_convex for cell in cells)
@@ -119,15 +132,38 @@ def test_the_family_of_figure_10_agrees_with_the_formula_for_one_tooth_or_one_pe
     assert len(bumps(2, 4, 6)[0]) == 10
 
 
-def test_needles_have_an_inner_loop_beyond_m_n() -> None:
-    s = sweep(*needles(9, 18))
-    assert len(s.inner) > len(s.directrix) * len(s.generatrix)
+def test_needles_have_as_many_inner_edges_as_proved() -> None:
+    for m, n in ((10, 8), (13, 14), (7, 24)):
+        pair = Pair(*needles(m, n))
+        assert (len(pair.directrix), len(pair.generatrix)) == (m, n)
+        found = len(sweep_mm(*pair.chains)[0]) - 1
+        assert edges_over_needles(m, n) <= found <= edges_over_needles(m, n) + 12
+
+
+@pytest.mark.parametrize(
+    ("m", "n", "undercuts"), [(7, 20, 10), (7, 68, 34), (10, 68, 68), (16, 68, 136)]
+)
+def test_terraces_have_order_mn_undercuts(m: int, n: int, undercuts: int) -> None:
+    s = sweep(*terraces(m, n))
+    assert (len(s.directrix), len(s.generatrix), s.kind) == (m, n, "MM")
+    assert lower_undercuts(s) == undercuts >= (m - 4) // 3 * ((n - 4) // 2)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10**6), st.sampled_from(["CC", "CM", "MM"]))
+def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind: str) -> None:
+    assert kernel_is_literal(draw_pair(Prng(str(seed)), kind)) == ""
+
+
+def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
+    directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
+    assert labels_name_the_extremes(Pair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
 
 
 def test_chains_are_evaluated_and_cut() -> None:
     chain = [(0, 0), (2, 4), (2, 6), (4, 6)]
     assert value(chain, Fraction(1, 2)) == 1
-    assert clipped(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
+    assert clip(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
     assert list(between([(0, 0), (8, 0)])) == [3]
     assert common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
     assert common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []

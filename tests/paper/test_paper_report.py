@@ -1,9 +1,13 @@
 """`exactsweep reproduce` and its report."""
 
+import csv
+import json
 import re
 from html.parser import HTMLParser
+from importlib.resources import files
 from pathlib import Path
 
+import jsonschema
 import pytest
 from click.testing import CliRunner, Result
 from mutations import MUTATIONS, mutated
@@ -11,9 +15,18 @@ from mutations import MUTATIONS, mutated
 from exactsweep import __version__
 from exactsweep.cli import main
 from exactsweep.paper import plots
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status, Table, reproduce
+from exactsweep.paper.claim import (
+    Claim,
+    Counterexample,
+    Effort,
+    Evidence,
+    Table,
+    Verdict,
+    reproduce,
+)
+from exactsweep.paper.data import write_data
 from exactsweep.paper.ledger import CLAIMS, find
-from exactsweep.paper.report import bibtex, citation, write
+from exactsweep.paper.report import bibtex, totals, write
 
 FEW = ("Slope", "Corollary 3.4", "Lemma 5.3", "Lemma A.3")
 
@@ -24,6 +37,7 @@ def run(*arguments: str) -> Result:
 
 def timeless(text: str) -> str:
     text = re.sub(r'<span class="time">[^<]*</span>', "", text)
+    text = re.sub(r"(?m)^\| (bytes|seconds) of .*$", "", text)
     return re.sub(r"\*Time:\* [0-9.]+ s", "", text)
 
 
@@ -55,17 +69,17 @@ class Checker(HTMLParser):
 def test_the_same_seed_gives_the_same_bytes_but_for_times(tmp_path: Path) -> None:
     texts = []
     for name in ("one", "two"):
-        rows = list(reproduce(map(find, FEW), Run(5, quick=True)))
-        paths = write(tmp_path / name, rows, Run(5, quick=True))
-        texts.append([timeless(path.read_text(encoding="utf-8")) for path in paths])
+        rows = list(reproduce(map(find, FEW), Effort(5, quick=True)))
+        paths = write(tmp_path / name, rows, Effort(5, quick=True))
+        texts.append([timeless(path.read_text(encoding="utf-8")) for path in paths[:2]])
     assert texts[0] == texts[1]
     pictures = [sorted((tmp_path / name).glob("*.svg")) for name in ("one", "two")]
     assert [p.read_bytes() for p in pictures[0]] == [p.read_bytes() for p in pictures[1]]
 
 
 def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None:
-    rows = list(reproduce(map(find, FEW), Run(quick=True)))
-    html, markdown = write(tmp_path, rows, Run(quick=True))
+    rows = list(reproduce(map(find, FEW), Effort(quick=True)))
+    html, markdown, _ = write(tmp_path, rows, Effort(quick=True))
     checker = Checker()
     checker.feed(html.read_text(encoding="utf-8"))
     assert checker.open == []
@@ -82,10 +96,10 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
 def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     nasty = "<script>alert(1)</script> | & m_b"
     evidence = Evidence(
-        nasty, nasty, Counterexample(nasty, nasty), (Table(nasty, (nasty,), [[nasty]]),)
+        nasty, nasty, Counterexample(nasty, nasty), tables=(Table(nasty, (nasty,), [[nasty]]),)
     )
-    claim = Claim(nasty, "1", nasty, Status.REFUTED, (nasty,), lambda run: evidence, nasty)
-    html, markdown = write(tmp_path, list(reproduce([claim], Run())), Run())
+    claim = Claim(nasty, "1", nasty, Verdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty)
+    html, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
 
@@ -94,10 +108,10 @@ def test_without_matplotlib_there_are_tables_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plots, "find_spec", lambda name: None)
-    rows = list(reproduce([find("Corollary 3.4")], Run(quick=True)))
-    html, markdown = write(tmp_path, rows, Run(quick=True))
+    rows = list(reproduce([find("Corollary 3.4")], Effort(quick=True)))
+    html, markdown, _ = write(tmp_path, rows, Effort(quick=True))
     assert "<img" not in html.read_text(encoding="utf-8")
-    assert "count / (m + n)" in markdown.read_text(encoding="utf-8")
+    assert "| m + n |" in markdown.read_text(encoding="utf-8")
     assert not list(tmp_path.glob("*.svg"))
 
 
@@ -142,13 +156,69 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 
 def test_all_names_are_listed() -> None:
     lines = run("--list").output.splitlines()
-    assert lines == [f"{claim.name}: {claim.status.value}" for claim in CLAIMS]
-    assert run("--list", "Slope").output == "Slope: refuted as stated\n"
+    assert lines == [f"{c.name}: {c.verdict.value} ({', '.join(c.evidence)})" for c in CLAIMS]
+    assert run("--list", "Slope").output == "Slope: misprint (sampled, exhaustive)\n"
 
 
-def test_the_citation_is_that_of_this_version() -> None:
-    assert run("--cite").output == citation()
-    assert f"version: {__version__}\n" in citation()
-    assert f"version = {{{__version__}}}" in bibtex()
-    assert bibtex().count("{") == bibtex().count("}")
-    assert "10.1016" not in citation()
+def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:
+    result = run("--cite", "--out", str(tmp_path / "cite"))
+    paths = [tmp_path / "cite" / name for name in ("CITATION.cff", "references.bib")]
+    assert result.output == f"{paths[0]} {paths[1]}\n"
+    cff, bib = (path.read_text(encoding="utf-8") for path in paths)
+    assert f"version: {__version__}\n" in cff
+    assert f"version = {{{__version__}}}" in bib == bibtex()
+    assert bib.count("{") == bib.count("}")
+    keys = re.findall(r"@\w+\{(\w+),", bib)
+    assert len(keys) == len(set(keys)) >= 14
+    assert {key for claim in CLAIMS for key in claim.see} <= set(keys)
+
+
+def test_the_ledger_is_written_as_data_that_its_schema_describes(tmp_path: Path) -> None:
+    names = ("Lemma 5.3", "Local width", "Corollary 3.4", "Figure 2", "Slope")
+    rows = list(reproduce(map(find, names), Effort(3, quick=True)))
+    write_data(tmp_path, rows, Effort(3, quick=True))
+    found = json.loads((tmp_path / "ledger.json").read_text(encoding="utf-8"))
+    schema = files("exactsweep.paper").joinpath("ledger.schema.json").read_text(encoding="utf-8")
+    jsonschema.validate(found, json.loads(schema))
+    assert [claim["name"] for claim in found["claims"]] == list(names)
+    assert found["failing"] == []
+    assert found["environment"]["seed"] == 3
+    text = (tmp_path / "tables" / "growth.csv").read_text(encoding="utf-8")
+    lines = list(csv.reader(text.splitlines()))
+    assert len(lines) - 1 == sum(len(g.points) for g in rows[2].evidence.growth)
+    assert (tmp_path / "tables" / "figure-2-1.csv").is_file()
+    assert (tmp_path / "tables" / "exponents.csv").is_file()
+
+
+def test_every_counterexample_is_a_pair_that_can_be_swept(tmp_path: Path) -> None:
+    rows = list(reproduce(map(find, ("Lemma 5.3", "Local width")), Effort(quick=True)))
+    write_data(tmp_path, rows, Effort(quick=True))
+    paths = sorted((tmp_path / "counterexamples").iterdir())
+    assert [path.name for path in paths] == [
+        *("lemma-5-3.json", "local-width-2.json", "local-width.json")
+    ]
+    cases = [case for row in rows for case in row.evidence.cases]
+    for path in paths:
+        result = CliRunner().invoke(main, ["sweep", f"{path}#G", f"{path}#D", "--json"])
+        assert result.exit_code == 0
+        swept = json.loads(result.output)["directrix"]
+        assert any(len(case.directrix) == len(swept) for case in cases)
+
+
+def test_the_totals_are_told() -> None:
+    rows = list(reproduce(map(find, ("Slope", "Lemma 3.1")), Effort(quick=True)))
+    assert totals(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
+    with mutated(MUTATIONS[0]):
+        red = list(reproduce([find("Trajectory_CC")], Effort(quick=True)))
+    assert "; evidence fails: Trajectory_CC; " in totals(red)
+
+
+def test_errata_come_by_weight(tmp_path: Path) -> None:
+    rows = list(
+        reproduce(map(find, ("Slope", "Total size of the parts", "Lemma 5.3")), Effort(quick=True))
+    )
+    text = write(tmp_path, rows, Effort(quick=True))[1].read_text(encoding="utf-8")
+    errata = text.split("## What is wrong, by weight")[1].split("## Kinds of evidence")[0]
+    assert re.findall(r"- \*\*(.*?)\*\*", errata) == [
+        *("Total size of the parts", "Lemma 5.3", "Slope")
+    ]

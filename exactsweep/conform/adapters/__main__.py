@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring
+from exactsweep.conform.adapters.adapter import Adapter, MissingError
 from exactsweep.conform.adapters.names import NAMES, load
 from exactsweep.conform.run.protocol import read_object
 from exactsweep.geometry.number import format_fraction, quoted, to_fraction
@@ -36,7 +36,7 @@ def main(name: str | None) -> None:
         if "bye" in case:
             break
         answer = {"id": case["id"], **_answer(adapter, case)}
-        print(json.dumps(answer, default=_plain), flush=True)
+        print(json.dumps(answer, default=_write), flush=True)
 
 
 def _state(name: str) -> str:
@@ -48,16 +48,16 @@ def _state(name: str) -> str:
 
 def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
     try:
-        d, g = (_ring(case[name], adapter.hello.numbers) for name in ("directrix", "generatrix"))
+        numbers = adapter.hello.numbers
+        d, g = (
+            [(_number(x, numbers), _number(y, numbers)) for x, y in case[name]]
+            for name in ("directrix", "generatrix")
+        )
         return adapter.answer(d, g, None)
     except NotImplementedError as error:
         return {"unsupported": str(error)}
     except Exception as error:  # the program may fail in any way, and that is its answer
         return {"error": f"{type(error).__name__}: {error}"}
-
-
-def _ring(pairs: list[list[str]], numbers: str) -> Ring:
-    return [(_number(x, numbers), _number(y, numbers)) for x, y in pairs]
 
 
 def _number(text: str, numbers: str) -> object:
@@ -69,7 +69,7 @@ def _number(text: str, numbers: str) -> object:
         raise NotImplementedError(f"{quoted(text)} is no {numbers}") from None
 
 
-def _plain(value: object) -> str:
+def _write(value: object) -> str:
     return format_fraction(to_fraction(value))
 
 

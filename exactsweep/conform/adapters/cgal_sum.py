@@ -17,10 +17,12 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from math import inf
 from pathlib import Path
 from shutil import which
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring, peer_hello
+from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.geometry.number import format_fraction
 
 PROGRAM = "exactsweep-cgal"
@@ -54,36 +56,27 @@ class _Program:
 
     def __init__(self, command: Sequence[str]) -> None:
         self._command = command
-        self._process: subprocess.Popen[str] | None = None
+        self._channel: Channel | None = None
 
     def rings(self, directrix: Ring, inverse: Ring) -> list[list[tuple[str, str]]]:
         """Ask for a sum."""
-        if self._process is None:
-            self._process = subprocess.Popen(
-                self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-            )
-        process = self._process
-        assert process.stdin is not None
-        assert process.stdout is not None
-        process.stdin.write(f"{_line(directrix)} {_line(inverse)}\n")
-        process.stdin.flush()
-        line = process.stdout.readline()
-        if not line:
-            raise CgalError(f"the program ended with {self.close()}")
+        self._channel = self._channel or Channel(self._command)
+        self._channel.send(f"{_line(directrix)} {_line(inverse)}")
+        try:
+            line = self._channel.receive(inf)
+        except ClosedError as error:
+            self.close()
+            raise CgalError(f"the program {error}") from None
         if line.startswith("error"):
             raise CgalError(line.removeprefix("error").strip())
         words = iter(line.split())
         return [list(_ring(words)) for _ in range(int(next(words)))]
 
-    def close(self) -> int | None:
-        """Let it end, and return its exit code."""
-        process, self._process = self._process, None
-        if process is None:
-            return None
-        with process:
-            if process.stdin is not None:
-                process.stdin.close()
-        return process.returncode
+    def close(self) -> None:
+        """End it."""
+        if self._channel is not None:
+            self._channel.kill()
+            self._channel = None
 
 
 def _line(ring: Ring) -> str:

@@ -20,8 +20,8 @@ CGAL_STRATEGIES = (
 
 _MODULES = {
     "shapely": "shapely_union",
-    "pyclipper": "pyclipper_sum",
-    "clipper2": "clipper2_sum",
+    "pyclipper": "clipper_sum",
+    "clipper2": "clipper_sum",
     "klayout": "klayout_sum",
     "pysfcgal": "sfcgal_sum",
     **{f"cgal-{strategy}": "cgal_sum" for strategy in CGAL_STRATEGIES},

@@ -125,7 +125,7 @@ def read_number(value: object, path: str) -> Fraction:
 
 def _read_pair(pair: object, path: str, k: int) -> tuple[Point, bool]:
     if not isinstance(pair, (list, tuple)):
-        raise AnswerError(f"{path}[{k}] is {shown(pair)}, not a pair of numbers")
+        raise AnswerError(f"{path}[{k}] is {name_kind(pair)}, not a pair of numbers")
     if len(pair) != 2:
         raise AnswerError(f"{path}[{k}] has {len(pair)} coordinates, not 2")
     x, y = pair
@@ -138,10 +138,10 @@ def _read_pair(pair: object, path: str, k: int) -> tuple[Point, bool]:
 
 def _list(value: object, path: str, what: str) -> Sequence[object]:
     if not isinstance(value, (list, tuple)):
-        raise AnswerError(f"{path} is {shown(value)}, not {what}")
+        raise AnswerError(f"{path} is {name_kind(value)}, not {what}")
     return value
 
 
-def shown(value: object) -> str:
+def name_kind(value: object) -> str:
     """Name the kind of a value, whatever it is; answers of Python callables may hold anything."""
     return described(value) if isinstance(value, (dict, list, str, bool)) else quoted(value)

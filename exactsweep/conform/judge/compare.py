@@ -12,10 +12,10 @@ from exactsweep.conform.judge.answer import (
     AnswerError,
     Loop,
     Ring,
+    name_kind,
     read_loop,
     read_number,
     read_segments,
-    shown,
 )
 from exactsweep.conform.judge.frechet import walk_together
 from exactsweep.conform.judge.hausdorff import distance_squared
@@ -78,7 +78,7 @@ def compare(
     """
     if not isinstance(result, Mapping):
         return Comparison(
-            case.id, Verdict.MALFORMED, f"the answer is {shown(result)}, not an object"
+            case.id, Verdict.MALFORMED, f"the answer is {name_kind(result)}, not an object"
         )
     if "id" in result and result["id"] != case.id:
         raise AnswerError(f"the answer is that of {quoted(result['id'])}, not of {case.id!r}")

@@ -30,7 +30,7 @@ from math import isqrt, lcm
 
 from exactsweep.geometry.point import Point
 
-Pair = tuple[int, int]
+IntPair = tuple[int, int]
 
 
 _BITS = 128
@@ -48,7 +48,7 @@ _CUTS = 1000
 _CLOSE = 1 + Fraction(1, 2**32)
 
 
-class Segment:
+class LoopEdge:
     """An edge of a loop.
 
     Args:
@@ -58,7 +58,7 @@ class Segment:
 
     __slots__ = ("a", "b", "bottom", "dx", "dy", "left", "length", "right", "top")
 
-    def __init__(self, a: Pair, b: Pair) -> None:
+    def __init__(self, a: IntPair, b: IntPair) -> None:
         self.a, self.b = a, b
         self.dx, self.dy = b[0] - a[0], b[1] - a[1]
         self.length = self.dx * self.dx + self.dy * self.dy
@@ -69,13 +69,13 @@ class Segment:
         """The place a + t (b - a).
 
         Example:
-            >>> Segment((0, 0), (2, 1)).at(Fraction(1, 3))
+            >>> LoopEdge((0, 0), (2, 1)).at(Fraction(1, 3))
             Place(2, 1, 3)
         """
         p, q = t.as_integer_ratio()
         return Place(self.a[0] * q + p * self.dx, self.a[1] * q + p * self.dy, q)
 
-    def foot(self, p: Pair) -> Fraction:
+    def foot(self, p: IntPair) -> Fraction:
         """The share of the edge at which a square line from a point meets its line.
 
         The edge has a length.
@@ -87,7 +87,7 @@ class Segment:
         """The squared distance of a place.
 
         Example:
-            >>> Segment((0, 0), (2, 1)).distance(Place(1, 0, 1))
+            >>> LoopEdge((0, 0), (2, 1)).distance(Place(1, 0, 1))
             Fraction(1, 5)
         """
         w = place.w
@@ -100,7 +100,7 @@ class Segment:
             x, y = place.x - self.b[0] * w, place.y - self.b[1] * w
         return Fraction(x * x + y * y, w * w)
 
-    def along(self, edge: Segment, t: Fraction) -> tuple[tuple[int, int, int], int]:
+    def along(self, edge: LoopEdge, t: Fraction) -> tuple[tuple[int, int, int], int]:
         """The squared distance of places on an edge to the feature that is nearest at t.
 
         Returns:
@@ -129,7 +129,7 @@ class Place:
     def __repr__(self) -> str:
         return f"Place({self.x}, {self.y}, {self.w})"
 
-    def box_distance(self, segment: Segment) -> int:
+    def box_distance(self, segment: LoopEdge) -> int:
         """The squared distance to the box around an edge, times w^2; quick."""
         x, y, w = self.x, self.y, self.w
         dx = max(segment.left * w - x, x - segment.right * w, 0)
@@ -144,15 +144,15 @@ class Place:
 class Edges:
     """All edges of some rings, asked for the nearest one."""
 
-    def __init__(self, rings: Sequence[Sequence[Pair]]) -> None:
-        self._segments = [Segment(ring[k - 1], p) for ring in rings for k, p in enumerate(ring)]
+    def __init__(self, rings: Sequence[Sequence[IntPair]]) -> None:
+        self._segments = [LoopEdge(ring[k - 1], p) for ring in rings for k, p in enumerate(ring)]
         self._ends = {frozenset((segment.a, segment.b)) for segment in self._segments}
 
-    def has(self, edge: Segment) -> bool:
+    def has(self, edge: LoopEdge) -> bool:
         """Whether there is an edge with the same ends."""
         return frozenset((edge.a, edge.b)) in self._ends
 
-    def nearest(self, place: Place) -> tuple[Fraction, Segment]:
+    def nearest(self, place: Place) -> tuple[Fraction, LoopEdge]:
         """The squared distance of a place to the rings, and an edge that has it."""
         segments = self._segments
         nearest = segments[0]
@@ -168,7 +168,7 @@ class Edges:
         segments.insert(0, nearest)
         return best, nearest
 
-    def upper_bound(self, a: Place, b: Place, hints: Sequence[Segment]) -> Fraction:
+    def upper_bound(self, a: Place, b: Place, hints: Sequence[LoopEdge]) -> Fraction:
         """The least, over all edges, of the greater squared distance of two places to the edge."""
         best = min(max(segment.distance(a), segment.distance(b)) for segment in hints)
         bound_a, bound_b = a.bound(best), b.bound(best)
@@ -180,7 +180,7 @@ class Edges:
 
 
 def equally_near(
-    edge: Segment, start: Fraction, end: Fraction, near_start: Segment, near_end: Segment
+    edge: LoopEdge, start: Fraction, end: Fraction, near_start: LoopEdge, near_end: LoopEdge
 ) -> Fraction:
     """Where on a piece of an edge another one takes over from that which is nearest to its start.
 
@@ -197,8 +197,8 @@ def equally_near(
         rounded.
 
     Example:
-        >>> low, high = Segment((0, 0), (9, 0)), Segment((0, 8), (9, 8))
-        >>> equally_near(Segment((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
+        >>> low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 8), (9, 8))
+        >>> equally_near(LoopEdge((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
         Fraction(1, 2)
     """
     (first, m), (second, n) = near_start.along(edge, start), near_end.along(edge, end)
@@ -232,7 +232,7 @@ def _rounded(value: Fraction) -> Fraction:
     return Fraction((p << shift) // q, 1 << shift)
 
 
-_End = tuple[Fraction, Segment]  # of a piece: the share of its edge, and an edge nearest to it
+_End = tuple[Fraction, LoopEdge]  # of a piece: the share of its edge, and an edge nearest to it
 
 
 def distance_squared(first: Rings, second: Rings) -> Squares:
@@ -266,13 +266,13 @@ def distance_squared(first: Rings, second: Rings) -> Squares:
     return low / scale**2, high / scale**2
 
 
-def _one_way(rings: Sequence[Sequence[Pair]], target: Sequence[Sequence[Pair]]) -> Squares:
+def _one_way(rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPair]]) -> Squares:
     """Bounds of the greatest squared distance of a point of some rings to others."""
     edges = Edges(target)
-    pieces: list[tuple[Fraction, int, Segment, _End, _End]] = []
+    pieces: list[tuple[Fraction, int, LoopEdge, _End, _End]] = []
     number = count()
 
-    def add(edge: Segment, start: _End, end: _End) -> None:
+    def add(edge: LoopEdge, start: _End, end: _End) -> None:
         # The heap gives the least first.
         bound = edges.upper_bound(edge.at(start[0]), edge.at(end[0]), (start[1], end[1]))
         heappush(pieces, (-bound, next(number), edge, start, end))
@@ -282,7 +282,7 @@ def _one_way(rings: Sequence[Sequence[Pair]], target: Sequence[Sequence[Pair]]) 
         found = [edges.nearest(Place(x, y, 1)) for x, y in ring]
         low = max(low, *(distance for distance, _ in found))
         for k, b in enumerate(ring):
-            edge = Segment(ring[k - 1], b)
+            edge = LoopEdge(ring[k - 1], b)
             if edge.length and not edges.has(edge):
                 add(edge, (Fraction(0), found[k - 1][1]), (Fraction(1), found[k][1]))
     for _ in range(_CUTS):

@@ -96,12 +96,7 @@ class Witness:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {
-            "says": self.says,
-            "translation": _pair(self.translation),
-            "classified": self.classified,
-            "point": _pair(self.point),
-        }
+        return {name: plain_data(value) for name, value in vars(self).items()}
 
 
 @dataclass(frozen=True)
@@ -143,19 +138,9 @@ class PartComparison:
         return tuple(witness for witness in found if witness is not None)
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data, numbers as strings."""
-        squares, area = self.distance_squared, self.area
-        return {
-            "name": self.name,
-            "verdict": self.verdict.value,
-            "reason": self.reason,
-            "distance_squared": squares and [format_fraction(value) for value in squares],
-            "area": None if area is None else format_fraction(area),
-            "permitted": None if self.permitted is None else format_fraction(self.permitted),
-            "forbidden": None if self.forbidden is None else format_fraction(self.forbidden),
-            "unsound": self.unsound and self.unsound.to_json(),
-            "conservative": self.conservative and self.conservative.to_json(),
-        }
+        """Return plain data, numbers as strings, the area included."""
+        values = {**vars(self), "area": self.area}
+        return {name: plain_data(value) for name, value in values.items()}
 
 
 @dataclass(frozen=True)
@@ -188,13 +173,19 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {
-            "id": self.id,
-            "verdict": self.verdict.value,
-            "reason": self.reason,
-            "parts": [part.to_json() for part in self.parts],
-        }
+        return {name: plain_data(value) for name, value in vars(self).items()}
 
 
-def _pair(point: Point | None) -> list[str] | None:
-    return None if point is None else [format_fraction(point.x), format_fraction(point.y)]
+def plain_data(value: Any) -> Any:
+    """Return a value as plain data: numbers as strings, tuples as lists.
+
+    >>> plain_data((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
+    ['exact', ['1/2', '3'], None]
+    """
+    if isinstance(value, (Witness, PartComparison)):
+        return value.to_json()
+    if isinstance(value, tuple):
+        return [plain_data(item) for item in value]
+    if isinstance(value, Fraction):
+        return format_fraction(value)
+    return value.value if isinstance(value, Verdict) else value

@@ -13,14 +13,14 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from importlib.resources import files
-from math import isqrt
 from typing import Any, NamedTuple
 
 from exactsweep import __version__
 from exactsweep.canvas import style
 from exactsweep.canvas.svg import path_data
+from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import witness_lines
+from exactsweep.conform.report.text import root, witness_lines
 from exactsweep.conform.run.outcome import Outcome, witnesses
 from exactsweep.conform.run.run import SHOWN, Run, fails
 from exactsweep.geometry.number import NumberError, to_fraction
@@ -37,22 +37,11 @@ _KEY = (
 
 
 SIDE = 320
-
-_MARGIN = Fraction(1, 12)
-
-_FAR = Fraction(10**5)
-
-_MOST_STRETCHED = 12
-
+_MARGIN = 23
 _ZOOM = 4
-
 _WORTH_ZOOMING = 20
 
-Ring = Sequence[Point]
-
-Layer = tuple[str, tuple[Ring, ...], bool]
-
-Box = tuple[Fraction, Fraction, Fraction, Fraction]
+Layer = tuple[str, Sequence[Sequence[Point]], bool]
 
 
 class Failure(NamedTuple):
@@ -202,18 +191,18 @@ def panels(outcome: Outcome) -> list[Panel]:
     part = max(outcome.parts, key=_severity, default=None)
     name = part["name"] if part else "trajectory"
     scene = _scene(outcome.case, outcome.result or {}, name, part)
-    box = _window(scene)
-    drawn = [_panel(scene, box, name.replace("_", " "))]
+    whole = _window(scene)
+    drawn = [_panel(scene, whole, name.replace("_", " "))]
     near = _around(scene.points("directrix", "exact"))
-    if _longest(box) > _WORTH_ZOOMING * _longest(near):
-        drawn.append(_panel(scene, near, f"{_times(_longest(box) / _longest(near))} larger, at D"))
+    if whole.longest > _WORTH_ZOOMING * near.longest:
+        drawn.append(_panel(scene, near, f"{_times(whole.longest / near.longest)} larger, at D"))
     error = scene.error
-    if error and scene.witness and _longest(box) > _WORTH_ZOOMING * error:
+    if error and scene.witness and whole.longest > _WORTH_ZOOMING * error:
         x, y = scene.witness
         half = _ZOOM * error
-        zoomed = (x - half, y - half, x + half, y + half)
-        times = _longest(box) / (2 * half)
-        drawn.append(_panel(scene, zoomed, f"{_times(times)} larger, at the witness"))
+        zoomed = Window(x - half, y - half, x + half, y + half, SIDE, SIDE)
+        times = _times(whole.longest / zoomed.longest)
+        drawn.append(_panel(scene, zoomed, f"{times} larger, at the witness"))
     return drawn
 
 
@@ -250,7 +239,7 @@ def _severity(part: Mapping[str, Any]) -> int:
     return Verdict(part["verdict"]).severity
 
 
-def _rings(value: object) -> list[Ring]:
+def _rings(value: object) -> list[Sequence[Point]]:
     """Read one ring or several, as far as they can be read."""
     if not isinstance(value, Sequence) or isinstance(value, str):
         return []
@@ -259,7 +248,7 @@ def _rings(value: object) -> list[Ring]:
     return [_ring(ring) for ring in (value if nested else [value]) if isinstance(ring, list)]
 
 
-def _ring(points: Iterable[object]) -> Ring:
+def _ring(points: Iterable[object]) -> list[Point]:
     """Read points, leaving out what is none."""
     found = []
     for pair in points:
@@ -269,60 +258,33 @@ def _ring(points: Iterable[object]) -> Ring:
     return found
 
 
-def _window(scene: _Scene) -> Box:
-    """A box that holds everything, but not theirs where that is far off."""
+def _window(scene: _Scene) -> Window:
+    """A window that shows everything, but not theirs where that is far off."""
     own = scene.points("directrix", "generatrix", "exact", "faint")
     if scene.witness:
         own.append(scene.witness)
-    box = _around(own)
+    window = _around(own)
     everything = _around([*own, *scene.points("theirs")])
-    return everything if _longest(everything) <= 3 * _longest(box) else box
+    return everything if everything.longest <= 3 * window.longest else window
 
 
-def _around(points: Iterable[Point]) -> Box:
-    """The box around points; a square, unless that would show a mere line."""
-    xs, ys = zip(*points, strict=True)
-    across, up = max(xs) - min(xs), max(ys) - min(ys)
-    if max(across, up) <= _MOST_STRETCHED * min(across, up):
-        across = up = max(across, up)
-    x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-    half_x, half_y = (length * (1 + 2 * _MARGIN) / 2 for length in (across, up))
-    return x - half_x, y - half_y, x + half_x, y + half_y
+def _around(points: Iterable[Point]) -> Window:
+    return Window.around(points, SIDE, SIDE, _MARGIN)
 
 
-def _longest(box: Box) -> Fraction:
-    left, bottom, right, top = box
-    return max(right - left, top - bottom)
-
-
-def _panel(scene: _Scene, box: Box, caption: str) -> Panel:
-    left, bottom, right, top = box
-    x_unit, y_unit = SIDE / (right - left), SIDE / (top - bottom)
-    if x_unit != y_unit:
+def _panel(scene: _Scene, window: Window, caption: str) -> Panel:
+    if not window.is_true:
         caption += "; not to scale: each axis has a unit of its own"
-
-    def place(point: Point) -> tuple[float, float]:
-        return _float((point.x - left) * x_unit), _float((top - point.y) * y_unit)
-
-    shapes = []
-    for name, rings, closed in scene.layers:
-        data = path_data((map(place, ring) for ring in rings), closed=closed)
-        if data:
-            shapes.append(Shape(name, data))
-    return Panel(caption, tuple(shapes), place(scene.witness) if scene.witness else None)
+    paths = (
+        (name, path_data((map(window.place, ring) for ring in rings), closed=closed))
+        for name, rings, closed in scene.layers
+    )
+    return Panel(
+        caption,
+        tuple(Shape(name, data) for name, data in paths if data),
+        window.place(scene.witness) if scene.witness else None,
+    )
 
 
 def _times(value: Fraction) -> str:
-    return f"{float(value):,.0f} times" if value < 10**6 else f"{float(value):.0e} times"
-
-
-def _float(value: Fraction) -> float:
-    """A place on the picture; far outside is outside."""
-    return float(max(-_FAR, min(_FAR, value)))
-
-
-def root(square: Fraction) -> Fraction:
-    """Return about the square root, to 60 bits or so, of a number of any size."""
-    n, d = square.as_integer_ratio()
-    bits = max(0, 120 + d.bit_length() - n.bit_length())
-    return Fraction(isqrt((n << 2 * bits) // d), 1 << bits)
+    return f"{float(value):,.0f} times" if value < 10**6 else f"{approximation(value)} times"

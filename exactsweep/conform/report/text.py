@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 from rich.console import Console
@@ -15,14 +16,12 @@ from rich.table import Table
 from exactsweep.conform.judge.verdict import Comparison, PartComparison
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
-from exactsweep.conform.run.run import Run, Summary
+from exactsweep.conform.run.run import Run, Tally
 from exactsweep.text.report import laid_out
 from exactsweep.words import count
 
-_APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
-
-def told(comparison: Comparison) -> str:
+def describe(comparison: Comparison) -> str:
     """Say what came of a comparison.
 
     Args:
@@ -37,7 +36,7 @@ def told(comparison: Comparison) -> str:
         >>> from exactsweep.corpus import Case
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> case = Case.of("a", "", square, square)
-        >>> print(told(compare(case, {"trajectory": [[-1, -1], [1, -1], [1, 1]]})), end="")
+        >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [1, 1]]})), end="")
         a: unsound
         trajectory: unsound, part of the exact trajectory is missing
           off by at most 1.41422, area 2
@@ -57,7 +56,7 @@ def _part(part: PartComparison) -> list[str]:
     name = LOOP_NAMES.get(part.name, "exact fits")
     lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
     if part.distance_squared is not None and part.area:
-        distance = _root_above(part.distance_squared[1])
+        distance = _about(root(part.distance_squared[1]), ROUND_CEILING)
         lines.append(f"  off by at most {distance}, area {_about(part.area)}")
     for witness in part.witnesses:
         lines += (f"  {line}" for line in witness_lines(witness.to_json()))
@@ -81,23 +80,27 @@ def witness_lines(witness: Mapping[str, Any]) -> list[str]:
     return lines
 
 
-def _about(value: Fraction) -> str:
-    exact = _APPROXIMATE.divide(Decimal(value.numerator), Decimal(value.denominator))
-    return f"{exact.normalize(_APPROXIMATE):g}"
+def _about(value: Fraction, rounding: str = ROUND_HALF_EVEN) -> str:
+    context = Context(prec=6, rounding=rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)
+    rounded = context.divide(Decimal(value.numerator), Decimal(value.denominator))
+    return f"{rounded.normalize(context):g}"
 
 
-def _root_above(square: Fraction) -> str:
-    """The square root, rounded up."""
-    above = Context(prec=6, rounding="ROUND_CEILING", Emax=MAX_EMAX, Emin=MIN_EMIN)
-    quotient = Context(prec=20, rounding="ROUND_CEILING", Emax=MAX_EMAX, Emin=MIN_EMIN).divide(
-        Decimal(square.numerator), Decimal(square.denominator)
-    )
-    # Decimal's square root rounds half-even, whatever the context says.
-    root = quotient.sqrt(Context(prec=20, Emax=MAX_EMAX, Emin=MIN_EMIN))
-    return f"{above.plus(root):g}"
+def root(square: Fraction) -> Fraction:
+    """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
+
+    >>> root(Fraction(1, 4)), float(root(Fraction(2)))
+    (Fraction(1, 2), 1.4142135623730951)
+    """
+    n, d = square.as_integer_ratio()
+    exact = Fraction(isqrt(n), isqrt(d))
+    if exact * exact == square:
+        return exact
+    bits = max(0, 120 + d.bit_length() - n.bit_length())
+    return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)
 
 
-def table(summary: Summary, terminal_width: int | None = None) -> str:
+def table(summary: Tally, terminal_width: int | None = None) -> str:
     """Write how many cases of each class and flag got which verdict.
 
     Args:
@@ -112,7 +115,7 @@ def table(summary: Summary, terminal_width: int | None = None) -> str:
         >>> from exactsweep.conform.judge.verdict import Verdict
         >>> outcomes = [Outcome("a", "CC", ("undercut",), Verdict.EXACT),
         ...             Outcome("b", "CC", (), Verdict.WRONG)]
-        >>> print(table(Summary(outcomes)), end="")
+        >>> print(table(Tally(outcomes)), end="")
                   cases  exact  wrong
         all           2      1      1
         CC            2      1      1
@@ -125,11 +128,11 @@ def table(summary: Summary, terminal_width: int | None = None) -> str:
         grid.add_column(name, justify="right")
     for group in summary.groups():
         counts = (summary.total(verdict, group) for verdict in verdicts)
-        grid.add_row(group, str(summary.total(group=group)), *_shown(counts))
+        grid.add_row(group, str(summary.total(group=group)), *_blank_zeros(counts))
     return laid_out([grid], terminal_width)
 
 
-def _shown(counts: Iterable[int]) -> Iterable[str]:
+def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:
     return (str(count) if count else "" for count in counts)
 
 

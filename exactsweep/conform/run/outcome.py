@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Collection, Mapping
+import signal
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, NoReturn
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.shrink import shrink
 from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.run.peer import Answer, Peer
-from exactsweep.conform.run.protocol import UnsupportedError, asked
+from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
+
+TO_COMPARE = 60.0
+"""Seconds that comparing one answer may take: a hostile one could keep us busy for hours."""
 _MAX_RESULT = 65536
 """The most characters of a result that are kept."""
 
@@ -78,7 +83,7 @@ def witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
 
-def judged(peer: Peer, case: Case) -> Outcome:
+def judge_case(peer: Peer, case: Case) -> Outcome:
     """Put a case to an implementation and judge its answer.
 
     Args:
@@ -88,20 +93,24 @@ def judged(peer: Peer, case: Case) -> Outcome:
     Returns:
         The Outcome.
     """
-    answer, put = put_to(peer, case)
-    return outcome_of(case, put, answer, peer.hello.loops)
+    return judge_answer(case, *ask(peer, case), peer.hello.loops)
 
 
-def put_to(peer: Peer, case: Case) -> tuple[Answer, Case]:
-    """Put a case to an implementation, in its terms; return the answer and the case as put."""
+def judge_in_time(peer: Peer, case: Case) -> Outcome:
+    """Judge a case as `judge_case` does, but do not compare for ever; in the main thread only."""
+    return judge_answer_in_time(case, *ask(peer, case), peer.hello.loops)
+
+
+def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
+    """Put a case to an implementation, in its terms; return the case as put and the answer."""
     try:
-        put = asked(case, peer.hello)
+        put = adapt(case, peer.hello)
     except UnsupportedError as error:
-        return Answer(verdict=Verdict.UNSUPPORTED, reason=str(error)), case
-    return peer.ask(put), put
+        return case, Answer(verdict=Verdict.UNSUPPORTED, reason=str(error))
+    return put, peer.ask(put)
 
 
-def outcome_of(case: Case, put: Case, answer: Answer, promised: Collection[str]) -> Outcome:
+def judge_answer(case: Case, put: Case, answer: Answer, promised: Collection[str]) -> Outcome:
     """Judge an answer.
 
     Args:
@@ -135,14 +144,64 @@ def outcome_of(case: Case, put: Case, answer: Answer, promised: Collection[str])
     )
 
 
-def smaller(peer: Peer, outcome: Outcome, seconds: float, judge: Judge = judged) -> Outcome:
+def judge_answer_in_time(
+    case: Case, put: Case, answer: Answer, promised: Collection[str]
+) -> Outcome:
+    """Judge an answer as `judge_answer` does; in the main thread only.
+
+    Returns:
+        The Outcome; its verdict is timeout if comparing takes more than TO_COMPARE seconds.
+    """
+    try:
+        with stop_after(TO_COMPARE):
+            return judge_answer(case, put, answer, promised)
+    except OvertimeError:
+        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
+        late = Answer(verdict=Verdict.TIMEOUT, reason=reason, seconds=answer.seconds)
+        return judge_answer(case, put, late, ())
+
+
+class OvertimeError(Exception):
+    """A computation took too long."""
+
+
+@contextmanager
+def stop_after(seconds: float) -> Iterator[None]:
+    """Stop what is in the `with` block after some seconds; in the main thread only.
+
+    Raises:
+        OvertimeError: it was stopped.
+
+    Example:
+        >>> with stop_after(0.01):
+        ...     while True:
+        ...         pass
+        Traceback (most recent call last):
+        exactsweep.conform.run.outcome.OvertimeError
+    """
+
+    def stop(number: int, frame: object) -> NoReturn:
+        raise OvertimeError
+
+    old = signal.signal(signal.SIGALRM, stop)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, seconds)
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+
+
+def shrink_outcome(
+    peer: Peer, outcome: Outcome, seconds: float, judge: Judge = judge_case
+) -> Outcome:
     """Find a smaller case that an implementation fails in the same way.
 
     Args:
         peer: the implementation.
         outcome: of a case that it failed; with the case.
         seconds: after which no smaller one is looked for.
-        judge: as `judged`.
+        judge: as `judge_case`.
 
     Returns:
         The Outcome of the smallest case that was found.

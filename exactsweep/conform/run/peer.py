@@ -36,13 +36,13 @@ class Peer(Protocol):
     hello: Hello
 
     def ask(self, case: Case) -> Answer:
-        """Put a case to it, as `asked` has it."""
+        """Put a case to it, as `adapt` has it."""
 
     def close(self) -> str | None:
         """Say bye; return what went wrong then, or None."""
 
 
-def answered(result: Mapping[str, Any]) -> Answer:
+def read_answer(result: Mapping[str, Any]) -> Answer:
     """Tell an answer from the reason why there is none."""
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
@@ -68,20 +68,12 @@ class CallablePeer:
     It cannot be stopped: an answer that comes too late gets the verdict timeout when it comes.
 
     Args:
-        function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
-            integer numbers of the hello, float for "binary64", else Fraction. It returns what an
-            answer of the protocol holds, without the id; coordinates may be any numbers that
-            `to_fraction` reads. What it raises is a crash, and NotImplementedError is unsupported.
+        function: as `conform` takes it.
         hello: what it can do.
         seconds: that an answer may take.
     """
 
-    def __init__(
-        self,
-        function: Function,
-        hello: Hello,
-        seconds: float = SECONDS,
-    ) -> None:
+    def __init__(self, function: Function, hello: Hello, seconds: float = SECONDS) -> None:
         self._function, self._seconds = function, seconds
         self.hello = hello
 
@@ -105,7 +97,7 @@ class CallablePeer:
         if not isinstance(result, Mapping):
             reason = f"returns {type(result).__name__}, not a mapping"
             return Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=seconds)
-        return answered({**result, "id": case.id})._replace(seconds=seconds)
+        return read_answer({**result, "id": case.id})._replace(seconds=seconds)
 
     def close(self) -> str | None:
         """Do nothing."""

@@ -1,34 +1,32 @@
-"""Workers side by side, each with a process of the implementation."""
+"""Processes that judge side by side, each with a process of the implementation."""
 
 from __future__ import annotations
 
-import json
-import sys
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
-from queue import SimpleQueue
-from threading import Thread
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures.process import BrokenProcessPool
 from typing import Any, Self
 
-from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.conform.run.outcome import Outcome, judge_in_time, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS
-from exactsweep.conform.run.process import TO_START
-from exactsweep.conform.run.protocol import Hello, ProtocolError, read_hello
-from exactsweep.corpus import Case, case_to_json
+from exactsweep.conform.run.process import TO_START, ProcessPeer
+from exactsweep.conform.run.protocol import Hello, ProtocolError
+from exactsweep.corpus import Case
 from exactsweep.geometry.number import quoted
-from exactsweep.processes import Started
-
-_Job = tuple[str, dict[str, Any]]
+from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"
+
+# The id of a case, and what a process is to call for it.
+_Job = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ValueError):
     """What could not be judged, by no fault of the implementation; the message says why."""
 
 
-class Pool:
-    """An implementation, started once for each worker; a context manager.
+class Judges:
+    """An implementation, started once for each process that judges it; a context manager.
 
     Nothing that was started is left running after the `with` block, however it ends.
 
@@ -45,7 +43,7 @@ class Pool:
     Raises:
         ProtocolError: the implementation cannot be started, or says no hello, or not always the
             same.
-        JudgeError: a worker has ended.
+        JudgeError: a process that judges was killed.
     """
 
     def __init__(
@@ -56,12 +54,10 @@ class Pool:
         workers: int = 1,
         to_start: float = TO_START,
     ) -> None:
-        settings = {"command": list(command), "seconds": seconds, "to_start": to_start}
         self.complaints: list[str] = []
-        self._workers: list[_Worker] = []
+        self._pool = Pool(workers)
         try:
-            self._workers += (_Worker(settings) for _ in range(workers))
-            hellos = [worker.hello() for worker in self._workers]
+            hellos: list[Hello] = self._call_in_each(_start, list(command), seconds, to_start)
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
                 raise ProtocolError("not all its processes say the same hello")
@@ -81,10 +77,10 @@ class Pool:
         Raises:
             JudgeError: a case cannot be judged; outcomes that are under way are lost.
         """
-        jobs = ((case.id, {"case": case_to_json(case)}) for case in cases)
-        return (outcome for _, outcome in self._done(jobs))
+        jobs: Iterator[_Job] = ((case.id, _judge, (case,)) for case in cases)
+        return (outcome for _, outcome in self._work_on(jobs))
 
-    def smaller(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
+    def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
         """Look for smaller cases that the implementation fails in the same way.
 
         Args:
@@ -97,49 +93,19 @@ class Pool:
         Raises:
             JudgeError: as by `judge`.
         """
-        jobs = (
-            (outcome.id, {"smaller": outcome.to_json(), "seconds": seconds}) for outcome in outcomes
-        )
-        return self._done(jobs)
-
-    def _done(self, jobs: Iterable[_Job]) -> Iterator[tuple[str, Outcome]]:
-        """Let the workers do jobs, an id and a message each."""
-        waiting: SimpleQueue[_Job | None] = SimpleQueue()
-        found: SimpleQueue[tuple[str, Outcome] | JudgeError] = SimpleQueue()
-        for worker in self._workers:
-            Thread(target=_work, args=(worker, waiting, found), daemon=True).start()
-        under_way = 0
-        try:
-            for job in jobs:
-                waiting.put(job)
-                under_way += 1
-                # One more for each worker, so that none waits for the next case to be made.
-                if under_way >= 2 * len(self._workers):
-                    yield _of(found.get())
-                    under_way -= 1
-            for _ in range(under_way):
-                yield _of(found.get())
-        finally:
-            for _ in self._workers:
-                waiting.put(None)
+        return self._work_on((outcome.id, _shrink, (outcome, seconds)) for outcome in outcomes)
 
     def finish(self) -> None:
         """Say bye to the implementation, and note in `complaints` what goes wrong then.
 
         Raises:
-            JudgeError: a worker has ended.
+            JudgeError: a process that judges was killed.
         """
-        for worker in self._workers:
-            worker.close_input()
-        for worker in self._workers:
-            complaint = worker.read()["complaint"]
-            if complaint is not None:
-                self.complaints.append(complaint)
+        self.complaints += filter(None, self._call_in_each(_finish))
 
     def kill(self) -> None:
-        """End all workers and all that they started, at once."""
-        for worker in self._workers:
-            worker.kill()
+        """End all processes and all that they started, at once."""
+        self._pool.close()
 
     def __enter__(self) -> Self:
         return self
@@ -147,70 +113,57 @@ class Pool:
     def __exit__(self, *error: object) -> None:
         self.kill()
 
+    def _work_on(self, jobs: Iterable[_Job]) -> Iterator[tuple[str, Outcome]]:
+        pending: dict[Future[Outcome], str] = {}
+        for id, function, arguments in jobs:
+            try:
+                pending[self._pool.submit(function, *arguments)] = id
+            except BrokenProcessPool:
+                raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+            # One more for each process, so that none waits for the next case to be made.
+            if len(pending) >= 2 * self._pool.count:
+                yield from _take_results(pending)
+        while pending:
+            yield from _take_results(pending)
 
-def _work(
-    worker: _Worker,
-    waiting: SimpleQueue[_Job | None],
-    found: SimpleQueue[tuple[str, Outcome] | JudgeError],
-) -> None:
-    """Do jobs until there is no more, in a thread."""
-    while (job := waiting.get()) is not None:
-        id, message = job
+    def _call_in_each(self, function: Callable[..., Any], *arguments: object) -> list[Any]:
         try:
-            found.put((id, worker.done(message)))
-        except (OSError, ValueError) as error:
-            found.put(JudgeError(f"case {quoted(id)}: {error}"))
-
-
-def _of(outcome: tuple[str, Outcome] | JudgeError) -> tuple[str, Outcome]:
-    if isinstance(outcome, JudgeError):
-        raise outcome
-    return outcome
-
-
-class _Worker:
-    """One worker, seen from the pool."""
-
-    def __init__(self, settings: dict[str, Any]) -> None:
-        # Without -P, modules of the working directory would come before those of Python.
-        command = [sys.executable, "-P", "-m", "exactsweep.conform.run.worker"]
-        self._started = Started(command, stderr=None)
-        process = self._started.process
-        assert process.stdin is not None
-        assert process.stdout is not None
-        self._to, self._from = process.stdin, process.stdout
-        self._send(settings)
-
-    def hello(self) -> Hello:
-        said = self.read()
-        if "refused" in said:
-            raise ProtocolError(said["refused"])
-        return read_hello(json.dumps(said["hello"]))
-
-    def done(self, message: dict[str, Any]) -> Outcome:
-        self._send(message)
-        found = self.read()
-        if "refused" in found:
-            raise ValueError(found["refused"])
-        return outcome_from_json(found)
-
-    def read(self) -> dict[str, Any]:
-        line = self._from.readline()
-        if not line.endswith(b"\n"):
-            raise JudgeError(_ENDED)
-        found: dict[str, Any] = json.loads(line)
-        return found
-
-    def close_input(self) -> None:
-        with suppress(BrokenPipeError):
-            self._to.close()
-
-    def kill(self) -> None:
-        self._started.end()
-
-    def _send(self, data: dict[str, Any]) -> None:
-        try:
-            self._to.write(json.dumps(data).encode() + b"\n")
-            self._to.flush()
-        except BrokenPipeError:
+            return self._pool.call_in_each(function, *arguments)
+        except BrokenProcessPool:
             raise JudgeError(_ENDED) from None
+
+
+def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Outcome]]:
+    """Wait for one outcome at least, and take those that are there."""
+    done, _ = wait(pending, return_when=FIRST_COMPLETED)
+    for future in [future for future in pending if future in done]:
+        id = pending.pop(future)
+        try:
+            yield id, future.result()
+        except BrokenProcessPool:
+            raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+        except (OSError, ValueError) as error:
+            raise JudgeError(f"case {quoted(id)}: {error}") from None
+
+
+# What follows runs in the processes that judge.
+
+_peer: ProcessPeer
+
+
+def _start(command: Sequence[str], seconds: float, to_start: float) -> Hello:
+    global _peer
+    _peer = ProcessPeer(command, seconds, to_start)
+    return _peer.hello
+
+
+def _judge(case: Case) -> Outcome:
+    return judge_in_time(_peer, case)
+
+
+def _shrink(outcome: Outcome, seconds: float) -> Outcome:
+    return shrink_outcome(_peer, outcome, seconds, judge_in_time)
+
+
+def _finish() -> str | None:
+    return _peer.close()

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.channel import Channel, ClosedError, LongLineError, SilentError
-from exactsweep.conform.run.peer import SECONDS, Answer, answered, cut
+from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
 from exactsweep.conform.run.protocol import (
     BYE,
     MAX_LINE,
@@ -54,7 +54,7 @@ class ProcessPeer:
             return Answer(verdict=Verdict.CRASH, reason=f"did not start again: {error}")
         assert self._channel is not None
         began = time.monotonic()
-        answer = self._asked(self._channel, case)
+        answer = self._exchange(self._channel, case)
         return answer._replace(seconds=time.monotonic() - began)
 
     def close(self) -> str | None:
@@ -72,14 +72,14 @@ class ProcessPeer:
             self._channel.kill()
             self._channel = None
 
-    def _asked(self, channel: Channel, case: Case) -> Answer:
+    def _exchange(self, channel: Channel, case: Case) -> Answer:
         rings = case.directrix_ring, case.generatrix_ring
         channel.send(case_line(case.id, case.kind, *rings, case.reference, self.hello.numbers))
         try:
             result = read_object(channel.receive(self._seconds))
             if result.get("id") != case.id:
                 raise ProtocolError(f"answers {described(result.get('id'))}, which was not asked")
-            return answered(result)
+            return read_answer(result)
         except SilentError:
             verdict, reason = Verdict.TIMEOUT, f"no answer within {self._seconds:g} s"
         except ClosedError as error:

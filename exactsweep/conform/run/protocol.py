@@ -182,7 +182,7 @@ class UnsupportedError(ValueError):
     """A case that the numbers of an implementation do not hold."""
 
 
-def asked(case: Case, hello: Hello) -> Case:
+def adapt(case: Case, hello: Hello) -> Case:
     """Return the case that is put to an implementation, with the answers that it should give.
 
     Args:
@@ -200,7 +200,7 @@ def asked(case: Case, hello: Hello) -> Case:
 
     Example:
         >>> case = Case.of("a", "", [(0, 0), ("1/2", 0), (0, 1)], [(1, 1), (2, 1), (1, 2)])
-        >>> whole = asked(case, Hello("mine", numbers="int32", reference="first"))
+        >>> whole = adapt(case, Hello("mine", numbers="int32", reference="first"))
         >>> print(whole.directrix, "from", whole.trajectory.vertices[0])
         (0, 0) (1, 0) (0, 2) from Point(x=Fraction(-2, 1), y=Fraction(0, 1))
     """

@@ -39,7 +39,7 @@ class Worst(NamedTuple):
     area: tuple[Fraction, str]
 
 
-class Summary:
+class Tally:
     """Counts of verdicts, and what goes with them.
 
     Args:
@@ -52,7 +52,7 @@ class Summary:
         slowest: the longest time of one answer, and the id of its case.
 
     Example:
-        >>> summary = Summary([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
+        >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
         >>> summary.groups(), summary.verdicts(), summary.counts["CC", Verdict.EXACT]
         (['all', 'CC', 'parallel-edges'], [<Verdict.EXACT: 'exact'>], 1)
     """
@@ -130,7 +130,7 @@ class Run:
         self.hello, self.command, self.accepted = hello, tuple(command), accepted
         self.outcomes: list[Outcome] = []
         self.shrunk: dict[str, Outcome] = {}
-        self.summary = Summary()
+        self.summary = Tally()
         self.complaints: list[str] = []
         self.interrupted = False
         self._shown: dict[Verdict, list[tuple[int, int]]] = {}

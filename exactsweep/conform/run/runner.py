@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Iterator
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.cases import distinct
 from exactsweep.conform.run.journal import Journal
-from exactsweep.conform.run.outcome import Outcome, digest, judged, smaller
+from exactsweep.conform.run.outcome import Outcome, digest, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
-from exactsweep.conform.run.pool import JudgeError, Pool
+from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import ACCEPTED, Run
 from exactsweep.corpus import Case
@@ -20,7 +20,7 @@ TO_MAKE_SMALLER = 20.0
 
 def conduct(
     run: Run,
-    pool: Pool,
+    judges: Judges,
     cases: Iterable[Case],
     *,
     journal: Journal | None = None,
@@ -34,7 +34,7 @@ def conduct(
 
     Args:
         run: where the outcomes go.
-        pool: the implementation.
+        judges: the implementation.
         cases: the cases.
         journal: where each outcome is written as it comes.
         tell: is told each outcome.
@@ -51,15 +51,15 @@ def conduct(
                 yield case
 
     try:
-        for outcome in pool.judge(new(cases)):
+        for outcome in judges.judge(new(cases)):
             if journal:
                 journal.add(outcome)
             run.add(outcome)
             tell(outcome)
-        for id, smallest in pool.smaller(run.to_be_smaller(made_smaller), TO_MAKE_SMALLER):
+        for id, smallest in judges.shrink(run.to_be_smaller(made_smaller), TO_MAKE_SMALLER):
             run.add_smaller(id, smallest)
-        pool.finish()
-        run.complaints += pool.complaints
+        judges.finish()
+        run.complaints += judges.complaints
     except JudgeError as error:
         run.complaints.append(str(error))
         run.interrupted = True
@@ -109,7 +109,7 @@ def conform(
         >>> from exactsweep import no_fit_polygon
         >>> from exactsweep.corpus import Case
         >>> def mine(directrix, generatrix, reference):
-        ...     return {"trajectory": no_fit_polygon(directrix, generatrix).vertices}
+        ...     return {"trajectory": no_fit_polygon(directrix, generatrix).exterior.vertices}
         >>> triangle = Case.of("t", "", [(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)], (1, 0))
         >>> conform(mine, [triangle], name="mine", reference="origin").passed
         True
@@ -120,7 +120,7 @@ def conform(
     peer = CallablePeer(function, Hello.of(name, loops, numbers, reference), seconds)
     run = Run(peer.hello, accepted=accepted)
     for case in distinct(cases):
-        run.add(judged(peer, case))
+        run.add(judge_case(peer, case))
     for outcome in run.to_be_smaller(made_smaller):
-        run.add_smaller(outcome.id, smaller(peer, outcome, TO_MAKE_SMALLER))
+        run.add_smaller(outcome.id, shrink_outcome(peer, outcome, TO_MAKE_SMALLER))
     return run

@@ -11,10 +11,9 @@ from dataclasses import replace
 from typing import BinaryIO
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, outcome_of
-from exactsweep.conform.run.peer import Answer, answered
-from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, asked, read_hello, read_object
-from exactsweep.conform.run.worker import outcome_in_time
+from exactsweep.conform.run.outcome import Outcome, judge_answer, judge_answer_in_time
+from exactsweep.conform.run.peer import Answer, read_answer
+from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, adapt, read_hello, read_object
 from exactsweep.corpus import Case, UnknownNameError
 from exactsweep.formats.exact_json import described
 from exactsweep.geometry.number import quoted
@@ -61,8 +60,8 @@ class Stream:
             try:
                 result = read_object(line)
                 case = self._case(result.get("id"), find)
-                put = asked(case, terms)
-                outcome = outcome_in_time(case, put, answered(result), self.hello.loops)
+                put = adapt(case, terms)
+                outcome = judge_answer_in_time(case, put, read_answer(result), self.hello.loops)
             except ValueError as error:
                 if len(self.complaints) < _MOST_COMPLAINTS:
                     self.complaints.append(f"line {number}: {error}")
@@ -74,7 +73,7 @@ class Stream:
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
             if case.id not in self._seen:
-                yield outcome_of(case, case, answer, ())
+                yield judge_answer(case, case, answer, ())
 
     def _case(self, id: object, find: Callable[[str], Case]) -> Case:
         if not isinstance(id, str):

@@ -12,14 +12,14 @@ from itertools import accumulate
 from math import gcd
 from random import Random
 
-Pair = tuple[int, int]
+from exactsweep.corpus.generator.shapes import Pair, Ring
 
 
 def _by_slope(first: Pair, second: Pair) -> int:
     return first[1] * second[0] - first[0] * second[1]
 
 
-def convex(n: int, random: Random, size: int = 1000) -> list[Pair]:
+def convex(n: int, random: Random, size: int = 1000) -> Ring:
     """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites."""
     edges: set[Pair] = set()
     while len(edges) < n // 2:
@@ -31,7 +31,7 @@ def convex(n: int, random: Random, size: int = 1000) -> list[Pair]:
     return list(accumulate(ring[:-1], lambda p, e: (p[0] + e[0], p[1] + e[1]), initial=(0, 0)))
 
 
-def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> list[Pair]:
+def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> Ring:
     """An X-monotone polygon of n vertices: two random chains on a regular grid of x."""
     half = n // 2 - 1
     bottom = [(step * k, random.randrange(-height, 0)) for k in range(1, half + 1)]
@@ -39,7 +39,7 @@ def zigzag(n: int, random: Random, step: int = 1000, height: int = 1000) -> list
     return [(0, 0), *bottom, (step * (half + 1), 0), *reversed(top)]
 
 
-def comb(m: int, width: int, depth: int) -> list[Pair]:
+def comb(m: int, width: int, depth: int) -> Ring:
     """An X-monotone polygon of m vertices with deep teeth, `width` apart, on both sides."""
     half = m // 2 - 1
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(1, half + 1)]
@@ -47,14 +47,14 @@ def comb(m: int, width: int, depth: int) -> list[Pair]:
     return [(0, depth), *bottom, (width * (half + 1), depth), *reversed(top)]
 
 
-def cc(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def cc(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Two convex polygons."""
     random = Random(f"cc {m} {n} {seed}")
     size = max(1000, 4 * max(m, n))
     return convex(n, random, size), convex(m, random, size)
 
 
-def cm(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def cm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """A convex generatrix about as wide as five teeth of a random zigzag directrix."""
     random = Random(f"cm {m} {n} {seed}")
     generatrix = convex(n, random, 100)
@@ -62,7 +62,7 @@ def cm(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
     return generatrix, zigzag(m, random, step, 4 * step)
 
 
-def cm_hard(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def cm_hard(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Teeth so deep that G turns wholly about each: a trajectory of Theta(m n) edges."""
     random = Random(f"cm_hard {m} {n} {seed}")
     generatrix = convex(n, random, 100)
@@ -70,7 +70,7 @@ def cm_hard(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
     return generatrix, comb(m, width, 200 * width)
 
 
-def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Teeth closer than G is wide, so that G rests on two: an inner loop of Theta(m n) edges."""
     random = Random(f"cm_undercut {m} {n} {seed}")
     generatrix = convex(n, random, 100)
@@ -78,43 +78,86 @@ def cm_undercut(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
     return generatrix, comb(m, max(1, 2 * width // 5), 200 * width)
 
 
-def mm(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def mm(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """Two random zigzags of the same step."""
     random = Random(f"mm {m} {n} {seed}")
     return zigzag(n, random), zigzag(m, random)
 
 
-def figure10(m: int, n: int, seed: int = 0) -> tuple[list[Pair], list[Pair]]:
+def figure10(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
     """The `bumps` that have m and n vertices (both even): an outer loop of Theta(m n^2) edges."""
     n_t = 2 * (n // 4)
     return bumps(m - 2, n_t, n - n_t)
 
 
-def needles(m: int, n: int) -> tuple[list[Pair], list[Pair]]:
+def needles(m: int, n: int) -> tuple[Ring, Ring]:
     """An inner loop of order m n^2: needles in D_b, nearly as far apart as G is wide.
 
-    D_b has about m / 3 needles under a high ceiling, and G_t is a zigzag of n / 2 peaks at
-    irregular distances. Near a needle the trajectory is the inverse of G_t, and so the inner
-    boundary is the greatest G_t(x + v) - G_t(v) over all v, with a corner for each pair of a peak
-    and a valley.
+    D_b has about m / 3 needles under a high ceiling, and G_t has `inner_peaks(n)` peaks. All
+    differences of the places of a peak and a valley are different ints, and stay so if some of them
+    are shifted by the distance of two needles: see the proof at Lemma 5.5.
     """
-    random = Random(f"needles {n}")
-    peaks = max(1, (n - 2) // 2)
-    unit = 4 * peaks * peaks
-    steps = [unit + random.randrange(unit) for _ in range(2 * peaks)]
-    xs = [0, *accumulate(steps)]
-    height = 3 * unit
-    top = [(4 * x, 4 * height * (k % 2)) for k, x in enumerate(xs)]
-    generatrix = [(0, 0), (2 * xs[-1], -4 * height), *top[:0:-1]]
-    apart, ceiling = 4 * xs[-1] - 2 * xs[1], 32 * height
-    directrix = []
-    for k in range(max(2, m // 3)):
+    peaks = inner_peaks(n)
+    pitch = 2 * peaks + 2
+    top: Ring = []
+    for k in range(peaks):
+        top += [(k * pitch + k, 0), ((k + 1) * pitch - 1, pitch)]
+    top.append((peaks * pitch + peaks, 0))
+    generatrix = [(0, 0), (top[-1][0] // 2, -pitch), *top[:0:-1]]
+    apart, ceiling = (peaks - 1) * pitch + peaks + 1, 32 * pitch
+    directrix: Ring = []
+    for k in range(max(2, (m - 1) // 3)):
         x = k * apart
         directrix += [(x - 1, ceiling), (x, 0), (x + 1, ceiling)]
     return generatrix, [*directrix, (directrix[-1][0] // 2, ceiling + 1)]
 
 
-def rim(m: int, n: int) -> tuple[list[Pair], list[Pair]]:
+def inner_peaks(n: int) -> int:
+    """How many peaks the G of `needles` has."""
+    return max(2, (n - 2) // 2)
+
+
+def edges_over_needles(m: int, n: int) -> int:
+    """Edges that the inner boundary of `needles` has at least, by the proof at Lemma 5.5.
+
+    >>> edges_over_needles(31, 22)
+    1602
+    """
+    count, peaks = max(2, (m - 1) // 3), inner_peaks(n)
+    return 2 * (count - 1) * (peaks * (peaks - 1) - 1)
+
+
+def terraces(m: int, n: int) -> tuple[Ring, Ring]:
+    """An inner loop of order m n undercuts: terraces in D_b, hills and a tall peak in G_t.
+
+    Each of (m - 4) / 3 terraces begins with a needle. While one of the (n - 4) / 2 hills passes
+    under the needle, the peak leaves the terrace: see the proof at "Number of undercuts, MM".
+
+    >>> terraces(7, 8)
+    ([(0, 0), (5, -10), (12, 0), (10, 40), (8, 0), (6, 10), (4, 0), (2, 10)], \
+[(-3, 200), (0, 0), (1, 35), (21, 35), (22, 0), (25, 200), (11, 300)])
+    """
+    hills = (n - 4) // 2
+    width = 4 * hills + 2
+    generatrix = [(0, 0), (width // 2, -10), (width + 2, 0), (width, 40)]
+    for k in range(hills, 0, -1):
+        generatrix += [(4 * k, 0), (4 * k - 2, 10)]
+    directrix = [(-3, 200)]
+    for k in range((m - 4) // 3):
+        start = k * (width + 12)
+        directrix += [(start, 0), (start + 1, 35), (start + width + 11, 35)]
+    end = (m - 4) // 3 * (width + 12)
+    return generatrix, [*directrix, (end, 0), (end + 3, 200), (end // 2, 300)]
+
+
+def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+    """A convex generatrix that is wider than all of a random zigzag."""
+    random = Random(f"wide {m} {n} {seed}")
+    generatrix = convex(n, random, 100)
+    return [(m * x, m * y) for x, y in generatrix], zigzag(m, random, 10, 10)
+
+
+def rim(m: int, n: int) -> tuple[Ring, Ring]:
     """A bottom chain that G touches almost everywhere: about m / 2 edges, convex but for a notch.
 
     G_t has n points under a lid, every other one a spike, and is too wide for the notch.
@@ -128,12 +171,12 @@ def rim(m: int, n: int) -> tuple[list[Pair], list[Pair]]:
     return [(0, 0), (width, 0), *spikes], directrix
 
 
-def bumps(m_b: int, n_t: int, n_b: int) -> tuple[list[Pair], list[Pair]]:
+def bumps(m_b: int, n_t: int, n_b: int) -> tuple[Ring, Ring]:
     """The pair of Figure 10: m_b / 2 teeth in D_b, n_t / 2 peaks in G_t, a round tip in G_b.
 
     Each peak passes under each tooth at a place of its own, and every time G_b draws its tip, which
     has n_b - 2 flat edges between steep flanks: the outer boundary of the lower sweep has
-    m_b n_t n_b / 4 + 4 edges, 16 for (2, 4, 6).  m_b, n_t and n_b are even.
+    m_b n_t n_b / 4 + 4 edges, 16 for (2, 4, 6). m_b, n_t and n_b are even.
     """
     flat = n_b - 2
     pitch = 2 * flat + 2

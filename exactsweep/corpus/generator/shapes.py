@@ -4,7 +4,7 @@ All are counter-clockwise as they are built, simple by construction, and not clo
 """
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
 
@@ -30,19 +30,23 @@ class Grid(NamedTuple):
     pointed: int = 3
 
 
-def hull(points: Iterable[Pair]) -> Ring:
+P = TypeVar("P", bound=tuple[Any, Any])
+
+
+def hull(points: Iterable[P]) -> list[P]:
     """The convex hull, corners only (Andrew's monotone chain)."""
     ordered = sorted(set(points))
-    found: Ring = []
+    found: list[P] = []
     for run in ordered, ordered[::-1]:
-        half: Ring = []
-        for x, y in run:
+        half: list[P] = []
+        for point in run:
+            x, y = point
             while len(half) > 1:
                 (ax, ay), (bx, by) = half[-2:]
                 if (bx - ax) * (y - by) - (by - ay) * (x - bx) > 0:
                     break
                 half.pop()
-            half.append((x, y))
+            half.append(point)
         found += half[:-1]
     return found
 

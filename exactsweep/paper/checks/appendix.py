@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -13,21 +14,20 @@ from exactsweep.evidence.steps import Step, explain
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status, first_failure
-from exactsweep.paper.counting import Family, counted, counting
+from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.counting import Family, counting, make_counted
 from exactsweep.paper.functions import (
     bottom_of,
-    clipped,
+    clip,
     common_points,
     differs,
     over,
     reference,
     value,
 )
-from exactsweep.paper.growth import Growth, doubled, grow
-from exactsweep.paper.laws import Trial
-from exactsweep.paper.pairs import Pair, Ring
-from exactsweep.paper.tiny import convex_and_strict, is_convex, is_strict, smallest_pair
+from exactsweep.paper.growth import Growth, double, grow
+from exactsweep.paper.pairs import Pair
+from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
 from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
@@ -35,8 +35,6 @@ from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
 SHARE = Fraction(5, 17)
 
-
-GRID = "the first of all such pairs on the 3 by 3 grid, fewest vertices first"
 
 # A random pair, made smaller.
 AT_A_WALL = Pair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
@@ -78,8 +76,8 @@ def _named(contacts: Sequence[Contact]) -> str:
     return ", ".join(f"{event} of {i} and {j}" for event, i, j in contacts)
 
 
-def _check_lemma_a_1(run: Run) -> Evidence:
-    trial = Trial(run).of(one_edge_at_a_time, "CM", 150).of(one_edge_at_a_time, "CC", 60)
+def find_passing_events(effort: Effort) -> Evidence:
+    """Look for events that meet in passing, and for parallel edges of a convex G."""
 
     def stuck(pair: Pair) -> str:
         s = sweep(*pair)
@@ -92,13 +90,12 @@ def _check_lemma_a_1(run: Run) -> Evidence:
                 return f"at ({step.end.x}, {step.end.y}), in passing: {_named(contacts)}"
         return ""
 
-    found = smallest_pair(2, 7, convex_and_strict, is_strict, stuck)
-    parallel = smallest_pair(2, 7, convex_and_strict, convex_and_strict, _parallel_edges)
-    failure = trial.failure or ("" if parallel else "no convex G has parallel edges")
-    if found is None:
-        return Evidence(trial.tried, failure)
-    text = f"{found[1]}; besides, {parallel[1]}" if parallel else found[1]
-    return Evidence(trial.tried, failure, Counterexample(text, GRID, *found[0]))
+    found = search_grid(2, 7, is_convex, is_any, stuck)
+    parallel = search_grid(2, 7, is_convex, is_convex, _parallel_edges).against
+    if found.against is None or parallel is None:
+        return replace(found, failure="no events in passing, or no parallel edges of a convex G")
+    text = f"{found.against.text}; besides, {parallel.text}"
+    return replace(found, against=found.against._replace(text=text))
 
 
 def _parallel_edges(pair: Pair) -> str:
@@ -141,20 +138,14 @@ def contact_moves_right(pair: Pair) -> str:
     return ""
 
 
-def bent_and_strict(ring: Ring) -> bool:
-    """Whether a polygon is strictly monotone and not convex."""
-    return is_strict(ring) and not is_convex(ring)
-
-
-def _check_lemma_a_2(run: Run) -> Evidence:
-    trial = Trial(run).of(contact_moves_right, "CM", 120).of(contact_moves_right, "CC", 60)
-    beyond = smallest_pair(2, 8, bent_and_strict, is_strict, contact_moves_right)
-    note = (
-        f" For the non-convex G = {beyond[0].generatrix} and D = {beyond[0].directrix} it fails."
-        if beyond
-        else ""
+def find_contact_moving_left(effort: Effort) -> Evidence:
+    """Show that it takes a convex G."""
+    beyond = search_grid(2, 8, is_bent, is_any, contact_moves_right).against
+    if beyond is None:
+        return Evidence("", "no G that is not convex breaks it")
+    return Evidence(
+        f"For the non-convex G = {beyond.generatrix} and D = {beyond.directrix} it fails."
     )
-    return Evidence(trial.tried + note, trial.failure)
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
@@ -179,7 +170,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
         return "", True
     if any(gap != 0 for x, gap in gaps if start <= x <= end):
         return f"the chains meet over {start} and {end}, and part in between", True
-    if len(clipped(first, start, end)) > 2:
+    if len(clip(first, start, end)) > 2:
         return f"the chains share a bend between {start} and {end}", True
     return "", True
 
@@ -220,23 +211,43 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
     return ""
 
 
-def _check_meetings(run: Run, *, outer: bool) -> Evidence:
-    def strictly(pair: Pair) -> str:
-        """The envelope so far and the next chain meet in one point or one segment."""
-        return partial_meets_once(pair, outer=outer, strict=True)
+def sub_trajectories_meet_once(pair: Pair) -> str:
+    """The trajectory so far and the next one meet in one point or one segment."""
+    return partial_meets_once(pair, outer=False, strict=True)
 
-    def weakly(pair: Pair) -> str:
-        """The envelope so far is below the next chain up to some x, and above it from there on."""
-        return partial_meets_once(pair, outer=outer, strict=False)
 
-    trial = Trial(run).of(strictly, "CM", 120).of(weakly, "CM", 80, strict=False)
-    note = ""
-    if not meet_at_all(AT_A_WALL, outer=outer):
-        note = (
-            f" For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
-            "edge, two chains do not meet."
-        )
-    return Evidence(trial.tried + note, trial.failure)
+def sub_trajectories_cross_once(pair: Pair) -> str:
+    """The trajectory so far is below the next one up to some x, and above it from there on."""
+    return partial_meets_once(pair, outer=False, strict=False)
+
+
+def sub_outer_chains_meet_once(pair: Pair) -> str:
+    """The boundary so far and the next one meet in one point or one segment."""
+    return partial_meets_once(pair, outer=True, strict=True)
+
+
+def sub_outer_chains_cross_once(pair: Pair) -> str:
+    """The boundary so far is below the next one up to some x, and above it from there on."""
+    return partial_meets_once(pair, outer=True, strict=False)
+
+
+def note_sub_trajectories_apart(effort: Effort) -> Evidence:
+    """Show a vertical edge at which two sub-trajectories do not meet."""
+    return _note_chains_apart(outer=False)
+
+
+def note_sub_outer_chains_apart(effort: Effort) -> Evidence:
+    """Show a vertical edge at which two sub-outer chains do not meet."""
+    return _note_chains_apart(outer=True)
+
+
+def _note_chains_apart(*, outer: bool) -> Evidence:
+    if meet_at_all(AT_A_WALL, outer=outer):
+        return Evidence("", "all chains meet, in spite of a vertical edge")
+    return Evidence(
+        f"For G = {AT_A_WALL.generatrix} and D = {AT_A_WALL.directrix}, which has a vertical "
+        "edge, two chains do not meet."
+    )
 
 
 def meet_at_all(pair: Pair, *, outer: bool) -> bool:
@@ -261,23 +272,22 @@ def lower_envelope_cm_is_right(pair: Pair) -> str:
     return differs("the lower envelope", partial, bottom_of(reference(pair).trajectory))
 
 
-def _check_lower_envelope_cm(run: Run) -> Evidence:
-    trial = Trial(run).of(lower_envelope_cm_is_right, "CM", 120)
-    growth = tuple(_envelope_growth(family, run) for family in (cm_hard, cm_undercut))
-    failure = trial.failure or first_failure(g.failure() for g in growth)
-    return Evidence(trial.tried, failure, growth=growth)
+def count_operations(effort: Effort) -> Evidence:
+    """Count the operations of LowerEnvelope_CM."""
+    growth = tuple(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut))
+    return Evidence("", first_failure(g.failure for g in growth), growth=growth)
 
 
-def _envelope_growth(family: Family, run: Run) -> Growth:
+def _envelope_growth(family: Family, effort: Effort) -> Growth:
     """Operations of LowerEnvelope_CM beside what is handed in and what is trimmed off."""
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = Pair(*family(m, n)).chains
-        edges = counted(inverse(top))  # type: ignore[arg-type]
+        edges = make_counted(inverse(top))  # type: ignore[arg-type]
         with counting() as tally:
             pieces = [
                 Envelope.of(merge_by_slope(edges, part))
-                for part in convex_parts(counted(directrix))  # type: ignore[arg-type]
+                for part in convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
             handed_in = sum(len(piece.edges) for piece in pieces)
             before, partial = tally.total, pieces[0]
@@ -286,68 +296,5 @@ def _envelope_growth(family: Family, run: Run) -> Growth:
         trimmed = handed_in - len(partial.edges)
         return tally.total - before, handed_in + trimmed
 
-    sizes = doubled(16, 2 if run.quick else 4)
+    sizes = double(16, 2 if effort.quick else 4)
     return grow("operations of LowerEnvelope_CM", family.__name__, "in + trimmed", sizes, count)
-
-
-CLAIMS = (
-    Claim(
-        "Lemma A.1",
-        "Appendix",
-        "Where several contact events happen at once, all of them are EV or EE, and of the same "
-        "edge of G.",
-        Status.CONDITION,
-        (
-            "exactsweep.evidence.contact.edge_contacts",
-            "exactsweep.evidence.swept.Swept.contacts_at",
-        ),
-        _check_lemma_a_1,
-        "For convex G, and for events that last while G moves. At single positions G can touch in "
-        "two places otherwise; there the trajectory turns right. What the proof needs is that no "
-        "two edges of one chain of G are parallel; edges of G_t and G_b may well be.",
-    ),
-    Claim(
-        "Lemma A.2",
-        "Appendix",
-        "In a CM sweep the leftmost and the rightmost point of contact on D_b move to the right "
-        "only; so every point of D_b comes into contact once at most.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.evidence.steps.explain"),
-        _check_lemma_a_2,
-        "It needs a convex G.",
-    ),
-    Claim(
-        "Lemma A.3",
-        "Appendix",
-        "The partial trajectory T_(i-1) and the next sub-trajectory T(G_t, D_i) meet in one point "
-        "or one segment.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.lower_envelope.lower_envelope_cm",),
-        lambda run: _check_meetings(run, outer=False),
-        "If D_b has vertical edges, which the paper leaves out, they may also pass one another at "
-        "a step without meeting. In any case they change places at most once, from the partial one "
-        "below to above.",
-    ),
-    Claim(
-        "Corollary A.4",
-        "Appendix",
-        "The partial outer boundary S_(i-1) and the next outer boundary j_o(G_t, D_i) meet in one "
-        "point or one segment.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.procedures.lower_envelope.lower_envelope_cm",
-            "exactsweep.procedures.cm.sweep_outer_cm",
-        ),
-        lambda run: _check_meetings(run, outer=True),
-        "With vertical edges in D_b, what is said of Lemma A.3 holds.",
-    ),
-    Claim(
-        "LowerEnvelope_CM",
-        "Appendix",
-        "Walk the new sub-trajectory from right to left until it meets the partial trajectory; "
-        "time linear in what is handed in and what is trimmed off.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.lower_envelope.lower_envelope_cm",),
-        _check_lower_envelope_cm,
-    ),
-)

@@ -15,18 +15,18 @@ from itertools import combinations, pairwise
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
+from exactsweep.corpus.generator.shapes import Ring, hull
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.pairs import Ring, hull
 
-Segment = tuple[Point, Point]
-Gap = tuple[Segment | None, Segment | None]
+Piece = tuple[Point, Point]
+Opening = tuple[Piece | None, Piece | None]
 """What bounds a free interval of a vertical line below and above; None, nothing does."""
 
 T = TypeVar("T")
 
 
-def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Segment]:
+def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Piece]:
     """The pieces of the positions of G in contact with D, connected with the leftmost one.
 
     Cost: O(m n) segments, cut where they meet, each piece classified: for small polygons.
@@ -38,7 +38,7 @@ def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Segment]:
     g, d = Polygon(generatrix).vertices, Polygon(directrix).vertices
     segments = {_ordered(_minus(v, p), _minus(v, q)) for p, q in _edges(g) for v in d}
     segments |= {_ordered(_minus(p, w), _minus(q, w)) for p, q in _edges(d) for w in g}
-    ends: defaultdict[Segment, set[Point]] = defaultdict(set)
+    ends: defaultdict[Piece, set[Point]] = defaultdict(set)
     for segment in segments:
         ends[segment].update(segment)
     for one, other in combinations(sorted(segments), 2):
@@ -58,7 +58,7 @@ def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Segment]:
     return [piece for piece in touching if groups.root(piece[0]) == first]
 
 
-def swept_polygons(generatrix: Ring, pieces: Iterable[Segment]) -> list[list[Point]]:
+def swept_polygons(generatrix: Ring, pieces: Iterable[Piece]) -> list[list[Point]]:
     """Convex polygons whose union is what an X-monotone G passes over along pieces of its path."""
     cells = convex_cells(generatrix)
     return [
@@ -103,15 +103,15 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
     for one, other in combinations(edges, 2):
         xs |= {point.x for point in _common(one, other)}
     cuts = sorted(xs)
-    nothing: list[Gap] = [(None, None)]
-    slabs = [_gaps(shapes, (left + right) / 2) for left, right in pairwise(cuts)]
+    nothing: list[Opening] = [(None, None)]
+    slabs = [_openings(shapes, (left + right) / 2) for left, right in pairwise(cuts)]
     groups: Groups[tuple[int, int]] = Groups()
     for k, (x, (before, after)) in enumerate(
         zip(cuts, pairwise([nothing, *slabs, nothing]), strict=True)
     ):
         for number in range(len(after)):
             groups.root((k + 1, number))
-        for gap in _gaps(shapes, x):
+        for gap in _openings(shapes, x):
             # Around a free point all is free: it is inside one gap of the slab on either side.
             y = _inside(gap, x)
             (i,) = (i for i, other in enumerate(before) if _holds(other, x, y))
@@ -158,20 +158,20 @@ class _Shape:
         self.bottom = [(p, q) for p, q in self.edges if p.x < q.x]
         self.top = [(q, p) for p, q in self.edges if q.x < p.x]
 
-    def section(self, x: Fraction) -> tuple[Segment, Segment] | None:
+    def section(self, x: Fraction) -> tuple[Piece, Piece] | None:
         """The bottom and the top edge over an x; None beside the polygon."""
         below = next((e for e in self.bottom if e[0].x <= x <= e[1].x), None)
         above = next((e for e in self.top if e[0].x <= x <= e[1].x), None)
         return None if below is None or above is None else (below, above)
 
 
-def _gaps(shapes: Sequence[_Shape], x: Fraction) -> list[Gap]:
+def _openings(shapes: Sequence[_Shape], x: Fraction) -> list[Opening]:
     """The free intervals of a vertical line, from below."""
     found = [section for shape in shapes if (section := shape.section(x))]
     spans = sorted((_at(below, x), _at(above, x), below, above) for below, above in found)
-    gaps: list[Gap] = []
+    gaps: list[Opening] = []
     reached: Fraction | None = None
-    last: Segment | None = None
+    last: Piece | None = None
     for low, high, below, above in spans:
         if reached is None or low > reached:
             gaps.append((last, below))
@@ -180,19 +180,19 @@ def _gaps(shapes: Sequence[_Shape], x: Fraction) -> list[Gap]:
     return [*gaps, (last, None)]
 
 
-def _inside(gap: Gap, x: Fraction) -> Fraction:
+def _inside(gap: Opening, x: Fraction) -> Fraction:
     below, above = gap
     if below is None:
         return Fraction(0) if above is None else _at(above, x) - 1
     return _at(below, x) + 1 if above is None else (_at(below, x) + _at(above, x)) / 2
 
 
-def _holds(gap: Gap, x: Fraction, y: Fraction) -> bool:
+def _holds(gap: Opening, x: Fraction, y: Fraction) -> bool:
     below, above = gap
     return (below is None or _at(below, x) < y) and (above is None or y < _at(above, x))
 
 
-def _at(edge: Segment, x: Fraction) -> Fraction:
+def _at(edge: Piece, x: Fraction) -> Fraction:
     p, q = edge
     return p.y + (q.y - p.y) * (x - p.x) / (q.x - p.x)
 
@@ -205,11 +205,11 @@ def _minus(p: Point, q: Point) -> Point:
     return Point(p.x - q.x, p.y - q.y)
 
 
-def _ordered(p: Point, q: Point) -> Segment:
+def _ordered(p: Point, q: Point) -> Piece:
     return (p, q) if p < q else (q, p)
 
 
-def _common(one: Segment, other: Segment) -> Iterator[Point]:
+def _common(one: Piece, other: Piece) -> Iterator[Point]:
     """Where two segments meet: a point, or the ends of what they share."""
     (p, q), (r, s) = one, other
     if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):

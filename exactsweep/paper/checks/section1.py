@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.paper.claim import (
-    Claim,
     Counterexample,
+    Effort,
     Evidence,
-    Run,
-    Status,
-    first_failure,
 )
-from exactsweep.paper.functions import reference
-from exactsweep.paper.laws import Trial, shrunk
+from exactsweep.paper.functions import bottom_of, reference, value
+from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import Pair
-from exactsweep.paper.tiny import convex_and_strict, smallest_pair
+from exactsweep.paper.tiny import is_convex, search_grid
 
 # Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
 SHARE, STEP = Fraction(5, 17), Fraction(1, 10**9)
@@ -47,11 +45,8 @@ def touches_without_overlap(pair: Pair) -> str:
     return ""
 
 
-def _check_definition_1_1(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(touches_without_overlap, kind, 100)
-    trial.of(touches_without_overlap, "MM", 60, strict=False)
+def find_exact_fit(effort: Effort) -> Evidence:
+    """Look for a position of contact off the trajectory."""
 
     def fits(pair: Pair) -> str:
         fit = next(iter(sweep(*pair).exact_fits), None)
@@ -67,11 +62,27 @@ def _check_definition_1_1(run: Run) -> Evidence:
         [(0, 0), (1, 0), (1, 1), (0, 1)],
         [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)],
     )
-    least = shrunk(fits, slot) if fits(slot) else None
+    least = shrink(fits, slot) if fits(slot) else None
     against = least and Counterexample(
         fits(least), "a square and its slot, vertices left out as long as it fits exactly", *least
     )
-    return Evidence(trial.tried, trial.failure, against)
+    missing = fits_are_whole(slot) or ("" if sweep(*slot).exact_fits else "a fit is lost")
+    return Evidence("A slot.", missing, against)
+
+
+def fits_are_whole(pair: Pair) -> str:
+    """Along an exact fit G touches D; beyond its far end it overlaps D."""
+    s = sweep(*pair)
+    for start, end in s.exact_fits:
+        if point_in_polygon(start, s.trajectory) != 0:
+            return f"the exact fit from ({start.x}, {start.y}) hangs on nothing"
+        by = end.x - start.x, end.y - start.y
+        for share, expected in ((SHARE, "CONTACT"), (1, "CONTACT"), (1 + STEP, "OVERLAP")):
+            t = Point(start.x + share * by[0], start.y + share * by[1])
+            found = classify(s.directrix, s.generatrix, t).verdict
+            if found != expected and not (found == "CONTACT" and start == end):
+                return f"at ({t.x}, {t.y}), along an exact fit, {found}"
+    return ""
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
@@ -109,7 +120,7 @@ def complement_halves(s: Sweep) -> tuple[Polygon, Polygon]:
 
 
 def area_is_covered(pair: Pair) -> str:
-    """The points between the loops are those that G covers from the trajectory."""
+    """Of 36 points those between the loops are those that G covers from the trajectory."""
     s, loops = sweep(*pair), reference(pair)
     if (s.inner.vertices, s.outer.vertices) != (loops.inner, loops.outer):
         return "the loops are not those of the definition"
@@ -127,14 +138,6 @@ def area_is_covered(pair: Pair) -> str:
     return ""
 
 
-def _check_definition_1_2(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(area_is_covered, kind, 40)
-    trial.of(area_is_covered, "MM", 40, strict=False)
-    return Evidence(f"{trial.tried} 36 points for each pair.", trial.failure)
-
-
 def path_is_the_definition(pair: Pair) -> str:
     """The trajectory is that of the definition."""
     found, expected = sweep(*pair).trajectory.vertices, reference(pair).trajectory
@@ -149,22 +152,9 @@ def paths_are_translates(pair: Pair) -> str:
     return "" if moved == second else f"the paths of ({ax}, {ay}) and ({bx}, {by}) differ in shape"
 
 
-def _check_definition_1_3(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(path_is_the_definition, kind, 100)
-        trial.of(path_is_the_definition, kind, 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def find_overlap_along_directrix(effort: Effort) -> Evidence:
+    """Look for a G that overlaps D with a point of it on D's boundary."""
 
-
-def _check_translates(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(paths_are_translates, kind, 60)
-    return Evidence(trial.tried, trial.failure)
-
-
-def _check_minkowski(run: Run) -> Evidence:
     def overlaps(pair: Pair) -> str:
         reference_point = pair.generatrix[0]
         for x, y in pair.directrix:
@@ -173,19 +163,12 @@ def _check_minkowski(run: Run) -> Evidence:
                 return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
         return ""
 
-    found = smallest_pair(1, 6, convex_and_strict, convex_and_strict, overlaps)
-    if found is None:
-        found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, overlaps)
+    found = search_grid(2, 6, is_convex, is_convex, overlaps).against
     if found is None:
         return Evidence("All pairs of triangles on the 3 by 3 grid.", "none of them overlap")
-    pair, text = found
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(path_is_not_the_directrix, kind, 30)
-    return Evidence(
-        f"{trial.tried} And G = {pair.generatrix}, D = {pair.directrix}: {text}.",
-        first_failure(iter([trial.failure, touches_without_overlap(pair)])),
-    )
+    pair, text = Pair(list(found.generatrix), list(found.directrix)), found.text
+    tried = f"For G = {pair.generatrix} and D = {pair.directrix}: {text}."
+    return Evidence(tried, touches_without_overlap(pair))
 
 
 def path_is_not_the_directrix(pair: Pair) -> str:
@@ -196,53 +179,32 @@ def path_is_not_the_directrix(pair: Pair) -> str:
     return "the trajectory is D moved" if moved == s.trajectory else ""
 
 
-CLAIMS = (
-    Claim(
-        "Definition 1.1",
-        "1",
-        "A sweep (G, D) takes G around D by translations. G touches D all the time, and their "
-        "interiors never meet.",
-        Status.CONDITION,
-        ("exactsweep.sweep.sweep", "exactsweep.check.classify.classify"),
-        _check_definition_1_1,
-        "The two conditions do not fix the path: in a slot exactly as wide as G, G can go in and "
-        "out. The trajectory leaves such dead ends out; they are reported apart, as exact fits.",
-    ),
-    Claim(
-        "Definition 1.2",
-        "1",
-        "The swept polygon is all that G passes over.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.evidence.swept.Swept.area",
-            "exactsweep.evidence.swept.Swept.inner",
-            "exactsweep.evidence.swept.Swept.outer",
-        ),
-        _check_definition_1_2,
-    ),
-    Claim(
-        "Definition 1.3",
-        "1",
-        "The trajectory is the path of a point of G.",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.swept.Swept.trajectory", "exactsweep.sweep.no_fit_polygon"),
-        _check_definition_1_3,
-    ),
-    Claim(
-        "Paths of two points",
-        "1",
-        "Any two points of G have the same trajectory, but for a translation (said without proof).",
-        Status.REPRODUCED,
-        ("exactsweep.sweep.sweep", "exactsweep.geometry.polygon.Polygon.translated"),
-        _check_translates,
-    ),
-    Claim(
-        "Sweep and Minkowski sum",
-        "1",
-        "Moved with a point along D, as in the Minkowski sum, G may overlap D; moved along the "
-        "trajectory, it does not, and the trajectory is not D (Figure 1).",
-        Status.REPRODUCED,
-        ("exactsweep.sweep.sweep",),
-        _check_minkowski,
-    ),
-)
+def sum_is_the_swept_area(pair: Pair) -> str:
+    """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
+    s, (top, bottom, _) = sweep(*pair), pair.chains
+    path = bottom_of(s.trajectory.vertices)
+    for name, loop, chain, best in (
+        ("outer", s.outer, bottom, min),
+        ("inner", s.inner, top[::-1], max),
+    ):
+        for x, y in bottom_of(loop.vertices):
+            found = _summed(path, chain, Fraction(x), best)
+            if found != y:
+                return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
+    return ""
+
+
+def _summed(
+    path: Sequence[Vertex],
+    chain: Sequence[Vertex],
+    x: Fraction,
+    best: Callable[[Iterable[Rational]], Rational],
+) -> Rational:
+    """The least or the greatest T(u) + G(x - u); either is at a vertex of T or of G."""
+    places = {Fraction(u) for u, _ in path} | {x - v for v, _ in chain}
+    left, right = x - chain[-1][0], x - chain[0][0]
+    return best(
+        value(path, u) + value(chain, x - u)
+        for u in places
+        if left <= u <= right and path[0][0] <= u <= path[-1][0]
+    )

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from itertools import pairwise
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise, product
 
 from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.paper.checks.planar import contact_pieces, free_parts, swept_polygons
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import (
-    Claim,
     Counterexample,
+    Effort,
     Evidence,
-    Run,
-    Status,
     Table,
     first_failure,
 )
@@ -26,20 +28,16 @@ from exactsweep.paper.functions import (
     over,
     reference,
 )
-from exactsweep.paper.laws import Trial, wrong
-from exactsweep.paper.pairs import Kind, Pair, Ring, random_pairs
+from exactsweep.paper.pairs import Pair, random_pairs
+from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
 
-KINDS: tuple[Kind, ...] = ("CC", "CM", "MM")
+KINDS = ("CC", "CM", "MM")
 
 
 # A cave with a mouth of one and a half times the width of G.
 CAVE = Pair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
-
-# At (-1, -3) G touches D in two pairs of vertices, where its way along one edge of D ends and
-# that along another begins.
-IN_PASSING = Pair([(0, 5), (2, 0), (3, 3), (1, 3)], [(0, 0), (1, 1), (2, 0), (1, 4)])
 
 
 def like_chains_stay_apart(pair: Pair) -> str:
@@ -83,15 +81,6 @@ def _side(polygon: Polygon, contact: Contact, which: int) -> str:
     return "bottom" if edge in pairwise(bottom) else "top" if edge in pairwise(top) else "end"
 
 
-def _check_theorem_2_1(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in KINDS:
-        trial.of(like_chains_stay_apart, kind, 30)
-        trial.of(like_chains_have_no_contact, kind, 60)
-        trial.of(like_chains_have_no_contact, kind, 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
-
-
 def sweep_pieces(s: Sweep) -> list[tuple[Point, Point]]:
     """The edges of the trajectory."""
     corners = s.trajectory.vertices
@@ -104,17 +93,15 @@ def is_annulus(pair: Pair) -> str:
     return "" if parts == 2 else f"the swept area leaves {parts} parts of the plane free"
 
 
-def scaled(ring: Ring, factor: int) -> Ring:
+def scale(ring: Ring, factor: int) -> Ring:
     """A polygon, larger."""
     return [(factor * x, factor * y) for x, y in ring]
 
 
-def _check_theorem_2_2(run: Run) -> Evidence:
-    trial = Trial(run)
-    trial.of(is_annulus, "CC", 30).of(is_annulus, "CM", 40).of(is_annulus, "MM", 10)
-    trial.of(is_annulus, "CM", 20, strict=False)
-    directrix = scaled(CAVE.directrix, 10)
-    sizes = [scaled(CAVE.generatrix, factor) for factor in (9, 10, 11)]
+def find_void(effort: Effort) -> Evidence:
+    """Count the free parts around a cave that G goes into."""
+    directrix = scale(CAVE.directrix, 10)
+    sizes = [scale(CAVE.generatrix, factor) for factor in (9, 10, 11)]
     parts = {free_parts(swept_polygons(g, contact_pieces(g, directrix))) for g in sizes}
     against = None
     if parts == {3}:
@@ -125,39 +112,27 @@ def _check_theorem_2_2(run: Run) -> Evidence:
             "counted slab by slab",
             *CAVE,
         )
-    return Evidence(trial.tried, trial.failure, against)
+    return Evidence("A cave.", against=against)
 
 
-def _check_definition_2_1(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-        loops, (top, bottom, directrix) = reference(pair), pair.chains
-        kind = sweep(*pair).kind
-        half = LowerSweep(kind, top, bottom, directrix)
-        return differs("the outer boundary", half.outer, bottom_of(loops.outer)) or differs(
-            "the inner boundary", half.inner, bottom_of(loops.inner)
-        )
-
-    trial = Trial(run)
-    for kind in KINDS:
-        trial.of(law, kind, 80).of(law, kind, 40, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def boundaries_are_bottom_chains(pair: Pair) -> str:
+    """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
+    loops, (top, bottom, directrix) = reference(pair), pair.chains
+    kind = sweep(*pair).kind
+    half = LowerSweep(kind, top, bottom, directrix)
+    return differs("the outer boundary", half.outer, bottom_of(loops.outer)) or differs(
+        "the inner boundary", half.inner, bottom_of(loops.inner)
+    )
 
 
-def _check_distance(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The trajectory is as wide as G and D together."""
-        (g, d), t = pair, reference(pair).trajectory
-        widths = [max(x for x, _ in ring) - min(x for x, _ in ring) for ring in (g, d, t)]
-        found = sweep(*pair).trajectory.bounding_box
-        if found[1].x - found[0].x != widths[2]:
-            return "the trajectory is not that of the definition"
-        return "" if widths[0] + widths[1] == widths[2] else f"widths {widths} of G, D and T"
-
-    trial = Trial(run)
-    for kind in KINDS:
-        trial.of(law, kind, 60).of(law, kind, 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def widths_add_up(pair: Pair) -> str:
+    """The trajectory is as wide as G and D together."""
+    (g, d), t = pair, reference(pair).trajectory
+    widths = [max(x for x, _ in ring) - min(x for x, _ in ring) for ring in (g, d, t)]
+    found = sweep(*pair).trajectory.bounding_box
+    if found[1].x - found[0].x != widths[2]:
+        return "the trajectory is not that of the definition"
+    return "" if widths[0] + widths[1] == widths[2] else f"widths {widths} of G, D and T"
 
 
 def steps_have_contacts(pair: Pair) -> str:
@@ -179,22 +154,20 @@ def _uncovered(step: Step) -> str:
     return "" if reached == end else f"no contact after {reached} on the edge from {start} to {end}"
 
 
-def _check_table_1(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in KINDS:
-        trial.of(steps_have_contacts, kind, 80).of(steps_have_contacts, kind, 40, strict=False)
+def count_events(effort: Effort) -> Evidence:
+    """Count the contacts at vertices of trajectories, by kind."""
     events = Counter(
         contact.event
         for kind in KINDS
-        for pair in random_pairs(run, kind, run.effort(150))
+        for pair in random_pairs(effort, kind, effort.cases(150))
         for at in sweep(*pair).vertex_contacts
         for contact in at
     )
     missing = {"EE", "EV", "VE", "VV"} - set(events)
     rows = [[event, f"{count:,}"] for event, count in sorted(events.items())]
     table = Table("Contacts at the vertices of trajectories", ("event", "how often"), rows)
-    failure = trial.failure or (f"never seen: {', '.join(sorted(missing))}" if missing else "")
-    return Evidence(trial.tried, failure, tables=(table,))
+    failure = f"never seen: {', '.join(sorted(missing))}" if missing else ""
+    return Evidence("", failure, tables=(table,))
 
 
 def vertices_belong_to_events(pair: Pair) -> str:
@@ -211,15 +184,38 @@ def vertices_belong_to_events(pair: Pair) -> str:
     return ""
 
 
-def _check_incidental(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM"):
-        trial.of(vertices_belong_to_events, kind, 80)
-    note = ""
-    if wrong(vertices_belong_to_events, IN_PASSING):
-        g, d = IN_PASSING
-        note = f" For the non-convex G = {g} and D = {d} two vertices touch in passing."
-    return Evidence(trial.tried + note, trial.failure)
+def find_passing_vertices(effort: Effort) -> Evidence:
+    """Try all convex pairs on a tiny grid, and all pairs of an apex and teeth on another."""
+    convex = search_grid(2, 8, is_convex, is_convex, vertices_belong_to_events)
+    found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
+    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
+    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+
+
+def _apexes_and_teeth() -> Iterator[Pair]:
+    """A triangle under all bottom chains of five vertices with heights from 0 to 2."""
+    generatrix = [(0, 0), (8, 0), (4, 2)]
+    for heights in product(range(3), repeat=5):
+        try:
+            ring = Polygon([*enumerate(heights), (2, 9)]).vertices
+        except PolygonError:
+            continue
+        corners = [(int(x), int(y)) for x, y in ring]
+        if len(corners) == 6:
+            yield Pair(generatrix, corners)
+
+
+def starts_and_stops_at_the_ends(pair: Pair) -> str:
+    """The sweep starts with G's right end on D's left end, and stops with the others together."""
+    s, (top, _, directrix) = sweep(*pair), pair.chains
+    path = bottom_of(s.trajectory.vertices)
+    for name, t, own, other in (
+        ("starts", path[0], top[0], directrix[0]),
+        ("stops", path[-1], top[-1], directrix[-1]),
+    ):
+        if (t[0] + own[0], t[1] + own[1]) != other:
+            return f"it {name} at ({t[0]}, {t[1]}), with ({own[0]}, {own[1]}) not on D's end"
+    return ""
 
 
 def _shares(s: Sweep, vertices: Contact, other: Contact) -> bool:
@@ -235,74 +231,3 @@ def _has(polygon: Polygon, vertex: int, feature: str, index: int) -> bool:
     numbers = range(len(polygon))
     k = next(k for k in numbers if polygon.edge_index(k) == index)
     return vertex in (polygon.vertex_index(k), polygon.vertex_index((k + 1) % len(polygon)))
-
-
-CLAIMS = (
-    Claim(
-        "Theorem 2.1",
-        "2",
-        "Ends aside, the top chain of G never touches the top chain of D, nor the bottom chain "
-        "the bottom chain.",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.contact.edge_contacts", "exactsweep.evidence.contact.contacts_at"),
-        _check_theorem_2_1,
-        "Vertical edges inside the chains do no harm.",
-    ),
-    Claim(
-        "Theorem 2.2",
-        "2",
-        "For any simply connected G and D, the swept area is an annulus: connected, with one "
-        "inner and one outer loop.",
-        Status.REFUTED,
-        ("exactsweep.evidence.swept.Swept.inner", "exactsweep.evidence.swept.Swept.outer"),
-        _check_theorem_2_2,
-        "It holds for polygons that are monotone to a shared direction: over each x the two loops "
-        "bound the free places, and they are functions of x. Otherwise there can be further loops, "
-        "around places that no position in contact reaches.",
-    ),
-    Claim(
-        "Definition 2.1",
-        "2",
-        "The outer boundary of the lower sweep is the bottom chain of what it sweeps; the inner "
-        "one is what lies over D's range of x on the top.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.procedures.lower_sweep.LowerSweep.outer",
-            "exactsweep.procedures.lower_sweep.LowerSweep.inner",
-        ),
-        _check_definition_2_1,
-    ),
-    Claim(
-        "Distance travelled",
-        "2",
-        "From one end to the other, the lower sweep takes G as far to the right as G and D are "
-        "wide together (said without proof).",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.swept.Swept.trajectory",),
-        _check_distance,
-    ),
-    Claim(
-        "Table 1",
-        "2",
-        "Contacts are of four kinds, by what touches: a vertex or an edge of G, a vertex or an "
-        "edge of D.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.evidence.contact.Contact",
-            "exactsweep.evidence.contact.edge_contacts",
-            "exactsweep.evidence.steps.explain",
-        ),
-        _check_table_1,
-    ),
-    Claim(
-        "VV is incidental",
-        "2",
-        "The contact of two vertices only comes along with contacts of the other kinds (said "
-        "without proof).",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.contact.contacts_at",),
-        _check_incidental,
-        "In an MM sweep two vertices can also touch in passing, while other contacts, before and "
-        "after, guide G.",
-    ),
-)

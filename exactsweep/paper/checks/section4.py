@@ -8,16 +8,13 @@ from itertools import pairwise, product
 
 from exactsweep import Point, sweep
 from exactsweep.check import point_in_polygon
+from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.claim import (
-    Claim,
-    Evidence,
-    Run,
-    Status,
-)
+from exactsweep.paper.checks.touching import contacts_are_right
+from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
-from exactsweep.paper.laws import Law, Trial, broken
+from exactsweep.paper.laws import Trial, break_law
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
@@ -131,7 +128,8 @@ def resting_pairs() -> list[Pair]:
     return found
 
 
-def _check_two_forms(run: Run) -> Evidence:
+def check_two_forms(effort: Effort) -> Evidence:
+    """Hold every undercut against the form that goes with what closes it."""
     forms: Counter[str] = Counter()
 
     def law(pair: Pair) -> str:
@@ -139,15 +137,15 @@ def _check_two_forms(run: Run) -> Evidence:
         forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
         return bottom_chains_have_two_forms(pair)
 
-    trial, resting = Trial(run).of(law, "CM", 150), resting_pairs()
-    failure = trial.failure or broken(law, resting)
+    trial, resting = Trial(effort).of(law, "150 CM"), resting_pairs()
+    failure = trial.failure or break_law(law, resting)
     if not failure and min(forms["point"], forms["segment"]) == 0:
         failure = "one of the two forms is never seen"
     tried = (
         f"{trial.tried} And {len(resting)} with an edge of G on two or three teeth. Undercuts: "
         f"{forms['point']} closed in a point, {forms['segment']} along a segment."
     )
-    return Evidence(tried, failure)
+    return Evidence(tried, failure, sampled=trial.sampled)
 
 
 def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
@@ -163,86 +161,28 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
 
 
-def _try(run: Run, law: Law, *, weak: bool = True) -> Evidence:
-    trial = Trial(run).of(law, "CM", 150)
-    if weak:
-        trial.of(law, "CM", 100, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def labels_name_the_extremes(pair: Pair) -> str:
+    """The contacts along the edges of T at a closing position, or there, name both extremes."""
+    s = sweep(*pair)
+    if failure := contacts_are_right(s):
+        return failure
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    features, corners = Features(s), s.trajectory.vertices
+    for undercut in s.undercuts:
+        spots = set()
+        for t in undercut.positions:
+            spots |= {spot for c in s.contacts_at(t) for spot in features.spot(c, t)}
+            for k, end in enumerate(corners):
+                if point_on_edge(t, corners[k - 1], end):
+                    spots |= {spot for c in s.contacts[k - 1] for spot in features.spot(c, t)}
+        missed = set(undercut.extremes) - spots
+        if missed:
+            return f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
+    return ""
 
 
-CLAIMS = (
-    Claim(
-        "Lemma 4.1",
-        "4",
-        "The trajectory and the outer boundary of a CM sweep are the lower envelopes of those of "
-        "the convex parts of D_b.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.sweep_parts", "exactsweep.procedures.chain.convex_parts"),
-        lambda run: _try(run, sub_trajectories_suffice),
-        "With vertical edges in D_b neighbouring parts need not share an end, and the envelope "
-        "has a vertical edge where they do not meet.",
-    ),
-    Claim(
-        "Lemma 4.2",
-        "4",
-        "The trajectory and the outer boundary of a CM sweep are X-monotone.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
-        lambda run: _try(run, loops_are_monotone, weak=False),
-    ),
-    Claim(
-        "Monotone inner boundary",
-        "4",
-        "The inner boundary of a CM sweep is X-monotone (claimed without proof).",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.sweep_inner_cm",),
-        lambda run: _try(run, inner_is_monotone, weak=False),
-        "Proof: over each x in D's range it is at the greatest T(u) + G_t(x - u), over all u for "
-        "which x - u is in G's range: a function of x, continuous where T and G_t are.",
-    ),
-    Claim(
-        "Number of undercuts",
-        "4",
-        "There are at most m_b intersections of sub-trajectories left in T(G_t, D_b), and each "
-        "adds at most n_t edges to the inner boundary.",
-        Status.SHARPENED,
-        ("exactsweep.evidence.swept.Swept.undercuts", "exactsweep.evidence.undercut.pockets"),
-        lambda run: _try(run, few_undercuts, weak=False),
-        "With k convex parts in D_b there are at most k - 1 undercuts.",
-    ),
-    Claim(
-        "Two forms of a bottom chain",
-        "4",
-        "An undercut closed at one position is bounded by a piece of G's boundary; one closed "
-        "along a segment by a single edge parallel to it (Figure 7).",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.undercut.Undercut", "exactsweep.evidence.undercut.closing_positions"),
-        _check_two_forms,
-    ),
-    Claim(
-        "Trajectory_CM",
-        "4",
-        "Sweep G along each convex part of D_b, and take the lower envelope of what comes, part "
-        "by part.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.trajectory_cm",),
-        lambda run: _try(run, trajectory_cm_is_right),
-    ),
-    Claim(
-        "SweepI_CM",
-        "4",
-        "Replace, for each intersection of sub-trajectories left in the trajectory, the top chain "
-        "of the undercut by its bottom chain.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.sweep_inner_cm",),
-        lambda run: _try(run, inner_cm_is_right),
-    ),
-    Claim(
-        "SweepO_CM",
-        "4",
-        "Take the lower envelope of the outer boundaries along the convex parts of D_b.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.sweep_outer_cm",),
-        lambda run: _try(run, outer_cm_is_right),
-    ),
-)
+def point_on_edge(t: Point, p: Point, q: Point) -> bool:
+    """Whether a point is on a segment."""
+    turn = (q.x - p.x) * (t.y - p.y) - (q.y - p.y) * (t.x - p.x)
+    return turn == 0 and min(p, q) <= t <= max(p, q)

@@ -7,24 +7,20 @@ from itertools import pairwise
 from exactsweep.corpus.generator.growing import cm_hard, cm_undercut
 from exactsweep.paper.checks.section4 import sub_trajectories_suffice
 from exactsweep.paper.claim import (
-    Claim,
     Counterexample,
+    Effort,
     Evidence,
-    Run,
-    Status,
     Table,
     first_failure,
 )
-from exactsweep.paper.counting import operations_grow, vertices_grow
+from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
+from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, exact, reference
-from exactsweep.paper.growth import Growth, doubled
-from exactsweep.paper.laws import Trial
+from exactsweep.paper.growth import MN, Growth, double
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
-
-MN = ("mn", lambda m, n: float(m * n))
 
 
 def sizes_are_bounded(pair: Pair) -> str:
@@ -49,40 +45,42 @@ def sizes_are_bounded(pair: Pair) -> str:
     return ""
 
 
-def _check_sizes(run: Run, *growth: Growth) -> Evidence:
-    """Explicit bounds on random pairs, and families on which the order is attained."""
-    trial = Trial(run).of(sizes_are_bounded, "CM", 150)
+def count_outer_vertices(effort: Effort) -> Evidence:
+    """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
+    sizes = _sizes(effort)
+    return _attained(
+        grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
+        grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
+    )
+
+
+def count_inner_vertices(effort: Effort) -> Evidence:
+    """Count the vertices of the inner boundary over close teeth."""
+    return _attained(grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort)))
+
+
+def _attained(*growth: Growth) -> Evidence:
+    """Families on which a bound holds and the order is attained."""
     falling = (
         "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
     )
-    failure = trial.failure or first_failure(g.failure() for g in growth) or first_failure(falling)
-    return Evidence(trial.tried, failure, growth=growth)
+    failure = first_failure(g.failure for g in growth) or first_failure(falling)
+    return Evidence("", failure, growth=growth)
 
 
-def _sizes(run: Run) -> list[tuple[int, int]]:
-    return doubled(16, 2 if run.quick else 4)
+def _sizes(effort: Effort) -> list[tuple[int, int]]:
+    return double(16, 2 if effort.quick else 4)
 
 
-def _check_corollary_4_3(run: Run) -> Evidence:
-    sizes = _sizes(run)
-    return _check_sizes(
-        run,
-        vertices_grow(
-            "trajectory", lambda c: trajectory_cm(c.top, c.directrix), cm_hard, MN, sizes
-        ),
-        vertices_grow("outer boundary", lambda c: sweep_outer_cm(*c), cm_hard, MN, sizes),
-    )
-
-
-def _check_total_size(run: Run) -> Evidence:
-    trial = Trial(run).of(parts_are_bounded, "CM", 150)
+def find_large_parts(effort: Effort) -> Evidence:
+    """Count the edges of an outer boundary under a G_t of one edge."""
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)
         edges, bound = len(bottom_of(reference(pair).outer)) - 1, len(pair.chains.directrix) - 1
         rows.append([str(n_b), str(bound), str(edges)])
         if failure := parts_are_bounded(pair):
-            return Evidence(trial.tried, failure)
+            return Evidence("", failure)
     growing = [int(row[2]) for row in rows]
     against = None
     if all(later > 1.5 * before for before, later in pairwise(growing)):
@@ -92,7 +90,7 @@ def _check_total_size(run: Run) -> Evidence:
             *under_a_lid(4),
         )
     table = Table("G_t is one edge, D_b has four teeth", ("n_b", "m_b n_t", "edges"), rows)
-    return Evidence(trial.tried, trial.failure, against, (table,))
+    return Evidence("", "", against, tables=(table,))
 
 
 def parts_are_bounded(pair: Pair) -> str:
@@ -113,89 +111,3 @@ def under_a_lid(n_b: int) -> Pair:
     width, depth = 2 * n_b + 2, n_b * n_b
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(9)]
     return Pair(generatrix, [*bottom, (4 * width, depth)])
-
-
-def _check_corollary_4_4(run: Run) -> Evidence:
-    return _check_sizes(
-        run,
-        vertices_grow(
-            "inner boundary",
-            lambda c: sweep_inner_cm(c.top, c.directrix),
-            cm_undercut,
-            MN,
-            _sizes(run),
-        ),
-    )
-
-
-def _check_corollary_4_5(run: Run) -> Evidence:
-    sizes = _sizes(run)
-    growth = (
-        operations_grow(
-            "Trajectory_CM", lambda c: trajectory_cm(c.top, c.directrix), cm_hard, MN, sizes
-        ),
-        operations_grow("SweepO_CM", lambda c: sweep_outer_cm(*c), cm_hard, MN, sizes),
-    )
-    failure = first_failure(g.failure() for g in growth)
-    return Evidence(f"Counts for m = n = 16 to {sizes[-1][0]}.", failure, growth=growth)
-
-
-def _check_corollary_4_6(run: Run) -> Evidence:
-    sizes = _sizes(run)
-    growth = operations_grow(
-        "SweepI_CM", lambda c: sweep_inner_cm(c.top, c.directrix), cm_undercut, MN, sizes
-    )
-    return Evidence(f"Counts for m = n = 16 to {sizes[-1][0]}.", growth.failure(), growth=(growth,))
-
-
-CLAIMS = (
-    Claim(
-        "Total size of the parts",
-        "4",
-        "The trajectories along the convex parts of D_b have O(m_b n_t) edges in all, and so have "
-        "the outer boundaries (said on the way to Corollary 4.3).",
-        Status.REFUTED,
-        ("exactsweep.procedures.cc.trajectory_cc", "exactsweep.procedures.cc.sweep_outer_cc"),
-        _check_total_size,
-        "With k convex parts in D_b, the trajectories have at most m_b + k n_t edges, but the "
-        "outer boundaries m_b + k (n_t + n_b): G_b counts too. Corollary 4.3 is not affected.",
-    ),
-    Claim(
-        "Corollary 4.3",
-        "4",
-        "The trajectory and the outer loop of a CM sweep have O(mn) edges.",
-        Status.SHARPENED,
-        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
-        _check_corollary_4_3,
-        "With k convex parts in D_b: at most m_b + k n_t edges in the trajectory and "
-        "m_b + k (n_t + n_b) in the outer boundary. The order mn is attained.",
-    ),
-    Claim(
-        "Corollary 4.4",
-        "4",
-        "The inner loop of a CM sweep has O(mn) edges.",
-        Status.SHARPENED,
-        ("exactsweep.procedures.cm.sweep_inner_cm",),
-        _check_corollary_4_4,
-        "With k convex parts in D_b, the inner boundary has at most m_b + (k - 1) n_t edges. The "
-        "order mn is attained.",
-    ),
-    Claim(
-        "Corollary 4.5",
-        "4",
-        "Trajectory_CM and SweepO_CM take time and space O(mn), which is optimal.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
-        _check_corollary_4_5,
-        "Optimal in the worst case, since the output has that order (Corollary 4.3).",
-    ),
-    Claim(
-        "Corollary 4.6",
-        "4",
-        "SweepI_CM takes time and space O(mn), which is optimal.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.cm.sweep_inner_cm",),
-        _check_corollary_4_6,
-        "Optimal in the worst case, since the output has that order (Corollary 4.4).",
-    ),
-)

@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep import Polygon, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.point import Edge, Vertex
+from exactsweep.geometry.segment import Segment, segment
+from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
-from exactsweep.paper.claim import Claim, Counterexample, Evidence, Run, Status
-from exactsweep.paper.functions import bottom_of, clipped, differs, exact, reference
-from exactsweep.paper.laws import Law, Trial
+from exactsweep.paper.claim import Counterexample, Effort, Evidence
+from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import Pair
-from exactsweep.paper.tiny import convex_and_strict, smallest_pair
+from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
-GRID = "the first of all such pairs on the 3 by 3 grid, fewest vertices first"
+# A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
+NARROW = Pair(
+    [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
+    [(0, 0), (30, 0), (15, 3)],
+)
 
 
 def trajectory_mm_is_right(pair: Pair) -> str:
@@ -36,76 +44,54 @@ def sub_trajectories_suffice(pair: Pair) -> str:
     return lowest("sub-trajectory", chains, bottom_of(reference(pair).trajectory))
 
 
-def _check_definition_5_1(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
-        g = Polygon(pair.generatrix)
-        if g.reflected().reflected() != g:
-            return "the inverse of the inverse is not G"
-        mirrored = g.reflected((1, 2))
-        if mirrored != g.reflected().translated((2, 4)):
-            return "the inverse about another point is more than translated"
-        if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
-            return "an image of a vertex is not on the boundary of the image"
-        bottom, top = split(pair.generatrix)
-        turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
-        if split(turned) != (inverse(top), inverse(bottom)):
-            return "the inverse of the top chain is not the bottom chain of the inverse"
-        return ""
-
-    trial = Trial(run).of(law, "CC", 60).of(law, "MM", 60).of(law, "MM", 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def inverse_is_a_reflection(pair: Pair) -> str:
+    """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
+    g = Polygon(pair.generatrix)
+    if g.reflected().reflected() != g:
+        return "the inverse of the inverse is not G"
+    mirrored = g.reflected((1, 2))
+    if mirrored != g.reflected().translated((2, 4)):
+        return "the inverse about another point is more than translated"
+    if any(point_in_polygon((2 - x, 4 - y), mirrored) != 0 for x, y in pair.generatrix):
+        return "an image of a vertex is not on the boundary of the image"
+    bottom, top = split(pair.generatrix)
+    turned = [(int(x), int(y)) for x, y in g.reflected().vertices]
+    if split(turned) != (inverse(top), inverse(bottom)):
+        return "the inverse of the top chain is not the bottom chain of the inverse"
+    return ""
 
 
-def _check_definition_5_2(run: Run) -> Evidence:
-    def law(pair: Pair) -> str:
-        """The complement is the same chain with the outside on its left."""
-        directrix = pair.chains.directrix
-        if complement(complement(directrix)) != directrix:
-            return "the complement of the complement is another chain"
-        polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
-        for sign, chain in ((1, directrix), (-1, complement(directrix))):
-            for (px, py), (qx, qy) in pairwise(chain):
-                x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
-                left = x - eps * (qy - py), y + eps * (qx - px)
-                if point_in_polygon(left, polygon) != sign:
-                    return f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
-        return ""
-
-    trial = Trial(run).of(law, "CC", 60).of(law, "MM", 60).of(law, "MM", 60, strict=False)
-    return Evidence(trial.tried, trial.failure)
-
-
-def as_printed(pair: Pair) -> tuple[list[Vertex], list[Vertex]]:
-    """Step 2 of Sweep_MM to the letter: Trajectory_MM along either side of the trajectory.
-
-    Along the inside, I(G) slides along the complement of T; turned by half a turn, that is G_t
-    along a bottom chain.
-    """
-    top, bottom, directrix = pair.chains
-    path = exact(trajectory_mm(top, directrix))
-    outer = exact(trajectory_mm(inverse(bottom), path))
-    inside = inverse(complement(path))
-    inner = inverse(complement(exact(trajectory_mm(top, inside))))
-    return exact(inner), outer
+def complement_has_the_outside_left(pair: Pair) -> str:
+    """The complement is the same chain with the outside on its left."""
+    directrix = pair.chains.directrix
+    if complement(complement(directrix)) != directrix:
+        return "the complement of the complement is another chain"
+    polygon, eps = Polygon(pair.directrix), Fraction(1, 10**9)
+    for sign, chain in ((1, directrix), (-1, complement(directrix))):
+        for (px, py), (qx, qy) in pairwise(chain):
+            x, y = (px + qx) * Fraction(1, 2), (py + qy) * Fraction(1, 2)
+            left = x - eps * (qy - py), y + eps * (qx - px)
+            if point_in_polygon(left, polygon) != sign:
+                return f"left of ({px}, {py}) to ({qx}, {qy}) is the wrong side of D"
+    return ""
 
 
 def loops_are_retraced(pair: Pair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
     loops, directrix = reference(pair), pair.chains.directrix
-    inner, outer = as_printed(pair)
+    inner, outer = literal.sweep_mm(*pair.chains)
     ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != loops.outer:
         return "the trajectory of I(G) around T is not the outer loop"
     return differs("T(G_b, T)", outer, bottom_of(loops.outer)) or differs(
-        "T(I(G), -T) over D's range of x", clipped(inner, *ends), bottom_of(loops.inner)
+        "T(I(G), -T) over D's range of x", clip(inner, *ends), bottom_of(loops.inner)
     )
 
 
 def inner_to_the_letter(pair: Pair) -> str:
     """What Trajectory_MM returns along the inside is not the inner boundary."""
-    inner, _ = as_printed(pair)
+    inner = exact(literal.sweep_mm(*pair.chains)[0])
     expected = bottom_of(reference(pair).inner)
     if inner == expected:
         return ""
@@ -116,13 +102,9 @@ def inner_to_the_letter(pair: Pair) -> str:
     )
 
 
-def _check_lemma_5_3(run: Run) -> Evidence:
-    trial = Trial(run)
-    for kind in ("CC", "CM", "MM"):
-        trial.of(loops_are_retraced, kind, 80)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, inner_to_the_letter)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
+def find_inner_to_the_letter(effort: Effort) -> Evidence:
+    """Look for a pair of which Trajectory_MM along the inside of T is not the inner boundary."""
+    return search_grid(2, 6, is_convex, is_convex, inner_to_the_letter)
 
 
 def sweep_mm_is_right(pair: Pair) -> str:
@@ -132,14 +114,6 @@ def sweep_mm_is_right(pair: Pair) -> str:
     return differs("the inner boundary", inner, bottom_of(loops.inner)) or differs(
         "the outer boundary", outer, bottom_of(loops.outer)
     )
-
-
-def _check_sweep_mm(run: Run) -> Evidence:
-    trial = Trial(run).of(sweep_mm_is_right, "MM", 100).of(sweep_mm_is_right, "CM", 60)
-    trial.of(sweep_mm_is_right, "MM", 100, strict=False)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, inner_to_the_letter)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
 
 
 def loops_are_monotone(pair: Pair) -> str:
@@ -185,7 +159,9 @@ def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
     return max(normal[0] * x + normal[1] * y for x, y in polygon.vertices)
 
 
-def _check_local_width(run: Run) -> Evidence:
+def find_missing_edge(effort: Effort) -> Evidence:
+    """Look for an edge of a trajectory that draws no edge of the inner loop, and for near ones."""
+
     def fails(pair: Pair) -> str:
         s = sweep(*pair)
         missing = sorted(_slopes(s.trajectory) - _slopes(s.inner))
@@ -193,10 +169,49 @@ def _check_local_width(run: Run) -> Evidence:
             return ""
         return f"the trajectory has edges of slope {missing[0]}, and the inner loop has none"
 
-    trial = Trial(run).of(local_width, "CC", 100).of(local_width, "CC", 60, strict=False)
-    found = smallest_pair(2, 6, convex_and_strict, convex_and_strict, fails)
-    against = found and Counterexample(found[1], GRID, *found[0])
-    return Evidence(trial.tried, trial.failure, against)
+    found = search_grid(2, 6, is_convex, is_convex, fails)
+    near = shrink(edges_are_near, NARROW)
+    how = "by hand, made smaller as long as both edges are there and too near"
+    failure = "" if edges_are_near(near) else "no edges are nearer than G is wide"
+    return replace(
+        found, failure=failure, others=(Counterexample(edges_are_near(near), how, *near),)
+    )
+
+
+def edges_are_near(pair: Pair) -> str:
+    """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
+    s = sweep(*pair)
+    if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
+        return ""
+    loops = [[segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
+    for p, q in _edges(s.trajectory):
+        normal = q.y - p.y, p.x - q.x
+        heights = []
+        for loop in loops:
+            drawn = [
+                normal[0] * x + normal[1] * y
+                for x, y in s.generatrix.vertices
+                if any(_shares(((p.x + x, p.y + y), (q.x + x, q.y + y)), edge) for edge in loop)
+            ]
+            heights.append(drawn)
+        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        if heights[0] and heights[1] and max(heights[1]) - min(heights[0]) < width:
+            return (
+                f"along ({p.x}, {p.y}) to ({q.x}, {q.y}) both edges are there, and apart by "
+                f"{max(heights[1]) - min(heights[0])} where G is wide by {width}, in units of the "
+                "edge's length"
+            )
+    return ""
+
+
+def _edges(polygon: Polygon) -> list[tuple[Point, Point]]:
+    corners = polygon.vertices
+    return list(pairwise([*corners, corners[0]]))
+
+
+def _shares(edge: Edge, other: Segment) -> bool:
+    one = segment(edge)
+    return one[:2] == other[:2] and one.shares_piece(other)
 
 
 def _slopes(polygon: Polygon) -> set[Fraction]:
@@ -205,105 +220,63 @@ def _slopes(polygon: Polygon) -> set[Fraction]:
     return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
 
 
-def _try(run: Run, law: Law, *, weak: bool = True) -> Evidence:
-    trial = Trial(run).of(law, "MM", 80).of(law, "CM", 40)
-    if weak:
-        trial.of(law, "MM", 40, strict=False)
-    return Evidence(trial.tried, trial.failure)
+def outside_of_the_inner_loop(pair: Pair) -> str:
+    """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
+    s = sweep(*pair)
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    again = sweep(s.generatrix, s.inner).trajectory
+    return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
 
 
-CLAIMS = (
-    Claim(
-        "Lemma 5.1",
-        "5",
-        "The MM trajectory is the lower envelope of the trajectories of the convex parts of G_t.",
-        Status.REPRODUCED,
-        (
-            "exactsweep.procedures.part_pairs.sweep_pairs",
-            "exactsweep.procedures.chain.convex_parts",
-        ),
-        lambda run: _try(run, sub_trajectories_suffice),
-    ),
-    Claim(
-        "Monotone trajectory",
-        "5",
-        "An MM trajectory is a simple polygon, X-monotone like G and D (first half of Lemma 5.2, "
-        "and said in Section 2).",
-        Status.REPRODUCED,
-        ("exactsweep.evidence.swept.Swept.trajectory", "exactsweep.procedures.mm.trajectory_mm"),
-        lambda run: _try(run, trajectory_is_monotone, weak=False),
-    ),
-    Claim(
-        "Definition 5.1",
-        "5",
-        "The inverse generatrix is G mirrored about a point.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.chain.inverse", "exactsweep.geometry.polygon.Polygon.reflected"),
-        _check_definition_5_1,
-        "About which point only translates it; the inverse of a top chain is a bottom chain.",
-    ),
-    Claim(
-        "Definition 5.2",
-        "5",
-        "The complement of a polygon is all but its interior.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.chain.complement",),
-        _check_definition_5_2,
-        "As a boundary it is the same chain, walked the other way. It is no simple polygon, so a "
-        "sweep along it is not one of Definition 1.1; that is where Lemma 5.3 needs care.",
-    ),
-    Claim(
-        "Lemma 5.3",
-        "5",
-        "The outer loop is the trajectory of I(G) around T(G, D), the inner loop that of I(G) "
-        "along the complement of T(G, D).",
-        Status.CONDITION,
-        ("exactsweep.procedures.mm.outer_mm", "exactsweep.procedures.mm_inner.inner_mm"),
-        _check_lemma_5_3,
-        "For the inner loop, I(G) has to stay inside T as a whole. At both ends a sweep of chains "
-        "lets it hang out, and adds a piece as wide as G, which has to be cut off: the inner "
-        "boundary ends where D ends.",
-    ),
-    Claim(
-        "Local width",
-        "5",
-        "Moving along an edge of the trajectory, G draws an edge of each loop, parallel to it, and "
-        "they are as far apart as G is wide (in the proof of Lemma 5.3).",
-        Status.REFUTED,
-        ("exactsweep.evidence.swept.Swept.inner", "exactsweep.evidence.swept.Swept.outer"),
-        _check_local_width,
-        "Either edge may be missing: G draws no inner edge while it turns about a vertex of D. "
-        "Across each edge of a convex D the two loops are as far apart as G is wide.",
-    ),
-    Claim(
-        "Corollary 5.4",
-        "5",
-        "The inner and the outer loop of an MM sweep are X-monotone.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.mm.sweep_mm",),
-        lambda run: _try(run, loops_are_monotone, weak=False),
-    ),
-    Claim(
-        "Trajectory_MM",
-        "5",
-        "Sweep each convex part of G_t along D_b, and take the lower envelope by divide and "
-        "conquer.",
-        Status.REPRODUCED,
-        ("exactsweep.procedures.mm.trajectory_mm",),
-        lambda run: _try(run, trajectory_mm_is_right),
-    ),
-    Claim(
-        "Sweep_MM",
-        "5",
-        "Compute the trajectory; then call Trajectory_MM for I(G) along either side of it.",
-        Status.CONDITION,
-        (
-            "exactsweep.procedures.mm.sweep_mm",
-            "exactsweep.procedures.mm.outer_mm",
-            "exactsweep.procedures.mm_inner.inner_mm",
-        ),
-        _check_sweep_mm,
-        "For the inner loop, what Trajectory_MM adds beyond both ends of D has to be cut off, so "
-        "that I(G) stays inside T as a whole (see Lemma 5.3).",
-    ),
-)
+def inside_of_the_outer_loop(pair: Pair) -> str:
+    """The lowest path of G inside the outer loop, where it is not the trajectory."""
+    _, bottom, _ = pair.chains
+    loops = reference(pair)
+    path, outer = bottom_of(loops.trajectory), bottom_of(loops.outer)
+    ends = Fraction(path[0][0]), Fraction(path[-1][0])
+    found = clip(literal.slide_inside(bottom, outer, trajectory_mm), *ends)
+    if found == path:
+        return ""
+    return f"inside the outer loop G's path is {text(found)}, the trajectory {text(path)}"
+
+
+def find_path_inside(effort: Effort) -> Evidence:
+    """Look for a pair of which G's path inside the outer loop is not the trajectory."""
+    convex = search_grid(2, 7, is_convex, is_convex, inside_of_the_outer_loop)
+    failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
+    found = search_grid(2, 7, is_convex, is_any, inside_of_the_outer_loop)
+    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+
+
+def kernel_is_literal(pair: Pair) -> str:
+    """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
+    top, bottom, directrix = pair.chains
+    inner, outer = literal.sweep_mm(top, bottom, directrix)
+    ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
+    found = sweep_mm(top, bottom, directrix)
+    return (
+        _unlike("trajectory", trajectory_mm(top, directrix), literal.trajectory_mm(top, directrix))
+        or _unlike("outer boundary", found[1], outer)
+        or _unlike("inner boundary", found[0], clip(inner, *ends))
+    )
+
+
+def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> str:
+    found, literally = exact(found), exact(literally)
+    if found == literally:
+        return ""
+    return f"the {name} is {text(found)}, and {text(literally)} to the letter"
+
+
+def outer_loop_reaches_by_the_width(pair: Pair) -> str:
+    """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
+    s, expected = sweep(*pair), reference(pair).outer
+    if s.outer.vertices != expected:
+        return "the outer loop is not that of the definition"
+    for p, q in _edges(s.directrix):
+        normal = q.y - p.y, p.x - q.x
+        width = _greatest(normal, s.generatrix) + _greatest((-normal[0], -normal[1]), s.generatrix)
+        if _greatest(normal, s.outer) - _greatest(normal, s.directrix) != width:
+            return f"across ({p.x}, {p.y}) to ({q.x}, {q.y}) the outer loop is not as far away"
+    return ""

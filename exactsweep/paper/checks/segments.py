@@ -16,11 +16,11 @@ from itertools import pairwise
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.pairs import Pair
 
-Segment = tuple[int, int, int, int]
+Stroke = tuple[int, int, int, int]
 
 # The most pieces that a search by simulated annealing found for each number of segments; for up to
 # five that is as many as there can be at all, the longest Davenport-Schinzel sequence of order 3.
-BEST: tuple[tuple[Segment, ...], ...] = (
+BEST: tuple[tuple[Stroke, ...], ...] = (
     ((0, 0, 7, 3),),
     (
         (287, -1966, 1762, 2429),
@@ -85,7 +85,7 @@ RECORDS = (
 )
 
 
-def pieces(segments: Sequence[Segment]) -> int:
+def pieces(segments: Sequence[Stroke]) -> int:
     """Pieces of the lower envelope of some segments, holes not counted.
 
     >>> pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
@@ -107,7 +107,7 @@ def pieces(segments: Sequence[Segment]) -> int:
     return 1 + sum(p != q for p, q in pairwise(lowest))
 
 
-def windows(segments: Sequence[Segment]) -> Pair:
+def windows(segments: Sequence[Stroke]) -> Pair:
     """A pair whose trajectory has the envelope of all s segments s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
@@ -119,7 +119,7 @@ def windows(segments: Sequence[Segment]) -> Pair:
     return Pair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
 
 
-def windows_of_windows(segments: Sequence[Segment]) -> Pair:
+def windows_of_windows(segments: Sequence[Stroke]) -> Pair:
     """A pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
@@ -136,7 +136,7 @@ def windows_of_windows(segments: Sequence[Segment]) -> Pair:
 
 
 def _beside_one_another(
-    segments: Sequence[Segment], copies: int
+    segments: Sequence[Stroke], copies: int
 ) -> tuple[list[tuple[int, int]], int, int]:
     """D of segments between walls, how far apart they are, and half the height of the walls.
 
@@ -167,7 +167,7 @@ def _peaks(count: int, apart: int, high: int) -> list[tuple[int, int]]:
     return [*top, ((count - 1) * apart + 2, -4 * high)]
 
 
-def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Segment]) -> int:
+def pieces_in(trajectory: Sequence[Vertex], segments: Sequence[Stroke]) -> int:
     """Edges of a trajectory that come from one of the segments, by their slopes."""
     slopes = {Fraction(y1 - y0, x1 - x0) for x0, y0, x1, y1 in segments}
     return sum(

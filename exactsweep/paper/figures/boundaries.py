@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.draw import draw_undercuts
 from exactsweep.geometry.point import Point, Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.minkowski import example
 from exactsweep.paper.figures.sheet import (
     COLUMN,
@@ -19,9 +19,9 @@ from exactsweep.paper.figures.sheet import (
     Box,
     Margins,
     Sheet,
-    moved,
+    shift,
 )
-from exactsweep.paper.functions import bottom_of, clipped, exact
+from exactsweep.paper.functions import bottom_of, clip, exact
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.procedures.mm import trajectory_mm
@@ -54,7 +54,8 @@ def _stations(half: LowerSweep) -> list[Point]:
     return [Point(px + x, py + y) for px, py in (path[0], path[-1])]
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     half = _half()
     start, stop = _stations(half)
     return [
@@ -64,12 +65,13 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s, half = example(), _half()
     yield from loops_differ(s)
     yield from overlaps(s, _stations(half))
     left, right = (Fraction(x) for x, _ in (half.directrix[0], half.directrix[-1]))
-    yield differ("inner boundary", clipped(_top_chain(half), left, right), exact(half.inner))
+    yield differ("inner boundary", clip(_top_chain(half), left, right), exact(half.inner))
     yield differ("bottom of the outer loop", bottom_of(s.outer.vertices), exact(half.outer))
     start, stop = _stations(half)
     widths = sum(p.bounding_box[1].x - p.bounding_box[0].x for p in (s.generatrix, s.directrix))
@@ -78,7 +80,8 @@ def _failures() -> Iterator[str]:
     yield differ("start", (first[0] + x0, first[1] + y0), half.directrix[0])
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s, half = example(), _half()
     top = _top_chain(half)
     low = min(y for _, y in half.outer) - 3
@@ -91,7 +94,7 @@ def _draw() -> Figure:
         panel.area([*half.outer, *reversed(top)], style.SWEPT)
         panel.area(s.directrix.vertices, style.DIRECTRIX)
         draw_undercuts(panel, s.undercuts[:1])
-        panel.line(moved(half.trajectory, s.reference), TRAJECTORY)
+        panel.line(shift(half.trajectory, s.reference), TRAJECTORY)
         panel.line(half.inner, INNER)
         panel.line(half.outer, OUTER)
         panel.generatrix(s, [start, stop])
@@ -108,22 +111,3 @@ def _draw() -> Figure:
             -8,
         )
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    3,
-    "2",
-    "The lower sweep of the pair of Figure 1: G starts with its right end on the left end of D_b "
-    "and stops when the other two ends meet, having moved right by the widths of both polygons. "
-    "The bottom chain of what it passes over is the outer boundary (dashed), and the part of the "
-    "top chain between the ends of D_b the inner boundary (bold).",
-    (
-        "exactsweep.procedures.lower_sweep.LowerSweep.inner",
-        "exactsweep.procedures.lower_sweep.LowerSweep.outer",
-    ),
-    _facts,
-    _failures,
-    "Both loops against the definition; the inner boundary against the top chain of the area "
-    "swept, cut off at the ends of D_b.",
-    _draw,
-)

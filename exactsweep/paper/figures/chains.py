@@ -12,7 +12,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ
+from exactsweep.paper.figures.figure import Facts, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import (
     COLUMN,
@@ -43,11 +43,13 @@ def _chains() -> dict[str, list[Vertex]]:
     return found
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     return [(f"edges of {name}", str(len(chain) - 1)) for name, chain in _chains().items()]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     chains = _chains()
     for letter, ring in POLYGONS.items():
         corners = Polygon(ring).vertices
@@ -59,7 +61,8 @@ def _failures() -> Iterator[str]:
             yield differ(f"edges of {letter} over x = {x}", met, 2)
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     rings = list(POLYGONS.values())
     margins = Margins(15, 10, 17, 8)
     boxes = [Box.around(ring, margins=margins) for ring in rings]
@@ -90,17 +93,3 @@ def _heads(panel: Panel, chain: Sequence[Vertex], look: Look) -> None:
     """Arrow heads in the middle of the edges, which run counter-clockwise."""
     for p, q in pairwise(chain):
         panel.arrow(middle(p, q), middle(p, q, share=Fraction(5, 8)), replace(look, dash="-"))
-
-
-FIGURE = PaperFigure(
-    2,
-    "2",
-    "A polygon that is monotone to the X axis falls apart at its leftmost and its rightmost vertex "
-    "into a bottom chain (solid) and a top chain (dashed), both directed counter-clockwise: D_b "
-    "and D_t, G_b and G_t. A vertical line meets each chain once at most.",
-    ("exactsweep.procedures.chain.split",),
-    _facts,
-    _failures,
-    "Between any two vertices a vertical line meets two edges of each polygon.",
-    _draw,
-)

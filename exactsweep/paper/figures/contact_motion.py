@@ -10,7 +10,7 @@ from exactsweep.canvas.style import Look
 from exactsweep.draw import Stretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Point, Rational, Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
     PAGE,
@@ -59,7 +59,7 @@ def motion() -> list[Frozen]:
     ]
 
 
-def frozen() -> Frozen:
+def freeze() -> Frozen:
     """Half-way along the segment of positions at which G closes the undercut of Figure 7b."""
     s = examples()[1]
     first, last = undercut(s).positions
@@ -68,8 +68,9 @@ def frozen() -> Frozen:
     return Frozen(at, min(spots), max(spots))
 
 
-def _facts() -> Facts:
-    found = frozen()
+def list_facts() -> Facts:
+    """What the figure states."""
+    found = freeze()
     path = motion()
     return [
         ("p_l and p_r at the position drawn", f"{_text(found.left)}, {_text(found.right)}"),
@@ -83,7 +84,8 @@ def _text(p: Point) -> str:
     return f"({p.x}, {p.y})"
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = examples()[1]
     yield from loops_differ(s)
     path = motion()
@@ -93,8 +95,9 @@ def _failures() -> Iterator[str]:
         yield differ(f"the {name} end moves to the right only", xs, sorted(xs))
 
 
-def _draw() -> Figure:
-    s, found = examples()[1], frozen()
+def draw() -> Figure:
+    """The picture."""
+    s, found = examples()[1], freeze()
     ring = placed_generatrix(s, found.at).vertices
     path = motion()
     first, travelled = path[0].at.x, path[-1].at.x - path[0].at.x
@@ -147,18 +150,3 @@ def _left_half(
     """The part of the picture that is left of the border."""
     left, low = corner
     return [(left, low), (left, high), *_border(found, ring, low, high)]
-
-
-FIGURE = PaperFigure(
-    13,
-    "Appendix",
-    "(a) G of Figure 7b, frozen where it touches D in p_l and p_r. A ray up from p_l, the "
-    "chain of G_t from there to its left end v_l, and a ray down from v_l part the plane: left "
-    "of it (tinted) G never touches D again. (b) As G travels to the right, so do p_l and "
-    "p_r.",
-    ("exactsweep.evidence.swept.Swept.contacts_at", "exactsweep.draw.stretches.stretches"),
-    _facts,
-    _failures,
-    "The contact at both ends of every stretch of the lower trajectory.",
-    _draw,
-)

@@ -11,7 +11,7 @@ from exactsweep.canvas.style import Look
 from exactsweep.draw import draw_undercuts
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
     COLUMN,
@@ -21,7 +21,7 @@ from exactsweep.paper.figures.sheet import (
     Box,
     Margins,
     Sheet,
-    moved,
+    shift,
 )
 from exactsweep.paper.functions import bottom_of, exact
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
@@ -60,7 +60,7 @@ def _sub_chains() -> tuple[list[list[Vertex]], list[list[Vertex]]]:
     lower, reference = half(), example().reference
     parts = convex_parts(lower.directrix)
     return (
-        [moved(trajectory_cc(lower.top, part), reference) for part in parts],
+        [shift(trajectory_cc(lower.top, part), reference) for part in parts],
         [sweep_outer_cc(lower.top, lower.bottom, part) for part in parts],
     )
 
@@ -69,12 +69,13 @@ def _envelopes() -> tuple[list[Vertex], list[Vertex]]:
     """The trajectory of the reference point, and the outer boundary."""
     lower = half()
     return (
-        moved(trajectory_cm(lower.top, lower.directrix), example().reference),
+        shift(trajectory_cm(lower.top, lower.directrix), example().reference),
         list(sweep_outer_cm(lower.top, lower.bottom, lower.directrix)),
     )
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     parts = convex_parts(half().directrix)
     paths, outers = _sub_chains()
     path, outer = _envelopes()
@@ -89,7 +90,8 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = example()
     yield from loops_differ(s)
     yield from overlaps(s, s.undercuts[0].positions)
@@ -103,14 +105,15 @@ def _failures() -> Iterator[str]:
     yield differ("the sub-trajectories meet on the trajectory", meeting in path, True)
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s = example()
     paths, outers = _sub_chains()
     path, outer = _envelopes()
     parts = convex_parts(half().directrix)
     d_top = split(s.directrix.vertices)[1]
     everything = [s.directrix.vertices, *paths, *outers]
-    beside = moved(s.generatrix.vertices, (-5, 0))
+    beside = shift(s.generatrix.vertices, (-5, 0))
     ends = [(x, 0) for x, _ in (outer[0], outer[-1])]
     boxes = [
         Box.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
@@ -149,19 +152,3 @@ def _draw() -> Figure:
         for panel, words in ((b, "sub-outer chains"), (c, "outer boundary")):
             panel.label((half().directrix[3][0] - 2, min(y for _, y in outer)), words, 0, -9)
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    6,
-    "4",
-    "A CM sweep. (a) D_b is split at its reflex vertex into the convex chains D_1 (solid) and D_2 "
-    "(dashed). (b) The sub-trajectories and the sub-outer chains of the two CC sweeps. (c) Their "
-    "lower envelopes, the trajectory and the outer boundary (bold). Where the sub-trajectories "
-    "meet, G touches D in two places and leaves an undercut (hatched) between them.",
-    ("exactsweep.procedures.cm.trajectory_cm", "exactsweep.procedures.cm.sweep_outer_cm"),
-    _facts,
-    _failures,
-    "The loops and both envelopes against the definition, and the envelopes against the least of "
-    "the chains; at the position drawn, G touches D and does not overlap it.",
-    _draw,
-)

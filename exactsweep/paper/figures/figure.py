@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Protocol, cast
 
 from exactsweep.check import classify, reference_loops
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.claim import Claim, Evidence, Run, Status, Table, first_failure
+from exactsweep.paper.claim import Evidence, Table, first_failure
 from exactsweep.sweep import Sweep
 
 if TYPE_CHECKING:
@@ -17,44 +17,30 @@ if TYPE_CHECKING:
 Facts = Sequence[tuple[str, str]]
 
 
-@dataclass(frozen=True)
-class PaperFigure:
-    """A figure.
+class PaperFigure(Protocol):
+    """What a module of a figure has."""
 
-    Attributes:
-        number: as in the paper.
-        section: of the paper.
-        says: the caption, in our words.
-        code: dotted names of what computes it.
-        facts: what the figure states: pairs of a name and a computed value.
-        failures: texts, empty where a fact is borne out by the definition or by another way.
-        against: how the facts were checked, a sentence.
-        draw: makes the Figure of matplotlib.
-    """
+    def list_facts(self) -> Facts:
+        """What the figure states: pairs of a name and a computed value."""
 
-    number: int
-    section: str
-    says: str
-    code: tuple[str, ...]
-    facts: Callable[[], Facts] = field(repr=False)
-    failures: Callable[[], Iterator[str]] = field(repr=False)
-    against: str
-    draw: Callable[[], Figure] = field(repr=False)
+    def find_failures(self) -> Iterator[str]:
+        """Texts, empty where a fact is borne out by the definition or by another way."""
 
-    @property
-    def name(self) -> str:
-        """As in the ledger."""
-        return f"Figure {self.number}"
+    def draw(self) -> Figure:
+        """Make the Figure of matplotlib."""
 
-    @property
-    def claim(self) -> Claim:
-        """The row of the ledger."""
-        return Claim(self.name, self.section, self.says, Status.REPRODUCED, self.code, self._check)
 
-    def _check(self, run: Run) -> Evidence:
-        rows = [list(fact) for fact in self.facts()]
-        table = Table("What the figure states", ("what", "value"), rows)
-        return Evidence(self.against, first_failure(self.failures()), tables=(table,))
+def load(name: str) -> PaperFigure:
+    """The module of a figure by its name."""
+    return cast(PaperFigure, import_module(f"exactsweep.paper.figures.{name}"))
+
+
+def check_figure(name: str, against: str) -> Evidence:
+    """Hold what a figure states against another way to it, which a sentence describes."""
+    figure = load(name)
+    rows = [list(fact) for fact in figure.list_facts()]
+    table = Table("What the figure states", ("what", "value"), rows)
+    return Evidence(against, first_failure(figure.find_failures()), tables=(table,))
 
 
 def loops_differ(s: Sweep) -> Iterator[str]:

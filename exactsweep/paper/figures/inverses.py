@@ -10,7 +10,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.minkowski import example, inverse_generatrix
 from exactsweep.paper.figures.sheet import (
     INNER,
@@ -22,7 +22,7 @@ from exactsweep.paper.figures.sheet import (
     Box,
     Margins,
     Sheet,
-    moved,
+    shift,
 )
 from exactsweep.paper.functions import value
 from exactsweep.procedures.chain import complement, split
@@ -36,7 +36,7 @@ INVERSE = Look(style.PURPLE, 1.0, fill="#cc79a740", order=4)
 
 def inverse_at(place: Vertex) -> list[Vertex]:
     """I(G), its reference point at a place."""
-    return moved(inverse_generatrix(example()).vertices, place)
+    return shift(inverse_generatrix(example()).vertices, place)
 
 
 def _inside() -> list[Point]:
@@ -51,7 +51,8 @@ def _outside() -> list[Point]:
     return [corners[0], corners[4], corners[12], corners[20]]
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     s = example()
     return [
         ("edges of the trajectory", str(len(s.trajectory))),
@@ -60,10 +61,11 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = example()
     yield from loops_differ(s)
-    outside = no_fit_polygon(s.trajectory, inverse_generatrix(s))
+    outside = no_fit_polygon(s.trajectory, inverse_generatrix(s)).exterior
     yield differ("the loop outside is the outer one", outside == s.outer, True)
     for place in s.inner.vertices:
         yield _sticks_out(inverse_at(place), s.trajectory)
@@ -85,7 +87,8 @@ def _beside(x: Rational, chain: Sequence[Vertex]) -> bool:
     return not chain[0][0] <= x <= chain[-1][0]
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s = example()
     boxes = [
         Box.around(
@@ -110,22 +113,3 @@ def _draw() -> Figure:
         right.line(s.outer.vertices, OUTER, closed=True)
         right.label((19, 13), "outer loop", 16, 12, leader=True)
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    8,
-    "5",
-    "The sweep of Figure 1 the other way round: I(G), which is G turned by half a turn about "
-    "its marked point, slides along the trajectory. Inside it (a), the marked point draws the "
-    "inner loop; outside (b), the outer loop.",
-    (
-        "exactsweep.procedures.mm_inner.inner_mm",
-        "exactsweep.procedures.mm.outer_mm",
-        "exactsweep.geometry.polygon.Polygon.reflected",
-    ),
-    _facts,
-    _failures,
-    "Both loops against the definition; I(G) around the trajectory is swept again; inside, "
-    "I(G) lies within the trajectory and touches it at each vertex of the inner loop.",
-    _draw,
-)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactsweep.canvas import style
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point, Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.inverses import INVERSE, inverse_at
 from exactsweep.paper.figures.minkowski import example, inverse_generatrix
 from exactsweep.paper.figures.sheet import (
@@ -75,7 +75,8 @@ def _length(p: Point, q: Point) -> Fraction | None:
     return root if root**2 == square else None
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     found = widths()
     return [
         ("d'", str(found.inner)),
@@ -84,7 +85,8 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s, found = example(), widths()
     yield from loops_differ(s)
     yield differ("d' + d''", found.inner + found.outer, found.width)
@@ -96,7 +98,8 @@ def _failures() -> Iterator[str]:
             yield differ(f"height over {x}", value(chain, x), point[1] + by * (q.y - p.y))
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s, found = example(), widths()
     (x, y), half = found.at, Fraction(1, 2)
     placed = inverse_at(found.inside), inverse_at(found.outside)
@@ -157,18 +160,3 @@ def _ahead(found: Widths, point: Vertex) -> Fraction:
     """How far along e a point is, from where I(G) touches."""
     (x, y), (dx, dy) = found.at, _direction(found)
     return Fraction((point[0] - x) * dx + (point[1] - y) * dy)
-
-
-FIGURE = PaperFigure(
-    9,
-    "5",
-    "A part of the swept area of Figure 1. I(G) touches the edge e of the trajectory in one "
-    "point from both sides. The marked points are d' and d'' away from e, on the two loops, "
-    "and d' + d'' is the width d of G across e.",
-    ("exactsweep.procedures.mm.sweep_mm", "exactsweep.geometry.polygon.Polygon.reflected"),
-    _facts,
-    _failures,
-    "Both loops against the definition; around the marked points they are parallel to e. All "
-    "three lengths are rational, since that of e is.",
-    _draw,
-)

@@ -13,7 +13,7 @@ from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_c
 from exactsweep.draw import placed_generatrix
 from exactsweep.geometry.point import Edge
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     OUTER,
     PAGE,
@@ -60,12 +60,13 @@ def outer_edges(s: Sweep) -> list[Edge]:
     return list(pairwise(bottom_of(s.outer.vertices)))
 
 
-def measured() -> tuple[tuple[tuple[int, int, int], int], ...]:
+def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
     """Sizes in the family of `bumps`, and the edges of its outer boundary."""
     return tuple((size, len(outer_edges(sweep(*bumps(*size))))) for size in SIZES)
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     rows = [
         (f"({letter}) (m_b, n_t, n_b): edges", f"{sizes(s)}: {len(outer_edges(s))}")
         for letter, s in (("a", example(1)), ("b", example(2)))
@@ -74,18 +75,19 @@ def _facts() -> Facts:
         *rows,
         *(
             (f"family, {size}: edges, formula of the paper", f"{edges}, {printed_count(*size)}")
-            for size, edges in measured()
+            for size, edges in measure()
         ),
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     for s in (example(1), example(2)):
         yield from loops_differ(s)
         yield differ(f"edges for {sizes(s)}", len(outer_edges(s)), edges_of_bumps(*sizes(s)))
     yield differ("sizes", sizes(example(1)), (2, 4, 6))
     yield differ("edges", len(outer_edges(example(1))), printed_count(2, 4, 6))
-    for size, edges in measured():
+    for size, edges in measure():
         g, d = (Polygon(ring) for ring in bumps(*size))
         (bottom, top), (directrix, _) = split(g.vertices), split(d.vertices)
         lower = LowerSweep("MM", top, bottom, directrix)
@@ -93,7 +95,8 @@ def _failures() -> Iterator[str]:
         yield differ(f"edges for {size}", edges, edges_of_bumps(*size))
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     first, second = example(1), example(2)
     boxes = [[_box(first, "a"), Box((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
     with Sheet(boxes, PAGE) as sheet:
@@ -137,22 +140,7 @@ def _draw_table(panel: Panel) -> None:
     for x, head in columns:
         panel.label((x, 16), head, size=SMALL)
     panel.line([(-1, Fraction(29, 2)), (19, Fraction(29, 2))], THIN)
-    for row, (size, edges) in enumerate(measured(), 1):
+    for row, (size, edges) in enumerate(measure(), 1):
         cells = str(size), str(printed_count(*size)), str(edges)
         for (x, _), cell in zip(columns, cells, strict=True):
             panel.label((x, 16 - Fraction(5, 2) * row), cell, 0, -3, size=SMALL)
-
-
-FIGURE = PaperFigure(
-    10,
-    "5",
-    "Outer boundaries of order mn². (a) With (m_b, n_t, n_b) = (2, 4, 6) there are 16 edges, as in "
-    "the paper. (b) With a second tooth in D, each peak of G passes under both. (c) The family "
-    "with more bumps: edges by the formula of the paper, and edges found.",
-    ("exactsweep.procedures.mm.outer_mm", "exactsweep.corpus.generator.growing.bumps"),
-    _facts,
-    _failures,
-    "The loops of (a) and (b) against the definition; the counts of the family against a formula "
-    "for it, and against the procedures run on its chains.",
-    _draw,
-)

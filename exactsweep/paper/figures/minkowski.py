@@ -15,7 +15,7 @@ from exactsweep.evidence.undercut import pockets
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Box, Margins, Sheet
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
@@ -50,14 +50,14 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     """
     s = example()
     inverted = inverse_generatrix(s)
-    outer = no_fit_polygon(s.directrix, inverted).vertices
+    outer = no_fit_polygon(s.directrix, inverted).exterior.vertices
     i_bottom, i_top = split(inverted.vertices)
     d_bottom, d_top = split(s.directrix.vertices)
     lowest = trajectory_mm(inverse(i_bottom), complement(inverse(d_bottom)))
     highest = trajectory_mm(i_top, complement(d_top))
     left, right = d_bottom[0][0] - i_bottom[0][0], d_bottom[-1][0] - i_bottom[-1][0]
-    floor = complement(inverse(list(lowest.restricted(-right, -left))))
-    ceiling = highest.restricted(left, right)
+    floor = complement(inverse(list(lowest.restrict(-right, -left))))
+    ceiling = highest.restrict(left, right)
     ceilings = list(ceiling)
     lower = lower_envelope_mm([ceiling.of(floor), ceiling])
     holes = [(*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in pockets(list(lower), ceilings)]
@@ -75,7 +75,8 @@ def draw_sweep(picture: Picture, s: Sweep) -> None:
     picture.line(s.trajectory.vertices, TRAJECTORY, closed=True)
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     s = example()
     _, holes = sum_boundary()
     met = [classify(s.directrix, placed_generatrix(s, t), (0, 0)).verdict for t in ALONG]
@@ -89,7 +90,8 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = example()
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))
@@ -108,7 +110,8 @@ def _positions(s: Sweep) -> list[Point]:
     return [s.trajectory.vertices[6], s.undercuts[-1].positions[0]]
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s = example()
     sum_outer, holes = sum_boundary()
     shapes = s.outer.vertices, sum_outer
@@ -139,19 +142,3 @@ def _draw() -> Figure:
         right.label(ALONG[0], "$G$", 0, 8)
         right.label((8, 11), "path of the marked point", -20, 34, leader=True)
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    1,
-    "1",
-    "Two ways to move G with its marked point. In a sweep (a) the point runs along the trajectory, "
-    "so that G touches D and never overlaps it; the area swept lies between an inner and an outer "
-    "loop, and what the inner loop cuts off from D's surroundings are undercuts. In the Minkowski "
-    "sum (b) the point runs along D's boundary, and G overlaps D.",
-    ("exactsweep.sweep.sweep", "exactsweep.sweep.no_fit_polygon"),
-    _facts,
-    _failures,
-    "Both loops, the trajectory and the boundary of the sum against the definition; each position "
-    "of G that is drawn by a test for overlap.",
-    _draw,
-)

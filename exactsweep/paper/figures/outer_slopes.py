@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.geometry.point import Point, Rational, Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     SMALL,
     SMALL_DOT,
@@ -20,14 +20,14 @@ from exactsweep.paper.figures.sheet import (
     Margins,
     Sheet,
     middle,
-    moved,
+    shift,
 )
 from exactsweep.paper.figures.slopes import (
     Move,
     by_slope,
     edges,
     example,
-    laid,
+    lay,
     slope_text,
     stations,
 )
@@ -58,11 +58,12 @@ def _outer() -> list[Vertex]:
     """The outer boundary by Lemma 3.2."""
     s = example()
     (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
-    start = moved([d_bottom[0]], (g_bottom[0][0] - g_top[0][0], g_bottom[0][1] - g_top[0][1]))[0]
-    return laid(start, by_slope("D_b", "G_t", "G_b"))
+    start = shift([d_bottom[0]], (g_bottom[0][0] - g_top[0][0], g_bottom[0][1] - g_top[0][1]))[0]
+    return lay(start, by_slope("D_b", "G_t", "G_b"))
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     path, k = by_slope("D_b", "G_t"), _turn()
     before, after = path[k - 1], path[k]
     return [
@@ -73,7 +74,8 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = example()
     yield from loops_differ(s)
     (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
@@ -91,7 +93,8 @@ def _apart(moves: Sequence[Move]) -> list[list[Vertex]]:
     return found
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s, k = example(), _turn()
     path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
     outer, order = _outer(), by_slope("D_b", "G_t", "G_b")
@@ -121,18 +124,3 @@ def _draw() -> Figure:
             highest = middle(*piece)[0], max(y for _, y in piece)
             row.label(highest, name, 0, 8)
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    5,
-    "3",
-    "The sweep of Figure 4. (a) The outer boundary has the edges of D_b (thick), of reversed G_t "
-    "(thin) and of G_b (dashed). At a vertex of the trajectory, between its edges t_i and t_(i+1), "
-    "G adds the edges of G_b whose slopes lie between theirs. (b) The same edges one by one, with "
-    "their slopes.",
-    ("exactsweep.procedures.cc.sweep_outer_cc",),
-    _facts,
-    _failures,
-    "Both loops against the definition; the edges sorted here against the merge of the procedure.",
-    _draw,
-)

@@ -239,10 +239,10 @@ def half_way(p: Point, q: Point) -> Point:
     return Point((p.x + q.x) / 2, (p.y + q.y) / 2)
 
 
-def moved(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
+def shift(points: Iterable[Vertex], by: Vertex) -> list[Vertex]:
     """Points moved by a vector.
 
-    >>> moved([(0, 0)], (1, 2))
+    >>> shift([(0, 0)], (1, 2))
     [(1, 2)]
     """
     return [(x + by[0], y + by[1]) for x, y in points]

@@ -11,7 +11,7 @@ from exactsweep.canvas import style
 from exactsweep.draw import placed_generatrix
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point, Rational, Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
     GHOST,
@@ -24,7 +24,7 @@ from exactsweep.paper.figures.sheet import (
     Panel,
     Sheet,
     middle,
-    moved,
+    shift,
 )
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import inverse, split
@@ -78,17 +78,17 @@ def by_slope(*owners: Owner) -> list[Move]:
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
-def laid(start: Vertex, moves: Sequence[Move]) -> list[Vertex]:
+def lay(start: Vertex, moves: Sequence[Move]) -> list[Vertex]:
     """Edges laid end to end."""
     path = [start]
     for move in moves:
-        path += moved([move.by], path[-1])
+        path += shift([move.by], path[-1])
     return path
 
 
 def stations() -> list[Vertex]:
     """The path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
-    return laid(split(example().directrix.vertices)[0][0], by_slope("D_b", "G_t"))
+    return lay(split(example().directrix.vertices)[0][0], by_slope("D_b", "G_t"))
 
 
 def _upcoming(step: int) -> tuple[Move, Move]:
@@ -103,7 +103,8 @@ def slope_text(value: Rational) -> str:
     return format_fraction(Fraction(value)).replace("-", "\N{MINUS SIGN}")
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     rows = []
     for step in range(STEPS):
         ours, theirs = _upcoming(step)
@@ -117,13 +118,14 @@ def _facts() -> Facts:
     return [*rows, ("edges of the trajectory", str(len(stations()) - 1))]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = example()
     yield from loops_differ(s)
     yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in stations()])
     half = [split(p.vertices) for p in (s.generatrix, s.directrix)]
     yield differ(
-        "trajectory", moved(trajectory_cc(half[0][1], half[1][0]), s.reference), stations()
+        "trajectory", shift(trajectory_cc(half[0][1], half[1][0]), s.reference), stations()
     )
     for step in range(STEPS):
         first = min(_upcoming(step), key=lambda move: move.slope)
@@ -132,7 +134,8 @@ def _failures() -> Iterator[str]:
         yield differ(f"contacts before step {step}", contacts, ["VV"])
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s = example()
     path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
     placed = [placed_generatrix(s, place).vertices for place in path[: STEPS + 1]]
@@ -170,19 +173,4 @@ def _show_step(panel: Panel, step: int) -> None:
 def _meeting(step: int) -> Vertex:
     """The vertex of D_b at which G's vertex is before a move."""
     done = [move for move in by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
-    return laid(split(example().directrix.vertices)[0][0], done)[-1]
-
-
-FIGURE = PaperFigure(
-    4,
-    "3",
-    "The first moves of a CC sweep. Before each, a vertex of G is on a vertex of D, and two "
-    "edges are ahead, one of either polygon, with the slopes written beside them. G slides "
-    "along the one with the smaller slope (bold), until two vertices meet again (thin).",
-    ("exactsweep.procedures.cc.trajectory_cc",),
-    _facts,
-    _failures,
-    "The trajectory against the definition; at each position drawn, a vertex of G is "
-    "on one of D, and they do not overlap.",
-    _draw,
-)
+    return lay(split(example().directrix.vertices)[0][0], done)[-1]

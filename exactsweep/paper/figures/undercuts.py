@@ -11,7 +11,7 @@ from exactsweep.draw import draw_undercuts, placed_generatrix
 from exactsweep.evidence.swept import Vertices
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
     GHOST,
@@ -22,7 +22,7 @@ from exactsweep.paper.figures.sheet import (
     Box,
     Sheet,
     middle,
-    moved,
+    shift,
 )
 from exactsweep.paper.functions import bottom_of
 from exactsweep.procedures.cc import trajectory_cc
@@ -55,7 +55,8 @@ def undercut(s: Sweep) -> Undercut:
     return found
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     facts = []
     for letter, s in zip("ab", examples(), strict=True):
         found = undercut(s)
@@ -68,7 +69,8 @@ def _facts() -> Facts:
     return facts
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     for s, kind in zip(examples(), ("point", "segment"), strict=True):
         found = undercut(s)
         yield from loops_differ(s)
@@ -82,10 +84,11 @@ def _failures() -> Iterator[str]:
 def sub_trajectories(s: Sweep) -> list[list[Vertex]]:
     """The paths of the reference point along the two convex chains of D_b."""
     top, d_bottom = split(s.generatrix.vertices)[1], split(s.directrix.vertices)[0]
-    return [moved(trajectory_cc(top, part), s.reference) for part in convex_parts(d_bottom)]
+    return [shift(trajectory_cc(top, part), s.reference) for part in convex_parts(d_bottom)]
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     boxes = []
     for letter, s in zip("ab", examples(), strict=True):
         placed = [placed_generatrix(s, place).vertices for place in undercut(s).positions]
@@ -111,19 +114,3 @@ def _draw() -> Figure:
         one, other = undercut(examples()[1]).positions
         sheet.panels[1].label(middle(one, other), "$l$", 2, -8)
     return sheet.figure
-
-
-FIGURE = PaperFigure(
-    7,
-    "4",
-    "The bottom chain of an undercut (bold) ends where G touches D (dots). (a) The "
-    "sub-trajectories meet in one point (hollow): G closes the undercut in one position, and the "
-    "bottom chain is a piece of G_t. (b) They share a segment of an edge l, with hollow ends: one "
-    "edge of G slides along both contact points, and the bottom chain is parallel to l.",
-    ("exactsweep.evidence.swept.Swept.undercuts", "exactsweep.evidence.undercut.closing_positions"),
-    _facts,
-    _failures,
-    "Both sweeps against the definition; the area between D and the inner loop is that of the "
-    "undercut; in each position drawn, G touches D and does not overlap it.",
-    _draw,
-)

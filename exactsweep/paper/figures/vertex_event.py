@@ -11,7 +11,7 @@ from exactsweep.canvas.style import Look
 from exactsweep.draw import Stretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.figures.figure import Facts, PaperFigure, differ, loops_differ, overlaps
+from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     PLACED,
     WIDE,
@@ -43,7 +43,8 @@ def moment(event: str, contacts: int) -> Stretch:
     return max(found, key=lambda stretch: stretch.start.x)
 
 
-def _facts() -> Facts:
+def list_facts() -> Facts:
+    """What the figure states."""
     every = stretches(examples()[1])
     alone = [s for s in every if s.event == "VE"]
     several = [s for s in every if len(s.contacts) > 1]
@@ -56,7 +57,8 @@ def _facts() -> Facts:
     ]
 
 
-def _failures() -> Iterator[str]:
+def find_failures() -> Iterator[str]:
+    """What is not borne out."""
     s = examples()[1]
     yield from loops_differ(s)
     for stretch in stretches(s):
@@ -70,7 +72,8 @@ def _failures() -> Iterator[str]:
             yield differ("a VE event among several", "VE" in kinds, False)
 
 
-def _draw() -> Figure:
+def draw() -> Figure:
+    """The picture."""
     s = examples()[1]
     moments = moment("VE", 1), moment("EV", 2)
     places = [half_way(m.start, m.end) for m in moments]
@@ -100,18 +103,3 @@ def _draw() -> Figure:
 
 def _plus(p: Vertex, by: Vertex, times: int | Fraction) -> Vertex:
     return p[0] + times * by[0], p[1] + times * by[1]
-
-
-FIGURE = PaperFigure(
-    12,
-    "Appendix",
-    "(a) While a vertex of a convex G slides along an edge of D, a VE event, there is no other "
-    "contact: the line of the edge (dashed) meets G in that vertex alone. (b) Several events "
-    "last at once only if they are EV or EE, and of the same edge of G.",
-    ("exactsweep.evidence.contact.edge_contacts", "exactsweep.draw.stretches.stretches"),
-    _facts,
-    _failures,
-    "All events that last along the whole trajectory of Figure 7b; in the middle of each "
-    "stretch, all contacts are found again from the position alone.",
-    _draw,
-)

@@ -1,0 +1,94 @@
+"""A part of the plane and the picture that shows it: exact places to pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import NamedTuple, Self
+
+from exactsweep.canvas.error import DrawError
+from exactsweep.geometry.point import Vertex
+
+MOST_STRETCHED = 12
+"""Both axes have one unit unless the picture would be so many times as long as wide."""
+# No pixel is further away: what is far outside is outside.
+_FAR = 100_000
+
+
+class Window(NamedTuple):
+    """A box of the plane, and the pixels that show it, y upwards there and downwards here.
+
+    Attributes:
+        left, bottom, right, top: the box, Fractions, of positive width and height.
+        width, height: of the picture, in pixels.
+    """
+
+    left: Fraction
+    bottom: Fraction
+    right: Fraction
+    top: Fraction
+    width: int
+    height: int
+
+    @classmethod
+    def around(cls, points: Iterable[Vertex], width: int, height: int, margin: int = 0) -> Self:
+        """Return the window that shows points as large as they fit.
+
+        Args:
+            points: with Fraction or int coordinates.
+            width: of the picture, in pixels.
+            height: likewise.
+            margin: pixels around the points.
+
+        Returns:
+            A Window whose axes have one unit, unless the points are over 12 times as wide as high,
+            or as high as wide.
+
+        Raises:
+            DrawError: no points.
+
+        Cost: linear in the number of points.
+
+        Example:
+            >>> window = Window.around([(0, 0), (10, 5)], 120, 120, 10)
+            >>> window.place((0, 0)), window.place((10, 5))
+            ((10.0, 85.0), (110.0, 35.0))
+        """
+        xs, ys = [], []
+        for x, y in points:
+            xs.append(x)
+            ys.append(y)
+        if not xs:
+            raise DrawError("there is nothing to draw")
+        across, up = Fraction(max(xs) - min(xs)), Fraction(max(ys) - min(ys))
+        if 0 < MOST_STRETCHED * min(across, up) < max(across, up):
+            x_unit, y_unit = across / (width - 2 * margin), up / (height - 2 * margin)
+        else:
+            x_unit = y_unit = max(
+                across / (width - 2 * margin), up / (height - 2 * margin)
+            ) or Fraction(1)
+        x, y = (Fraction(max(values) + min(values)) / 2 for values in (xs, ys))
+        half_x, half_y = width * x_unit / 2, height * y_unit / 2
+        return cls(x - half_x, y - half_y, x + half_x, y + half_y, width, height)
+
+    @property
+    def is_true(self) -> bool:
+        """Whether both axes have one unit."""
+        return (self.right - self.left) * self.height == (self.top - self.bottom) * self.width
+
+    @property
+    def longest(self) -> Fraction:
+        """The longer side of the box."""
+        return max(self.right - self.left, self.top - self.bottom)
+
+    def place(self, point: Vertex) -> tuple[float, float]:
+        """Return where a point is drawn, in pixels from the upper left corner."""
+        x, y = point
+        return (
+            _limit((x - self.left) * self.width / (self.right - self.left)),
+            _limit((self.top - y) * self.height / (self.top - self.bottom)),
+        )
+
+
+def _limit(pixel: Fraction) -> float:
+    return float(max(Fraction(-_FAR), min(Fraction(_FAR), pixel)))

@@ -1,0 +1,170 @@
+"""From the boundary of a union of open sets to loops and exact fits.
+
+The boundary comes as pieces of lines and single points. Split wherever they meet, each edge has
+one neighbour on either side: the union or what is free. An edge free on one side belongs to a
+loop; one with the union on both sides is part of an exact fit; on both sides free it cannot be.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+from exactsweep.check.cone import Pair, by_turn, cross, minus
+from exactsweep.check.uncovered import OpenSets, Piece, Segment
+from exactsweep.geometry.canonical import canonical_ring, doubled_area
+from exactsweep.geometry.point import Rational
+
+
+class Loop(NamedTuple):
+    """A simple loop as it is walked, what is free on its left, and a point inside an edge.
+
+    No other loop passes through that point.
+    """
+
+    points: tuple[Pair, ...]
+    beside: Pair
+
+    @property
+    def is_hole(self) -> bool:
+        """Whether what is free is inside: the loop is walked counter-clockwise."""
+        return doubled_area(self.points) > 0
+
+
+class Boundary(NamedTuple):
+    """Loops, and exact fits as pairs of points, the end that hangs on a loop first."""
+
+    loops: list[Loop]
+    fits: list[Segment]
+
+
+def canonical(points: Sequence[Pair]) -> tuple[Pair, ...]:
+    """The canonical form of a simple loop."""
+    return canonical_ring(points).points
+
+
+def assemble(pieces: Sequence[Piece], points: Iterable[Pair], sets: OpenSets) -> Boundary:
+    """Assemble loops and fits.
+
+    Args:
+        pieces: of lines, those on one line apart from each other.
+        points: single points; those that are on a piece are left out.
+        sets: the open sets, which all pieces and points are free of.
+
+    Returns:
+        Boundary. Loops are simple and may touch in vertices.
+
+    Cost: O(p**2) for p pieces, and the number of sets for each edge.
+    """
+    cuts = _cuts(pieces)
+    ahead: dict[Pair, list[Pair]] = defaultdict(list)
+    slits: list[list[Segment]] = []
+    for piece, at in zip(pieces, cuts, strict=True):
+        slits.append([])
+        for low, high in pairwise(sorted(at)):
+            middle = Fraction(low + high) / 2
+            left, right = (not sets.is_beside(piece.line, middle, side) for side in (1, -1))
+            p, q = at[low], at[high]
+            if left:
+                ahead[p].append(q)
+            elif right:
+                ahead[q].append(p)
+            else:
+                slits[-1].append((p, q))
+    on_loops = set(ahead)
+    fits = [fit for edges in slits for fit in _joined(edges, on_loops)]
+    fits += [(p, p) for p in points if not any(_is_on(p, piece) for piece in pieces)]
+    return Boundary(_loops(ahead), fits)
+
+
+def _is_on(p: Pair, piece: Piece) -> bool:
+    dx, dy, c = piece.line
+    return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
+
+
+def _cuts(pieces: Sequence[Piece]) -> list[dict[Rational, Pair]]:
+    """On each piece its ends and where others meet it, each by its coordinate on the line."""
+    cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
+    order = sorted(range(len(pieces)), key=lambda k: pieces[k].ends[0])
+    active: list[int] = []
+    for k in order:
+        start = pieces[k].ends[0][0]
+        active = [j for j in active if pieces[j].ends[1][0] >= start]
+        for j in active:
+            if (p := _common_point(pieces[j], pieces[k])) is not None:
+                for i in (j, k):
+                    cuts[i][p[pieces[i].line.axis]] = p
+        active.append(k)
+    return cuts
+
+
+def _common_point(one: Piece, other: Piece) -> Pair | None:
+    """Where two pieces of different lines meet."""
+    (dx, dy, c), (ex, ey, e) = one.line, other.line
+    turn = dx * ey - dy * ex
+    if turn == 0:
+        return None
+    p = Fraction(c * ex - e * dx, turn), Fraction(c * ey - e * dy, turn)
+    on_both = all(piece.low <= p[piece.line.axis] <= piece.high for piece in (one, other))
+    return p if on_both else None
+
+
+def _joined(edges: Iterable[Segment], on_loops: set[Pair]) -> Iterator[Segment]:
+    """Join edges that follow each other on a line, except where a loop passes."""
+    joined: list[Segment] = []
+    for p, q in edges:
+        if joined and joined[-1][1] == p and p not in on_loops:
+            joined[-1] = joined[-1][0], q
+        else:
+            joined.append((p, q))
+    for p, q in joined:
+        yield (q, p) if q in on_loops and p not in on_loops else (p, q)
+
+
+def _loops(ahead: dict[Pair, list[Pair]]) -> list[Loop]:
+    """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
+    behind: dict[Pair, list[Pair]] = defaultdict(list)
+    for p, ends in ahead.items():
+        for q in ends:
+            behind[q].append(p)
+    loops = []
+    left = {(p, q) for p, ends in ahead.items() for q in ends}
+    while left:
+        p, q = start = min(left)
+        walk = [p]
+        while True:
+            left.discard((p, q))
+            if q in walk:
+                k = walk.index(q)
+                loops.append(_loop(walk[k:]))
+                del walk[k + 1 :]
+            else:
+                walk.append(q)
+            p, q = q, _next(p, q, ahead[q])
+            if (p, q) == start:
+                break
+    return loops
+
+
+def _next(p: Pair, q: Pair, ends: Sequence[Pair]) -> Pair:
+    """The next edge around what is free: the first one clockwise from the way back."""
+    if len(ends) == 1:
+        return ends[0]
+    back = minus(p, q)
+    turned = sorted((minus(end, q) for end in ends), key=by_turn)
+    before = [way for way in turned if by_turn(way) < by_turn(back)]
+    dx, dy = (before or turned)[-1]
+    return q[0] + dx, q[1] + dy
+
+
+def _loop(points: Sequence[Pair]) -> Loop:
+    (ax, ay), (bx, by) = points[:2]
+    corners = [
+        q
+        for p, q, r in zip((points[-1], *points), points, (*points[1:], points[0]), strict=False)
+        if cross(minus(q, p), minus(r, q))
+    ]
+    return Loop(tuple(corners), (Fraction(ax + bx) / 2, Fraction(ay + by) / 2))

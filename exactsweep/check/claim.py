@@ -1,0 +1,125 @@
+"""Certificates for polygons of any shape as they come in: a claim, read into exact numbers.
+
+Which of them a certificate makes is said by its key `claim`:
+
+    no_fit      directrix, generatrix; exterior, holes, exact_fits: translations of the generatrix
+    inner_fit   container, part; regions, exact_fits: translations of the part
+    sweep       as no_fit, and kind, inner, outer, unswept, area: the area swept along the exterior
+
+Shapes, and regions of translations, are objects with `exterior` and `holes`; loops are lists of
+points, points are pairs of rationals in strings, exact fits pairs of points.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from exactsweep.check.certificate import (
+    MAX_AREA_DIGITS,
+    MAX_DIGITS,
+    CertificateError,
+    Loop,
+    check_keys,
+    is_exactly,
+    read_fit,
+    read_list,
+    read_loop,
+    read_number,
+)
+from exactsweep.geometry.number import limits
+from exactsweep.geometry.point import Point
+
+Fits = tuple[tuple[Point, Point], ...]
+
+
+class Outline(NamedTuple):
+    """A polygon with holes, not checked yet."""
+
+    exterior: Loop
+    holes: tuple[Loop, ...]
+
+
+class NoFitClaim(NamedTuple):
+    """All positions at which G touches D without overlap: loops, and exact fits."""
+
+    directrix: Outline
+    generatrix: Outline
+    exterior: Loop
+    holes: tuple[Loop, ...]
+    exact_fits: Fits
+
+
+class InnerFitClaim(NamedTuple):
+    """All positions of a part inside a container: regions, and exact fits."""
+
+    container: Outline
+    part: Outline
+    regions: tuple[Outline, ...]
+    exact_fits: Fits
+
+
+class SweepClaim(NamedTuple):
+    """A no-fit polygon, and what G sweeps along its exterior."""
+
+    no_fit: NoFitClaim
+    inner: Loop
+    outer: Loop
+    unswept: tuple[Loop, ...]
+    area: Fraction
+
+
+Claim = NoFitClaim | InnerFitClaim | SweepClaim
+
+_SWEPT = ("kind", "inner", "outer", "unswept", "area")
+_KEYS = {
+    "no_fit": NoFitClaim._fields,
+    "inner_fit": InnerFitClaim._fields,
+    "sweep": NoFitClaim._fields + _SWEPT,
+}
+
+
+def read_claim(certificate: dict[Any, Any]) -> Claim:
+    """Read a certificate that has the key `claim`.
+
+    Returns:
+        NoFitClaim, InnerFitClaim or SweepClaim.
+
+    Raises:
+        CertificateError: naming the key and the place in it.
+
+    Cost: linear in the length of the input, for numbers of bounded length.
+    """
+    name = next((name for name in _KEYS if is_exactly(certificate["claim"], str, name)), None)
+    if name is None:
+        raise CertificateError(f"claim is not {', '.join(_KEYS)}")
+    check_keys(certificate, ("claim", *_KEYS[name]))
+    with limits(max_digits=MAX_DIGITS):
+        fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
+        if name == "inner_fit":
+            container, part = (_outline(certificate[k], k) for k in ("container", "part"))
+            regions = read_list(certificate["regions"], "regions", _outline)
+            return InnerFitClaim(container, part, regions, fits)
+        d, g = (_outline(certificate[k], k) for k in ("directrix", "generatrix"))
+        exterior = read_loop(certificate["exterior"], "exterior")
+        no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
+        if name == "no_fit":
+            return no_fit
+        if not is_exactly(certificate["kind"], str, "SS"):
+            raise CertificateError("kind is not SS")
+        inner, outer = (read_loop(certificate[k], k) for k in ("inner", "outer"))
+        unswept = _loops(certificate["unswept"], "unswept")
+    with limits(max_digits=MAX_AREA_DIGITS):
+        area = read_number(certificate["area"], "area")
+    return SweepClaim(no_fit, inner, outer, unswept, area)
+
+
+def _loops(item: Any, place: str) -> tuple[Loop, ...]:
+    return read_list(item, place, read_loop)
+
+
+def _outline(item: Any, place: str) -> Outline:
+    if type(item) is not dict or item.keys() != {"exterior", "holes"}:
+        raise CertificateError(f"{place}: not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], f"{place}.exterior")
+    return Outline(exterior, _loops(item["holes"], f"{place}.holes"))

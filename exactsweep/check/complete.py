@@ -1,0 +1,163 @@
+"""Proving that a no-fit polygon, an inner fit or the area of a sweep is right, and complete.
+
+1. Input. D and G are polygons with holes: rings are simple, touch at most in points, holes lie
+   inside the exterior and apart from each other, and the interior is connected.
+2. Loops. Each claimed loop is simple and canonical.
+3. Nothing is invented. All loops and fits run along the boundary of the overlap O, as `no_fit`
+   proves it to be: the free parts of all contact segments. Where one does not, G overlaps D, or
+   is apart from it, and that position is the witness.
+4. Nothing is missed. All of that boundary is on claimed loops and fits. A hole that was left out
+   would have its boundary there, and an exact fit, a single position, too, is boundary itself;
+   the witness is a position of contact without overlap that is in none of the lists.
+5. Nothing is mistaken for another. Where the claim is drawn along the true boundary, each edge
+   has O on one side or on both, so it is known whether it bounds a hole or is an exact fit. Since
+   O is connected, loops touch like the rings of a cactus, and the boundary is made of simple loops
+   in one way only; where O is not connected, regions are the components of what is free, and their
+   boundary is cut where it would visit a point twice. So loops, fits, their ends and the order of
+   the lists are those of `no_fit`. Two loops written as one, a hole written as a ring of fits, a
+   fit written in two parts: each is refused, with a position on it.
+6. Area swept. The loops are those of T + G, with T the exterior proved before: steps 3 to 5 with
+   T in the place of D. The inner loop is the one around D; the area is what the loops leave.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import lcm
+
+from exactsweep.check.certificate import CertificateError, Loop
+from exactsweep.check.chain import Node
+from exactsweep.check.claim import Claim, InnerFitClaim, NoFitClaim, Outline, SweepClaim
+from exactsweep.check.classify import classify
+from exactsweep.check.difference import Part, Segment, compare
+from exactsweep.check.monotone import has_shared_direction
+from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
+from exactsweep.check.outline import check_loop, check_outline
+from exactsweep.check.size import check_size
+from exactsweep.geometry.canonical import doubled_area, turn_products
+from exactsweep.geometry.point import Point
+
+
+def prove_claim(claim: Claim, max_steps: int) -> None:
+    """Prove a claim by steps 1 to 6.
+
+    Raises:
+        CertificateError: the first thing that is wrong, with a witness.
+
+    Cost: that of `reference_no_fit`, `reference_inner_fit` and `reference_swept`.
+    """
+    if isinstance(claim, NoFitClaim):
+        _prove_no_fit(claim, max_steps)
+    elif isinstance(claim, InnerFitClaim):
+        _prove_inner_fit(claim, max_steps)
+    else:
+        _prove_sweep(claim, max_steps)
+
+
+def _prove_no_fit(c: NoFitClaim, max_steps: int) -> None:
+    claimed = _parts_of_no_fit(c.exterior, c.holes, c.exact_fits)
+    _check_size(c.directrix, c.generatrix, claimed, max_steps)
+    check_outline(c.directrix, "directrix")
+    check_outline(c.generatrix, "generatrix")
+    _check_loops(claimed)
+    true = _parts_of_no_fit(*reference_no_fit(c.directrix, c.generatrix))
+
+    def say(t: Point) -> str:
+        verdict = classify(c.directrix, c.generatrix, t).verdict
+        return "G overlaps D" if verdict == "OVERLAP" else "G does not touch D"
+
+    compare(claimed, true, say)
+
+
+def _prove_inner_fit(c: InnerFitClaim, max_steps: int) -> None:
+    claimed = _parts_of_inner_fit(c.regions, c.exact_fits)
+    _check_size(c.container, c.part, claimed, max_steps)
+    check_outline(c.container, "container")
+    check_outline(c.part, "part")
+    _check_loops(claimed)
+    found = reference_inner_fit(c.container, c.part)
+    regions = [Outline(*region) for region in found.regions]
+    compare(
+        claimed,
+        _parts_of_inner_fit(regions, found.exact_fits),
+        lambda _: "the part is not inside the container, or does not touch it",
+    )
+    for k, (region, right) in enumerate(zip(c.regions, regions, strict=True)):
+        if region != right:
+            raise CertificateError(f"regions[{k}]: not sorted, or a hole is in the wrong region")
+
+
+def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
+    d, g = c.no_fit.directrix, c.no_fit.generatrix
+    claimed = _parts_of_sweep(c.outer, c.inner, c.unswept)
+    _check_size(Outline(c.no_fit.exterior, ()), g, claimed, max_steps)
+    _prove_no_fit(c.no_fit, max_steps)
+    if not d.holes and not g.holes and has_shared_direction([d.exterior, g.exterior]):
+        raise CertificateError("kind: there is a shared direction, so it is not SS")
+    _check_loops(claimed)
+    true = _parts_of_sweep(*reference_swept(d, g, c.no_fit.exterior))
+    compare(claimed, true, lambda _: "it is not on the boundary of the area swept")
+    doubled = doubled_area(c.outer) - sum(map(doubled_area, (c.inner, *c.unswept)))
+    if doubled != 2 * c.area:
+        raise CertificateError("area: it is not that of the outer loop minus those inside it")
+
+
+# --- Size and form -------------------------------------------------------------------------------
+
+
+def _check_size(d: Outline, g: Outline, parts: Sequence[Part], max_steps: int) -> None:
+    """Refuse what would take too long: pairs of pieces on all contact segments, at a guess."""
+    rings = [d.exterior, *d.holes, g.exterior, *g.holes]
+    loops = [_nodes(points) for points in (*rings, *(part.points for part in parts))]
+    sizes, pieces = [], []
+    for outline in (d, g):
+        around = (outline.exterior, *outline.holes)
+        sizes.append(sum(map(len, around)))
+        concave = sum(turn < 0 for turn in turn_products(outline.exterior))
+        pieces.append(1 + concave + sum(map(len, outline.holes)))
+    (m, n), (p, q) = sizes, pieces
+    check_size(loops, 2 * m * n * (1 + p * q // 16) + m * m + n * n, max_steps)
+
+
+def _nodes(points: Iterable[Point]) -> list[Node]:
+    nodes = []
+    for x, y in points:
+        w = lcm(x.denominator, y.denominator)
+        nodes.append((int(x * w), int(y * w), w))
+    return nodes
+
+
+def _check_loops(parts: Iterable[Part]) -> None:
+    for part in parts:
+        if part.is_loop:
+            check_loop(part.points, part.name)
+
+
+def _parts_of_no_fit(exterior: Loop, holes: Sequence[Loop], fits: Sequence[Segment]) -> list[Part]:
+    return [
+        Part("exterior", "exterior", exterior, True),
+        *_loops_of("holes", holes),
+        *_fits_of(fits),
+    ]
+
+
+def _parts_of_inner_fit(regions: Sequence[Outline], fits: Sequence[Segment]) -> list[Part]:
+    parts = []
+    for k, (exterior, holes) in enumerate(regions):
+        parts.append(Part("regions", f"regions[{k}].exterior", exterior, True))
+        parts += _loops_of(f"regions[{k}].holes", holes, "holes of regions")
+    return parts + _fits_of(fits)
+
+
+def _parts_of_sweep(outer: Loop, inner: Loop, unswept: Sequence[Loop]) -> list[Part]:
+    named = ("outer", outer), ("inner", inner)
+    parts = [Part(name, name, points, True) for name, points in named]
+    return parts + _loops_of("unswept", unswept)
+
+
+def _loops_of(name: str, loops: Sequence[Loop], group: str = "") -> list[Part]:
+    return [Part(group or name, f"{name}[{k}]", p, True) for k, p in enumerate(loops)]
+
+
+def _fits_of(fits: Sequence[Segment]) -> list[Part]:
+    return [Part("exact_fits", f"exact_fits[{k}]", fit, False) for k, fit in enumerate(fits)]

@@ -1,0 +1,101 @@
+"""Directions into a shape at a point of its boundary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cmp_to_key
+from typing import NamedTuple
+
+from exactsweep.geometry.point import LatticePoint, Rational
+
+Pair = LatticePoint
+
+
+class Ray(NamedTuple):
+    """An edge as seen from a point on it: the direction, and whether the walk goes that way."""
+
+    along: Pair
+    outgoing: bool
+
+
+class Cone(NamedTuple):
+    """An angle at a boundary point that a shape fills: counter-clockwise from start to end."""
+
+    start: Pair
+    end: Pair
+
+    def holds(self, d: Pair) -> bool:
+        """Whether a direction is in the cone, its start included and its end not."""
+        if cross(self.start, d) == 0 and dot(self.start, d) > 0:
+            return True
+        return self.surrounds(d)
+
+    def surrounds(self, d: Pair) -> bool:
+        """Whether a direction is strictly inside the cone."""
+        if cross(self.start, self.end) > 0:
+            return cross(self.start, d) > 0 and cross(d, self.end) > 0
+        return cross(self.start, d) > 0 or cross(d, self.end) > 0
+
+
+def cones_between(rays: Sequence[Ray]) -> list[Cone]:
+    """The cones of a shape at a point, from the rays of the boundary there.
+
+    With the interior on the left of every edge, an outgoing ray opens a cone and the next ray
+    counter-clockwise, an incoming one, closes it. Where rings touch there are several.
+    """
+    if len(rays) == 2:
+        first, second = rays
+        return [
+            Cone(first.along, second.along) if first.outgoing else Cone(second.along, first.along)
+        ]
+    turned = sorted(rays, key=lambda ray: by_turn(ray.along))
+    following = zip(turned, turned[1:] + turned[:1], strict=True)
+    return [Cone(ray.along, after.along) for ray, after in following if ray.outgoing]
+
+
+def common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Pair | None:
+    """A direction strictly inside a cone of each. Of two that meet, one begins in the other."""
+    for one in some:
+        for other in others:
+            for a, b in ((one, other), (other, one)):
+                if a.holds(b.start):
+                    end = a.end if b.holds(a.end) else b.end
+                    return direction_inside(Cone(b.start, end))
+    return None
+
+
+def direction_inside(cone: Cone) -> Pair:
+    """A direction strictly inside: between the two sides, or square to one if the cone is wide."""
+    (x, y), (end_x, end_y) = cone
+    return (x + end_x, y + end_y) if cross(*cone) > 0 else (-y, x)
+
+
+def minus(p: Pair, q: Pair) -> Pair:
+    """The way from q to p."""
+    return p[0] - q[0], p[1] - q[1]
+
+
+def cross(p: Pair, q: Pair) -> Rational:
+    """Cross product of two directions, positive where the second is to the left of the first."""
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def dot(p: Pair, q: Pair) -> Rational:
+    """Scalar product of two directions."""
+    return p[0] * q[0] + p[1] * q[1]
+
+
+def is_between(p: Pair, a: Pair, b: Pair) -> bool:
+    """Whether p lies on the segment from a to b, the ends included."""
+    return cross(minus(b, a), minus(p, a)) == 0 and min(a, b) <= p <= max(a, b)
+
+
+def _compare_turns(p: Pair, q: Pair) -> int:
+    lower_p, lower_q = (y < 0 or (y == 0 and x < 0) for x, y in (p, q))
+    if lower_p != lower_q:
+        return lower_p - lower_q
+    turn = cross(p, q)
+    return (turn < 0) - (turn > 0)
+
+
+by_turn = cmp_to_key(_compare_turns)

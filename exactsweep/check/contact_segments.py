@@ -1,0 +1,86 @@
+"""Contact segments: where a translate can touch a shape, a vertex of one on an edge of the other.
+
+Left out are segments along which the two overlap beside the contact itself: the cones there have a
+direction in common. Where two vertices meet, the position is an end of a segment that is left in:
+of two convex angles without a common direction, one lies beyond a side of the other. But where
+rings touch there are several angles at a vertex. So such positions are points of their own: two
+links of a chain may hold each other by such vertices and nothing else.
+"""
+
+from __future__ import annotations
+
+from exactsweep.check.cone import Cone, Pair, common_direction, minus
+from exactsweep.check.meeting import cones_of, split_where_touching
+from exactsweep.check.shape import Ring, Shape, edges_of
+from exactsweep.check.uncovered import Segment
+
+
+def contacts_of_shapes(d: Shape, g: Shape) -> tuple[list[Segment], set[Pair]]:
+    """Translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
+
+    Args:
+        d: the rings of D, its interior on their left.
+        g: those of G.
+
+    Returns:
+        Segments and points that hold all positions of contact without overlap.
+
+    Cost: O(mn) for m and n edges.
+    """
+    d, g = split_where_touching(d), split_where_touching(g)
+    d_cones, g_cones = cones_of(d), cones_of(g)
+    segments = []
+    for a, b in edges_of(g):
+        wall = [_half_plane(minus(b, a))]
+        for v, cones in d_cones.items():
+            if not common_direction(cones, wall):
+                segments.append((minus(v, a), minus(v, b)))
+    for a, b in edges_of(d):
+        wall = [_half_plane(minus(b, a))]
+        for v, cones in g_cones.items():
+            if not common_direction(cones, wall):
+                segments.append((minus(a, v), minus(b, v)))
+    points = {
+        minus(v, w)
+        for v, cones in d_cones.items()
+        for w, others in g_cones.items()
+        if not common_direction(cones, others)
+    }
+    return segments, points
+
+
+def contacts_of_curve(curve: Ring, g: Shape) -> list[Segment]:
+    """Points p at which p - G touches a closed curve with a vertex of either on an edge.
+
+    Args:
+        curve: a ring, of which the line itself counts, not the inside.
+        g: the rings of G, its interior on their left.
+
+    Returns:
+        Segments that hold all points p where the curve meets p - G but not its interior.
+
+    Cost: O(tn) for t and n edges.
+    """
+    g = split_where_touching(g)
+    segments = []
+    ways = [minus(b, a) for a, b in edges_of([curve])]
+    for a, b in edges_of(g):
+        x, y = minus(b, a)
+        inverse = _half_plane((-x, -y))
+        for k, (vx, vy) in enumerate(curve):
+            if not any(map(inverse.surrounds, (_back(ways[k - 1]), ways[k]))):
+                segments.append(((vx + a[0], vy + a[1]), (vx + b[0], vy + b[1])))
+    for w, cones in cones_of(g).items():
+        inverses = [Cone(_back(cone.start), _back(cone.end)) for cone in cones]
+        for (a, b), way in zip(edges_of([curve]), ways, strict=True):
+            if not any(c.surrounds(along) for c in inverses for along in (way, _back(way))):
+                segments.append(((a[0] + w[0], a[1] + w[1]), (b[0] + w[0], b[1] + w[1])))
+    return segments
+
+
+def _half_plane(way: Pair) -> Cone:
+    return Cone(way, _back(way))
+
+
+def _back(way: Pair) -> Pair:
+    return -way[0], -way[1]

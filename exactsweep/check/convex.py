@@ -1,0 +1,138 @@
+"""Open convex pieces of a shape, and their sums.
+
+A shape is cut along diagonals, each from a vertex to a vertex through the interior, until no angle
+of any face is wider than half a turn. Then every face is convex: a hole in a face would have a
+corner that is a wide angle of the face. Diagonals suffice, because every set of diagonals that do
+not cross can be completed to a triangulation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from exactsweep.check.cone import Cone, Pair, cross, dot, minus
+from exactsweep.check.meeting import cones_of, split_where_touching
+from exactsweep.check.shape import Ring, Shape, edges_of
+
+
+def convex_pieces(shape: Shape) -> list[Ring]:
+    """Cut a shape into convex pieces without new vertices.
+
+    Args:
+        shape: n edges, c of its vertices concave; its interior need not be connected.
+
+    Returns:
+        Convex rings, counter-clockwise, without straight angles. Their interiors are disjoint, and
+        together with the diagonals between them they are the interior of the shape.
+
+    Cost: O(c n**2) at worst, O(c n log n) where the first diagonals tried are good.
+
+    >>> len(convex_pieces((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),)))
+    2
+    """
+    touching = split_where_touching(shape)
+    cones, walls = cones_of(touching), edges_of(touching)
+    for p in cones:
+        while wide := next((cone for cone in cones[p] if _is_wide(cone)), None):
+            q = _best_diagonal(p, wide, cones, walls)
+            walls.append((p, q))
+            for a, b in ((p, q), (q, p)):
+                _split(cones[a], minus(b, a))
+    return _faces(cones)
+
+
+def convex_sum(first: Sequence[Pair], second: Sequence[Pair]) -> Ring:
+    """Add two convex rings, counter-clockwise, by merging their edges by direction.
+
+    A ring of two vertices is a segment.
+
+    >>> convex_sum([(0, 0), (1, 0), (0, 1)], [(0, 0), (2, 0)])
+    ((0, 0), (3, 0), (2, 1), (0, 1))
+    """
+    a, b = _from_lowest(first), _from_lowest(second)
+    x, y = a[0][0] + b[0][0], a[0][1] + b[0][1]
+    ways, others = ([minus(q, p) for p, q in edges_of([ring])] for ring in (a, b))
+    found = [(x, y)]
+    i = j = 0
+    while i < len(ways) or j < len(others):
+        turn = 1 if j == len(others) else -1 if i == len(ways) else cross(ways[i], others[j])
+        if turn >= 0:
+            x, y = x + ways[i][0], y + ways[i][1]
+            i += 1
+        if turn <= 0:
+            x, y = x + others[j][0], y + others[j][1]
+            j += 1
+        found.append((x, y))
+    return tuple(found[:-1])
+
+
+def _faces(cones: dict[Pair, list[Cone]]) -> list[Ring]:
+    """Walk around the faces: the end of an edge is the cone that ends in the way back."""
+    ending = {(p, cone.end): cone for p, found in cones.items() for cone in found}
+    faces = []
+    while ending:
+        (p, end), cone = ending.popitem()
+        face, first = [], (p, end)
+        while True:
+            if cross(*cone):
+                face.append(p)
+            (x, y), (dx, dy) = p, cone.start
+            p = x + dx, y + dy
+            if (p, (-dx, -dy)) == first:
+                break
+            cone = ending.pop((p, (-dx, -dy)))
+        faces.append(tuple(face))
+    return faces
+
+
+def _from_lowest(ring: Sequence[Pair]) -> Ring:
+    k = min(range(len(ring)), key=lambda i: (ring[i][1], ring[i][0]))
+    return (*ring[k:], *ring[:k])
+
+
+def _is_wide(cone: Cone) -> bool:
+    return cross(cone.start, cone.end) < 0
+
+
+def _halves(cone: Cone, way: Pair) -> list[Cone]:
+    return [Cone(cone.start, way), Cone(way, cone.end)]
+
+
+def _split(cones: list[Cone], way: Pair) -> None:
+    k = next(k for k, cone in enumerate(cones) if cone.surrounds(way))
+    cones[k : k + 1] = _halves(cones[k], way)
+
+
+def _best_diagonal(
+    p: Pair, wide: Cone, cones: dict[Pair, list[Cone]], walls: Sequence[tuple[Pair, Pair]]
+) -> Pair:
+    """The end of a diagonal into a wide angle: best if it leaves none wide, here and there."""
+    ranked = []
+    for q, there in cones.items():
+        way = minus(q, p)
+        if q == p or not wide.surrounds(way):
+            continue
+        back = (-way[0], -way[1])
+        if opposite := next((cone for cone in there if cone.surrounds(back)), None):
+            halves = [*_halves(wide, way), *_halves(opposite, back)]
+            remaining = sum(map(_is_wide, halves)) - _is_wide(opposite)
+            ranked.append((remaining, dot(way, way), q))
+    return next(q for _, _, q in sorted(ranked) if not _is_blocked(p, q, walls))
+
+
+def _is_blocked(p: Pair, q: Pair, walls: Sequence[tuple[Pair, Pair]]) -> bool:
+    """Whether a wall that does not end in p or q meets the segment between them.
+
+    A wall along the segment does not count, as at its end there is another one that does not.
+    """
+    way = minus(q, p)
+    for a, b in walls:
+        if p in (a, b) or q in (a, b):
+            continue
+        from_a, from_b = cross(way, minus(a, p)), cross(way, minus(b, p))
+        if from_a * from_b > 0 or from_a == from_b == 0:
+            continue
+        along = minus(b, a)
+        if cross(along, minus(p, a)) * cross(along, minus(q, a)) <= 0:
+            return True
+    return False

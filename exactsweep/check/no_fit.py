@@ -1,0 +1,227 @@
+"""No-fit polygons of shapes of any kind, by their definition.
+
+Let O be the positions t at which the interiors of D and G + t meet, and F the others.
+
+1. O is the union of the open sets D_i + I(G_j), over open convex pieces of D and of G. For if the
+   interiors of D and of G + t meet, they meet in an open set, and the cuts between pieces hold
+   none; so two pieces meet.
+2. The boundary of O is the set of contacts: positions in F at which D and G + t touch. For O is
+   open, its boundary is in F, and by compactness limits of overlap touch. Where they touch in a
+   point, interior points of both are close to it, so that a small step makes them overlap.
+3. At a contact a vertex of one lies on an edge of the other (edges that cross overlap), so the
+   contact segments and the meetings of two vertices, less O, are the boundary of O. Along one
+   segment O is a union of open intervals, one for each pair of pieces.
+4. Split where they meet, the edges of the boundary have O on at least one side, and the side does
+   not change along an edge. Those with F on the other side bound the interior of F; the others,
+   and the points without edges, are the exact fits, split where they meet the first ones.
+5. Each component of the plane without the closure of O is bounded by one simple loop, if O is
+   connected: around the unbounded one runs the exterior, around the others the holes.
+
+For positions inside a container, D is the complement of the container, within a box so large that
+G + t does not get near its border. Here O may fall apart, so that a component is bounded by more
+loops than one, and may touch itself: loops are cut where they would visit a point twice.
+
+The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
+of D, except that T can pass along a cut between pieces of G. So the union of the open sets, one for
+each edge of T and piece of G, may lack some slits, but not its closure, nor any loop.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from exactsweep.check.arrangement import Boundary, Loop, assemble, canonical
+from exactsweep.check.cone import Pair
+from exactsweep.check.contact_segments import contacts_of_curve, contacts_of_shapes
+from exactsweep.check.convex import convex_pieces, convex_sum
+from exactsweep.check.location import locate
+from exactsweep.check.shape import Ring, Shape, on_integers, polygons_of, to_points
+from exactsweep.check.uncovered import OpenSets
+from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+
+Vertices = tuple[Point, ...]
+Fit = tuple[Point, Point]
+
+
+class ReferenceNoFit(NamedTuple):
+    """Loops as tuples of Point in canonical order, sorted, and exact fits, sorted."""
+
+    exterior: Vertices
+    holes: tuple[Vertices, ...]
+    exact_fits: tuple[Fit, ...]
+
+
+class ReferenceInnerFit(NamedTuple):
+    """Regions, each an exterior and its holes, sorted, and exact fits, sorted."""
+
+    regions: tuple[tuple[Vertices, tuple[Vertices, ...]], ...]
+    exact_fits: tuple[Fit, ...]
+
+
+class ReferenceSwept(NamedTuple):
+    """The outer loop of the area swept, the loop around D, and further holes, sorted."""
+
+    outer: Vertices
+    inner: Vertices
+    unswept: tuple[Vertices, ...]
+
+
+def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
+    """Evaluate the no-fit polygon of two shapes from the definition.
+
+    Args:
+        directrix: D, a Polygon, its vertices or a Region, m edges.
+        generatrix: G, likewise, n edges.
+
+    Returns:
+        ReferenceNoFit. Of an exact fit the end that hangs on a loop comes first, where just one
+        does; a single position is a fit of two equal ends.
+
+    Raises:
+        PolygonError: vertices are not those of a simple polygon.
+
+    Cost: O(m**2 n**2) for the intervals of all pairs of pieces on all lines of contact.
+    Source: Definition 1.1.
+
+    >>> cave = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]
+    >>> found = reference_no_fit(cave, [(0, 0), (2, 0), (2, 2), (0, 2)])
+    >>> [[tuple(map(str, p)) for p in fit] for fit in found.exact_fits]
+    [[('1', '1'), ('1', '1')]]
+    """
+    scale, (d, g) = on_integers([polygons_of(directrix), polygons_of(generatrix)])
+    found = boundary_of_overlap(convex_pieces(d), d, g)
+    (exterior,) = (loop for loop in found.loops if not loop.is_hole)
+    return ReferenceNoFit(
+        _vertices(exterior, scale),
+        tuple(sorted(_vertices(loop, scale) for loop in found.loops if loop.is_hole)),
+        _fits(found, scale),
+    )
+
+
+def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
+    """Evaluate the positions of a part inside a container from the definition.
+
+    Args:
+        container: a Polygon, its vertices or a Region, m edges.
+        part: likewise, n edges.
+
+    Returns:
+        ReferenceInnerFit, empty if the part does not fit. Rings of a region may touch in vertices.
+
+    Raises:
+        PolygonError: vertices are not those of a simple polygon.
+
+    Cost: as `reference_no_fit`.
+    Source: Definition 1.1, for the complement of the container.
+
+    >>> reference_inner_fit([(0, 0), (3, 0), (3, 1), (0, 1)], [(0, 0), (1, 0), (1, 1), (0, 1)])[1]
+    ((Point(x=Fraction(0, 1), y=Fraction(0, 1)), Point(x=Fraction(2, 1), y=Fraction(0, 1))),)
+    """
+    scale, (c, g) = on_integers([polygons_of(container), polygons_of(part)])
+    outside = tuple(ring[::-1] for ring in c)
+    solids = [(_box_around(c[0], g[0]), outside[0]), *((ring,) for ring in outside[1:])]
+    pieces = [piece for solid in solids for piece in convex_pieces(solid)]
+    found = boundary_of_overlap(pieces, outside, g)
+    return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
+
+
+def reference_swept(
+    directrix: Any, generatrix: Any, exterior: Sequence[Point] | None = None
+) -> ReferenceSwept:
+    """Evaluate the area that G sweeps along the exterior of its no-fit polygon around D.
+
+    Args:
+        directrix: D, a Polygon, its vertices or a Region, m edges.
+        generatrix: G, likewise, n edges.
+        exterior: of the no-fit polygon, if it is known, t edges.
+
+    Returns:
+        ReferenceSwept.
+
+    Raises:
+        PolygonError: vertices are not those of a simple polygon.
+
+    Cost: as `reference_no_fit`, and O(t**2 n**2).
+    Source: Definition 1.3.
+
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> [len(loop) for loop in reference_swept(square, square)]
+    [4, 4, 0]
+    """
+    if exterior is None:
+        exterior = reference_no_fit(directrix, generatrix).exterior
+    trajectory = Polygon(exterior)
+    shapes = [polygons_of(directrix), polygons_of(generatrix), (trajectory,)]
+    scale, (d, g, (curve,)) = on_integers(shapes)
+    edges = zip(curve, (*curve[1:], curve[0]), strict=True)
+    pieces = convex_pieces(g)
+    sets = OpenSets(convex_sum(piece, edge) for edge in edges for piece in pieces)
+    left, _ = sets.uncovered(contacts_of_curve(curve, g))
+    loops = assemble(left, (), sets).loops
+    (outer,) = (loop for loop in loops if not loop.is_hole)
+    holes = [loop for loop in loops if loop.is_hole]
+    inside = _point_inside(convex_pieces(d)[0])
+    (inner,) = (loop for loop in holes if locate(inside, loop.points) > 0)
+    unswept = sorted(_vertices(loop, scale) for loop in holes if loop is not inner)
+    return ReferenceSwept(_vertices(outer, scale), _vertices(inner, scale), tuple(unswept))
+
+
+def boundary_of_overlap(pieces: Sequence[Ring], boundary: Shape, g: Shape) -> Boundary:
+    """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
+
+    Args:
+        pieces: the convex pieces of the solid.
+        boundary: its rings, as far as G is to touch them.
+        g: the rings of G.
+    """
+    inverses = [tuple((-x, -y) for x, y in piece) for piece in convex_pieces(g)]
+    sets = OpenSets(convex_sum(a, b) for a in pieces for b in inverses)
+    segments, points = contacts_of_shapes(boundary, g)
+    left, more = sets.uncovered(segments)
+    single = more | {p for p in points if not sets.holds(p)}
+    return assemble(left, single, sets)
+
+
+def _vertices(loop: Loop, scale: int) -> Vertices:
+    return to_points(canonical(loop.points), scale)
+
+
+def _fits(found: Boundary, scale: int) -> tuple[Fit, ...]:
+    pairs = (to_points(fit, scale) for fit in found.fits)
+    return tuple(sorted((hanging, end) for hanging, end in pairs))
+
+
+def _regions(
+    loops: Sequence[Loop], scale: int
+) -> tuple[tuple[Vertices, tuple[Vertices, ...]], ...]:
+    """Give each hole of a region to the least exterior around it."""
+    exteriors = [loop for loop in loops if loop.is_hole]
+    exteriors.sort(key=lambda loop: doubled_area(loop.points))
+    holes: list[list[Vertices]] = [[] for _ in exteriors]
+    for loop in loops:
+        if not loop.is_hole:
+            around = (k for k, e in enumerate(exteriors) if locate(loop.beside, e.points) > 0)
+            holes[next(around)].append(_vertices(loop, scale))
+    found = zip(exteriors, holes, strict=True)
+    return tuple(sorted((_vertices(e, scale), tuple(sorted(inside))) for e, inside in found))
+
+
+def _box_around(c: Ring, g: Ring) -> Ring:
+    """A box so large that G + t, touching C, is inside it."""
+    lows, highs = [], []
+    for axis in (0, 1):
+        on_c, on_g = ([p[axis] for p in ring] for ring in (c, g))
+        margin = max(on_g) - min(on_g) + 1
+        lows.append(min(on_c) - margin)
+        highs.append(max(on_c) + margin)
+    return (lows[0], lows[1]), (highs[0], lows[1]), (highs[0], highs[1]), (lows[0], highs[1])
+
+
+def _point_inside(piece: Ring) -> Pair:
+    """The centre of a triangle of a convex piece."""
+    xs, ys = zip(*piece[:3], strict=True)
+    return Fraction(sum(xs)) / 3, Fraction(sum(ys)) / 3

@@ -1,0 +1,68 @@
+"""Shapes with holes as the checking side sees them: rings of points, the interior on their left.
+
+The first ring is the exterior, counter-clockwise; the others are holes, clockwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import lcm
+from typing import Any
+
+from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.geometry.polygon import Polygon
+
+Ring = tuple[LatticePoint, ...]
+Shape = tuple[Ring, ...]
+
+
+def polygons_of(shape: Any) -> tuple[Polygon, ...]:
+    """The rings of a Polygon, of its vertices or of a Region, as Polygons, the exterior first."""
+    if hasattr(shape, "exterior") and hasattr(shape, "holes"):
+        return Polygon(shape.exterior), *map(Polygon, shape.holes)
+    return (Polygon(shape),)
+
+
+def edges_of(shape: Iterable[Ring]) -> list[tuple[LatticePoint, LatticePoint]]:
+    """The edges of all rings, the interior on the left."""
+    return [edge for ring in shape for edge in zip(ring, (*ring[1:], ring[0]), strict=True)]
+
+
+def on_one_lattice(
+    shapes: Sequence[Sequence[Polygon]], denominators: Iterable[int] = ()
+) -> tuple[int, list[Shape]]:
+    """Bring shapes to a common integer lattice.
+
+    Args:
+        shapes: each an exterior and its holes.
+        denominators: of further numbers that are to be on the lattice.
+
+    Returns:
+        The scale and the shapes, all multiplied by it. Coordinates are ints, or Fractions
+        where `Polygon.lattice` gives such.
+    """
+    lattices = [[polygon.lattice() for polygon in polygons] for polygons in shapes]
+    scale = lcm(*(s for polygons in lattices for s, _ in polygons), *denominators)
+    brought = []
+    for polygons in lattices:
+        rings = [tuple((x * (scale // s), y * (scale // s)) for x, y in p) for s, p in polygons]
+        brought.append((rings[0], *(ring[::-1] for ring in rings[1:])))
+    return scale, brought
+
+
+def on_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[Shape]]:
+    """Bring shapes to a common integer lattice, however fine."""
+    scale, brought = on_one_lattice(shapes)
+    finer = lcm(*(c.denominator for shape in brought for ring in shape for p in ring for c in p))
+    if finer == 1:
+        return scale, brought
+    return scale * finer, [
+        tuple(tuple((int(x * finer), int(y * finer)) for x, y in ring) for ring in shape)
+        for shape in brought
+    ]
+
+
+def to_points(ring: Iterable[LatticePoint], scale: int) -> tuple[Point, ...]:
+    """Leave the lattice."""
+    return tuple(Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in ring)

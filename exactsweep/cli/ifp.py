@@ -1,0 +1,36 @@
+"""`exactsweep ifp`."""
+
+import click
+
+from exactsweep import InnerFit, Point, Region, inner_fit_polygon
+from exactsweep.cli.output import takes_form, takes_output, write_result
+from exactsweep.cli.pair import takes_shapes
+from exactsweep.text.results import inner_fit_to_json, inner_fit_to_wkt
+
+
+@click.command("ifp")
+@takes_shapes("CONTAINER", "PART")
+@takes_form("the positions")
+@takes_output
+def ifp_command(container: Region, part: Region, reference: Point, form: str, output: str) -> None:
+    """Find all positions of a part inside a container.
+
+    Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
+    perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
+    where PART does not fit.
+
+    Files are read as by 'exactsweep sweep'. --wkt writes a POLYGON for each region and a LINESTRING
+    or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite decimals, and is
+    refused otherwise.
+    """
+    result = inner_fit_polygon(container, part, reference=reference)
+    write_result(
+        result, form, output, to_json=inner_fit_to_json, to_wkt=inner_fit_to_wkt, report=_report
+    )
+
+
+def _report(result: InnerFit, width: int | None) -> str:
+    # rich takes longer to import than all the rest.
+    from exactsweep.text.report import inner_fit_report
+
+    return inner_fit_report(result, width)

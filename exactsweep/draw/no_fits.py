@@ -1,0 +1,170 @@
+"""Pictures of no-fit polygons and of inner fits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, NamedTuple
+
+from exactsweep.canvas import style
+from exactsweep.canvas.scale import Scale
+from exactsweep.draw.figure import require_matplotlib
+from exactsweep.draw.picture import Picture
+from exactsweep.draw.sweeps import (
+    draw_exact_fits,
+    draw_generatrix,
+    draw_shape,
+    new_axes,
+    parted,
+    placed_generatrix,
+    read_positions,
+    shift,
+)
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
+
+
+class Positions(NamedTuple):
+    """What is drawn of a no-fit polygon or of an inner fit.
+
+    Attributes:
+        directrix: the shape that stays, a Region.
+        generatrix: the one that moves, a Region.
+        reference: the point of the latter whose positions are told.
+        called: how the two and the free regions are called.
+        exterior: the loop around the positions of overlap, if it is one of these.
+        free: the free regions inside.
+        exact_fits: as of a `NoFitPolygon`.
+    """
+
+    directrix: Region
+    generatrix: Region
+    reference: Point
+    called: tuple[str, str, str]
+    exterior: Region | None
+    free: tuple[Region, ...]
+    exact_fits: tuple[Fit, ...]
+
+    @classmethod
+    def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
+        """Gather what is drawn."""
+        from exactsweep.evidence.no_fit import InnerFit
+
+        if isinstance(found, InnerFit):
+            shapes = found.container, found.part, found.reference
+            called = "container D", "part G", "free positions"
+            return cls(*shapes, called, None, found.regions, found.exact_fits)
+        return cls(
+            found.stationary,
+            found.orbiting,
+            found.reference,
+            ("stationary D", "orbiting G", "hole"),
+            Region(found.exterior),
+            tuple(map(Region, found.holes)),
+            found.exact_fits,
+        )
+
+    @property
+    def loops(self) -> list[Polygon]:
+        """All loops of positions that have free ones beside them."""
+        regions = self.free if self.exterior is None else (self.exterior, *self.free)
+        return [ring for region in regions for ring in (region.exterior, *region.holes)]
+
+    def telling(self) -> list[Point]:
+        """Choose positions worth drawing: one in each kind of exact fit, one free, one outside."""
+        segments, points = parted(self.exact_fits)
+        found = [inside for _, inside in segments[:1]] + points[:1]
+        found += [region.vertices[0] for region in self.free[:1]]
+        if self.exterior is not None:
+            found.append(self.exterior.vertices[0])
+        return list(dict.fromkeys(found))
+
+
+def plot_no_fit(
+    n: NoFitPolygon,
+    axes: Axes | None = None,
+    *,
+    positions: Iterable[Iterable[object]] | None = None,
+) -> Axes:
+    """Draw a no-fit polygon: both polygons, its exterior, its holes, and its exact fits.
+
+    Args:
+        n: a NoFitPolygon.
+        axes: as for `plot_sweep`.
+        positions: pairs of numbers, where the reference point of G is when G is drawn; if left
+            out, some in exact fits and in holes, and one on the exterior.
+
+    Returns:
+        The Axes.
+
+    Raises:
+        DrawError, PolygonError, NumberError: as by `plot_sweep`.
+
+    Cost: that of the no-fit polygon, and linear in its size.
+
+    Example:
+        >>> from exactsweep import no_fit_polygon
+        >>> from exactsweep.draw import new_figure
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> axes = plot_no_fit(no_fit_polygon(square, square), new_figure().axes[0])
+        >>> [text.get_text() for text in axes.get_legend().get_texts()]
+        ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
+    """
+    return _plot(Positions.of(n), axes, positions)
+
+
+def plot_inner_fit(
+    f: InnerFit, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+) -> Axes:
+    """Draw an inner fit: the container with its defects, the part, and where the part may be.
+
+    Args:
+        f: an InnerFit.
+        axes: as for `plot_sweep`.
+        positions: as for `plot_no_fit`.
+
+    Returns:
+        The Axes.
+
+    Raises:
+        DrawError, PolygonError, NumberError: as by `plot_sweep`.
+
+    Cost: that of the inner fit, and linear in its size.
+
+    Example:
+        >>> from exactsweep import inner_fit_polygon
+        >>> from exactsweep.draw import new_figure
+        >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> axes = plot_inner_fit(inner_fit_polygon(bin, unit), new_figure().axes[0])
+        >>> [text.get_text() for text in axes.get_legend().get_texts()]
+        ['container D', 'free positions', 'part G', 'reference point of G']
+    """
+    return _plot(Positions.of(f), axes, positions)
+
+
+def _plot(
+    shown: Positions, axes: Axes | None, positions: Iterable[Iterable[object]] | None
+) -> Axes:
+    require_matplotlib()
+    axes = axes or new_axes()
+    places = shown.telling() if positions is None else read_positions(positions)
+    fixed, moving, free = shown.called
+    by = shift(shown)
+    placed = [placed_generatrix(shown, place).vertices for place in places]
+    paths = [loop.translated(by).vertices for loop in shown.loops]
+    fits = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in shown.exact_fits]
+    picture = Picture(axes, Scale.of(shown.directrix.vertices, *paths, *fits, *placed))
+    draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
+    for region in shown.free:
+        draw_shape(picture, region.translated(by), style.FREE, free)
+    if shown.exterior is not None:
+        picture.line(paths[0], style.TRAJECTORY, "exterior", closed=True)
+    draw_exact_fits(picture, shown, shown.exact_fits, shown.loops)
+    draw_generatrix(picture, shown, places, moving)
+    picture.legend()
+    return axes

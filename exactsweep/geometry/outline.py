@@ -1,0 +1,65 @@
+"""The features of a shape: vertices and edges, counted through all of its rings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from exactsweep.geometry.point import Edge, Vertex
+
+
+class Outline:
+    """The boundary of a shape, its interior on the left, for finding features by number.
+
+    Edge k runs from vertex k to the next one of its ring.
+
+    Args:
+        rings: loops, not closed.
+
+    Attributes:
+        vertices: the vertices of all rings, one ring after another.
+        after: for each vertex the number of the next one of its ring.
+        before: for each vertex the number of the one before.
+        numbers: dict from a vertex to its number, the last one of several.
+
+    >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    >>> square.edge(3), square.numbers[1, 1]
+    (((0, 1), (0, 0)), 2)
+    """
+
+    def __init__(self, rings: Sequence[Sequence[Vertex]]) -> None:
+        self.vertices: list[Vertex] = []
+        self.after: list[int] = []
+        self.before: list[int] = []
+        for ring in rings:
+            first, size = len(self.vertices), len(ring)
+            self.vertices += ring
+            self.after += [*range(first + 1, first + size), first]
+            self.before += [first + size - 1, *range(first, first + size - 1)]
+        self.numbers = {vertex: k for k, vertex in enumerate(self.vertices)}
+
+    def edge(self, k: int) -> Edge:
+        """Edge k."""
+        return self.vertices[k], self.vertices[self.after[k]]
+
+    @property
+    def edges(self) -> list[Edge]:
+        """All edges, by number."""
+        return [self.edge(k) for k in range(len(self.vertices))]
+
+    def scaled(self, factor: int) -> Outline:
+        """The same, enlarged by a positive factor. Cost: O(n)."""
+        larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
+        larger.after, larger.before = self.after, self.before
+        return larger
+
+    def edges_through(self, point: Vertex) -> Iterator[int]:
+        """The numbers of the edges whose interior holds a point. Cost: O(n)."""
+        tx, ty = point
+        for k, (px, py) in enumerate(self.vertices):
+            qx, qy = self.vertices[self.after[k]]
+            if (px <= tx <= qx or qx <= tx <= px) and (
+                (qx - px) * (ty - py) == (qy - py) * (tx - px)
+                and (px, py) != point != (qx, qy)
+                and (py <= ty <= qy or qy <= ty <= py)
+            ):
+                yield k

@@ -1,0 +1,323 @@
+"""Regions: polygons with holes, validated, immutable, in canonical form."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import chain
+from math import lcm
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.number import NumberError, abridged
+from exactsweep.geometry.overlap import Places, is_inside, points_between, touch
+from exactsweep.geometry.point import LatticePoint, Point, Vertex
+from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.words import pair, size
+
+Vertices = Polygon | Iterable[Iterable[object]]
+
+
+class Region:
+    """A polygon with holes; equal to another when both are the same set of points.
+
+    Args:
+        exterior: the outer boundary, a Polygon or its vertices as `Polygon` takes them; or a
+            Region, whose holes then count with the others.
+        holes: the holes, likewise, in any order and orientation.
+
+    Raises:
+        PolygonError: a ring is not simple; a hole is not inside the exterior, or overlaps another
+            one; two rings run along each other, or touch in so many points that the interior falls
+            apart. Rings are named "exterior" and "hole k", their vertices and edges by their index
+            in the input; edge i runs from vertex i to the next.
+        NumberError: a coordinate that is not an exact number.
+
+    Cost: O(n log n + p) for n vertices, p pairs of edges whose bounds meet, and O(n) for each hole.
+
+    Example:
+        >>> plate = Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
+        >>> plate.area, len(plate.holes)
+        (Fraction(23, 2), 1)
+        >>> plate
+        Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
+    """
+
+    __slots__ = ("_given", "_order", "exterior", "holes")
+
+    exterior: Polygon
+    holes: tuple[Polygon, ...]
+    _order: tuple[int, ...]
+    _given: tuple[Polygon, ...]
+
+    def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
+        inner: list[Polygon] = []
+        if isinstance(exterior, Region):
+            inner += exterior.holes
+            exterior = exterior.exterior
+        outer = _named(exterior, "exterior")
+        try:
+            given = list(holes)
+        except TypeError:
+            raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
+        inner += [_named(hole, f"hole {k}") for k, hole in enumerate(given)]
+        if inner:
+            _check(outer, inner)
+        order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
+        object.__setattr__(self, "exterior", outer)
+        object.__setattr__(self, "holes", tuple(inner[k] for k in order))
+        # Places in the caller's input, which most never ask for.
+        object.__setattr__(self, "_order", (0, *(k + 1 for k in order)))
+        object.__setattr__(self, "_given", (outer, *inner))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Region is immutable: {name} cannot be set")
+
+    @property
+    def rings(self) -> tuple[tuple[Point, ...], ...]:
+        """The vertices of the exterior and of each hole, all counter-clockwise."""
+        return (self.exterior.vertices, *(hole.vertices for hole in self.holes))
+
+    @property
+    def vertices(self) -> tuple[Point, ...]:
+        """The vertices of all `rings`, one after another."""
+        return tuple(chain.from_iterable(self.rings))
+
+    def lattice(self) -> tuple[int, tuple[tuple[LatticePoint, ...], ...]]:
+        """Return the region on the coarsest integer lattice that holds it.
+
+        Returns:
+            `(scale, rings)`: the exterior counter-clockwise and the holes clockwise, so that the
+            interior is on the left of all; each point is a vertex times the scale. The scale is as
+            for `Polygon.lattice`.
+
+        Example:
+            >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
+            (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
+        """
+        of_rings = [ring.lattice() for ring in (self.exterior, *self.holes)]
+        scale = lcm(*(of_ring[0] for of_ring in of_rings))
+        rings = [
+            tuple((x * (scale // own), y * (scale // own)) for x, y in points)
+            for own, points in of_rings
+        ]
+        return scale, (rings[0], *((ring[0], *ring[:0:-1]) for ring in rings[1:]))
+
+    @property
+    def area(self) -> Fraction:
+        """The area: that of the exterior less those of the holes."""
+        return self.exterior.area - sum((hole.area for hole in self.holes), Fraction(0))
+
+    @property
+    def is_convex(self) -> bool:
+        """Whether it is convex, which it is not with a hole."""
+        return not self.holes and self.exterior.is_convex
+
+    @property
+    def bounding_box(self) -> tuple[Point, Point]:
+        """The lower left and the upper right corner of the least axis-parallel rectangle."""
+        return self.exterior.bounding_box
+
+    def translated(self, by: Iterable[object]) -> Region:
+        """Return the region moved by a vector, a pair of numbers. Cost: O(n).
+
+        >>> Region([(0, 0), (1, 0), (0, 1)]).translated((1, 0)).exterior
+        Polygon([(1, 0), (2, 0), (1, 1)])
+        """
+        vector = read_point(by, "translation")
+        return self._like([ring.translated(vector) for ring in (self.exterior, *self.holes)])
+
+    def reflected(self, center: Iterable[object] = (0, 0)) -> Region:
+        """Return the region turned by half a turn about a point. Cost: O(n).
+
+        >>> Region([(0, 0), (1, 0), (0, 1)]).reflected().exterior
+        Polygon([(-1, 0), (0, -1), (0, 0)])
+        """
+        middle = read_point(center, "center")
+        return self._like([ring.reflected(middle) for ring in (self.exterior, *self.holes)])
+
+    def _like(self, rings: Sequence[Polygon]) -> Region:
+        """The region of other rings, in the order of this one's, which need no checking."""
+        order = sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)
+        region = Region(rings[0])
+        object.__setattr__(region, "holes", tuple(rings[k] for k in order))
+        object.__setattr__(region, "_order", (0, *(self._order[k] for k in order)))
+        object.__setattr__(region, "_given", self._given)
+        return region
+
+    def vertex_index(self, k: int) -> int:
+        """Return the index in the caller's input of vertex k, counted through all `rings`.
+
+        The input is counted through, too: the exterior, then the holes in the order given.
+        """
+        ring, k = self._ring_of(k)
+        return self._first_index(self._order[ring]) + self._polygon(ring).vertex_index(k)
+
+    def edge_index(self, k: int) -> int:
+        """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
+
+        Counted as for `vertex_index`; of collinear edges the first, as for `Polygon`.
+        """
+        ring, k = self._ring_of(k)
+        return self._first_index(self._order[ring]) + self._polygon(ring).edge_index(k)
+
+    def _first_index(self, ring: int) -> int:
+        """How many vertices the caller gave before those of a ring."""
+        before = self._given[:ring]
+        return sum(1 + max(map(given.edge_index, range(len(given)))) for given in before)
+
+    def _polygon(self, ring: int) -> Polygon:
+        return self.holes[ring - 1] if ring else self.exterior
+
+    def _ring_of(self, k: int) -> tuple[int, int]:
+        ring = 0
+        while k >= len(self._polygon(ring)):
+            k -= len(self._polygon(ring))
+            ring += 1
+        return ring, k
+
+    def __len__(self) -> int:
+        return len(self.exterior) + sum(map(len, self.holes))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Region):
+            return NotImplemented
+        return self.exterior == other.exterior and self.holes == other.holes
+
+    def __hash__(self) -> int:
+        return hash((self.exterior, self.holes))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Region, (self.exterior, self.holes)
+
+    def __repr__(self) -> str:
+        holes = ", ".join(repr(hole).removeprefix("Polygon(")[:-1] for hole in self.holes)
+        return f"Region({repr(self.exterior).removeprefix('Polygon(')[:-1]}, [{holes}])"
+
+    def __str__(self) -> str:
+        return "; hole ".join(map(str, (self.exterior, *self.holes)))
+
+    def _repr_svg_(self) -> str:
+        from exactsweep.canvas.svg import draw_rings
+
+        return draw_rings(self.rings, size(len(self), self.area))
+
+    def _repr_html_(self) -> str:
+        from exactsweep.canvas.svg import put_beside
+
+        low, high = self.bounding_box
+        rows = [
+            ("vertices", str(len(self))),
+            ("holes", str(len(self.holes))),
+            ("area", abridged(self.area)),
+            ("from", pair(low)),
+            ("to", pair(high)),
+        ]
+        return put_beside(self._repr_svg_(), rows)
+
+
+def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
+    """Count the vertices through all rings of a shape.
+
+    Yields:
+        The number of the vertex before, of a vertex, and of the next one of its ring.
+
+    Example:
+        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+        >>> list(around(plate))
+        [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
+    """
+    first = 0
+    for ring in shape.rings:
+        size = len(ring)
+        for k in range(size):
+            yield first + (k - 1) % size, first + k, first + (k + 1) % size
+        first += size
+
+
+def _named(ring: Vertices, name: str) -> Polygon:
+    try:
+        return Polygon(ring)
+    except PolygonError as error:
+        raise PolygonError(f"{name}: {error}") from None
+    except NumberError as error:
+        raise NumberError(f"{name}: {error}") from None
+
+
+def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
+    """Refuse rings that are not the boundary of one region."""
+    polygons = [exterior, *holes]
+    names = ["the exterior", *(f"hole {k}" for k in range(len(holes)))]
+    scale = lcm(*(polygon.lattice()[0] for polygon in polygons))
+    rings = [
+        [(x * (scale // own), y * (scale // own)) for x, y in points]
+        for own, points in (polygon.lattice() for polygon in polygons)
+    ]
+    places = [Places(set) for _ in rings]
+    touching: defaultdict[Vertex, set[int]] = defaultdict(set)
+    for (k, i), (j, h) in _near(rings):
+        a, b = rings[k][i], rings[k][(i + 1) % len(rings[k])]
+        p, q = rings[j][h], rings[j][(h + 1) % len(rings[j])]
+        shared = touch(a, b, p, q)
+        if shared is None or len(set(shared)) > 1:
+            first = f"{names[k]}, edge {polygons[k].edge_index(i)}"
+            second = f"{names[j]}, edge {polygons[j].edge_index(h)}"
+            along = (b[0] - a[0]) * (q[1] - p[1]) == (b[1] - a[1]) * (q[0] - p[0])
+            what = "run along each other" if along else "cross"
+            raise PolygonError(f"{first}, and {second} {what}")
+        for point in shared:
+            touching[point] |= {k, j}
+            places[k][0, i].add(point)
+            places[j][0, h].add(point)
+    for k in range(1, len(rings)):
+        points = list(points_between([rings[k]], places[k]))
+        if not all(is_inside(point, rings[:1]) for point in points):
+            raise PolygonError(f"{names[k]} is not inside the exterior")
+        for j in range(1, len(rings)):
+            if j != k and any(is_inside(point, [rings[j]]) for point in points):
+                raise PolygonError(f"{names[k]} is inside {names[j]}")
+    _refuse_parted(len(rings), touching, names, scale)
+
+
+def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
+    """The pairs of edges of different rings whose bounds meet."""
+    boxes = []
+    for k, ring in enumerate(rings):
+        for i, (px, py) in enumerate(ring):
+            qx, qy = ring[(i + 1) % len(ring)]
+            boxes.append((min(px, qx), max(px, qx), min(py, qy), max(py, qy), k, i))
+    boxes.sort()
+    active: list[tuple[int | Fraction, ...]] = []
+    for box in boxes:
+        left, _, low, high, k, i = box
+        active = [other for other in active if other[1] >= left]
+        for _, _, other_low, other_high, j, h in active:
+            if j != k and other_low <= high and low <= other_high:
+                yield (k, i), (int(j), int(h))
+        active.append(box)
+
+
+def _refuse_parted(
+    rings: int, touching: dict[Vertex, set[int]], names: Sequence[str], scale: int
+) -> None:
+    """Refuse rings whose touching points part the interior.
+
+    It falls apart exactly if one can go from ring to ring through touching points in a circle.
+    """
+    group = list(range(rings))
+
+    def leader(k: int) -> int:
+        while group[k] != k:
+            k = group[k]
+        return k
+
+    for (x, y), there in touching.items():
+        leaders = {leader(k) for k in there}
+        if len(leaders) < len(there):
+            at = pair((Fraction(x) / scale, Fraction(y) / scale))
+            listed = " and ".join(names[k] for k in sorted(there))
+            raise PolygonError(
+                f"the interior falls apart: {listed} touch at {at} and are joined elsewhere, too"
+            )
+        for k in leaders:
+            group[k] = min(leaders)

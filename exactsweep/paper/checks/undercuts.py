@@ -1,0 +1,111 @@
+"""Section 5: undercuts of an MM sweep, how many and how long, and so the size of the inner loop."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from exactsweep import Sweep, sweep
+from exactsweep.check import verify
+from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
+from exactsweep.evidence.undercut import pockets
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
+from exactsweep.paper.counting import Family, grow_vertices
+from exactsweep.paper.functions import reference
+from exactsweep.paper.growth import MN2, Growth, double, grow
+from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.tiny import is_bent, search_grid
+from exactsweep.procedures.mm import sweep_mm
+
+
+def find_long_undercut(effort: Effort) -> Evidence:
+    """Look for an undercut with more edges than G_t, and count the edges over needles."""
+    found = search_grid(3, 8, is_bent, is_bent, long_undercut)
+    last = 3 if effort.quick else 5
+    growth = tuple(
+        grow_vertices("inner boundary", run_inner, needles, MN2, sizes)
+        for sizes in (
+            [(size, 16) for size, _ in double(16, last)],
+            [(16, size) for _, size in double(8, last)],
+            double(8, 2 if effort.quick else 3),
+        )
+    )
+    failure = proved_case(needles, 10, 8) or first_failure(map(_fall_behind, growth))
+    tried = f"{found.tried} A family of needles, one of them proved by its certificate."
+    return replace(found, tried=tried, failure=failure, growth=growth)
+
+
+def _fall_behind(growth: Growth) -> str:
+    for point in growth.points:
+        if point.count - 1 < edges_over_needles(point.m, point.n):
+            return f"{point.count - 1} edges for ({point.m}, {point.n}) are fewer than proved"
+    return "" if growth.is_attained else "the inner boundary over the needles falls behind mn²"
+
+
+def long_undercut(pair: Pair) -> str:
+    """An undercut whose bottom chain has more edges than G_t."""
+    most = len(pair.chains.top) - 1
+    longest = max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
+    return f"an undercut of {longest} edges, G_t having {most}" if longest > most else ""
+
+
+def run_inner(chains: Chains) -> list[tuple[object, object]]:
+    """The inner boundary, by Sweep_MM."""
+    return list(sweep_mm(*chains)[0])
+
+
+def proved_case(family: Family, m: int, n: int) -> str:
+    """What is wrong with one pair of a family, by the definition and by its certificate."""
+    pair = Pair(*family(m, n))
+    s = sweep(*pair)
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is wrong"
+    verdict = verify(s.certificate())
+    return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
+
+
+def undercuts_fill_the_inner_loop(pair: Pair) -> str:
+    """The undercuts are apart, and make up the difference between the inner loop and D."""
+    s = sweep(*pair)
+    if s.inner.vertices != reference(pair).inner:
+        return "the inner loop is not that of the definition"
+    if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
+        return "the undercuts do not make up the difference between the inner loop and D"
+    return ""
+
+
+def lower_undercuts(s: Sweep) -> int:
+    """How many undercuts the lower sweep has."""
+    return sum(u.bottom[0].x < u.bottom[-1].x for u in s.undercuts)
+
+
+def count_undercuts(effort: Effort) -> Evidence:
+    """Count the undercuts over terraces; those of one of them are proved by its certificate."""
+
+    def count(m: int, n: int) -> tuple[int, float]:
+        chains = Pair(*terraces(m, n)).chains
+        return len(pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
+
+    last = 2 if effort.quick else 4
+    growth = tuple(
+        grow("undercuts of the lower sweep", "terraces", "mn", sizes, count)
+        for sizes in (
+            [(3 * size + 4, 20) for size, _ in double(2, last)],
+            [(7, 2 * size + 4) for size, _ in double(8, last)],
+            [(3 * size + 4, 6 * size + 4) for size, _ in double(2, last)],
+        )
+    )
+    few = (
+        f"{p.count} undercuts for ({p.m}, {p.n}) are fewer than proved"
+        for g in growth
+        for p in g.points
+        if p.count < (p.m - 4) // 3 * ((p.n - 4) // 2)
+    )
+    pair = Pair(*terraces(7, 20))
+    against = Counterexample(
+        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D has "
+        f"{len(pair.directrix)} vertices",
+        "the family of terraces",
+        *pair,
+    )
+    failure = proved_case(terraces, 7, 20) or first_failure(few)
+    return Evidence("A family of terraces.", failure, against, growth=growth)

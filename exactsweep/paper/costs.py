@@ -1,0 +1,214 @@
+"""What the paper claims each procedure to cost, and what is counted and measured beside it.
+
+Operations and bytes are counted at small sizes, the same on every run; seconds are measured at
+larger ones, and only where a run is not to be quick. Each bound is tried with m and n doubled
+together, m alone and n alone: of m = n, a term m² where mn is claimed does not show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from exactsweep.corpus.generator.growing import (
+    cc,
+    cm_hard,
+    cm_undercut,
+    figure10,
+    mm,
+    needles,
+    wide,
+)
+from exactsweep.paper import literal
+from exactsweep.paper.claim import Effort, Evidence, Table, first_failure
+from exactsweep.paper.counting import Family, grow_bytes, grow_operations, grow_seconds
+from exactsweep.paper.growth import M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
+from exactsweep.paper.pairs import Chains
+from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+
+DOUBLINGS, QUICK = 5, 3
+UNITS = ("operations", "seconds", "bytes")
+
+STEPS = 0.2
+"""By how much the exponent of an MM sweep's counts may be above that of the bound.
+
+What is swept goes in batches, each three times the last, so that the counts rise in steps; over
+five doublings from 16 on a factor log n too many would show as 0.26 more.
+"""
+
+
+@dataclass(frozen=True)
+class Cost:
+    """A procedure of the paper on a family, one size or both being doubled.
+
+    Attributes:
+        row: the row of the ledger whose bound it is.
+        procedure: its name.
+        run: calls it.
+        bound: that of the paper.
+        family: the pairs.
+        varied: "m", "n" or "mn".
+        first: the first size that is doubled, for operations and bytes.
+        timed: the same for seconds.
+        fixed: the size that is not.
+        limit: see `Growth`.
+    """
+
+    row: str
+    procedure: str
+    run: Callable[[Chains], Iterable[Any]]
+    bound: Bound
+    family: Family
+    varied: str
+    first: int
+    timed: int
+    fixed: int = 16
+    limit: float = 1.08
+
+    def sizes(self, first: int, doublings: int) -> list[tuple[int, int]]:
+        """The (m, n) from a first size on."""
+        doubled = [first << k for k in range(doublings + 1)]
+        return [
+            (x if "m" in self.varied else self.fixed, x if "n" in self.varied else self.fixed)
+            for x in doubled
+        ]
+
+    def count(self, effort: Effort) -> Growth:
+        """Count operations."""
+        sizes = self.sizes(self.first, QUICK if effort.quick else DOUBLINGS)
+        return grow_operations(self.procedure, self.run, self.family, self.bound, sizes, self.limit)
+
+    def weigh(self, effort: Effort) -> Growth:
+        """Measure bytes."""
+        sizes = self.sizes(self.first, 2 if effort.quick else DOUBLINGS)
+        return grow_bytes(self.procedure, self.run, self.family, self.bound, sizes)
+
+    def time(self) -> Growth:
+        """Measure seconds."""
+        sizes = self.sizes(self.timed, DOUBLINGS)
+        return grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
+
+    def measure(self, effort: Effort) -> Iterator[Growth]:
+        """All of these; seconds only where it has not to be quick."""
+        yield self.count(effort)
+        yield self.weigh(effort)
+        if not effort.quick:
+            yield self.time()
+
+
+def _run_trajectory_cc(c: Chains) -> Iterable[Any]:
+    return trajectory_cc(c.top, c.directrix)
+
+
+def _run_inner_cc(c: Chains) -> Iterable[Any]:
+    return sweep_inner_cc(c.top, c.directrix)
+
+
+def _run_outer_cc(c: Chains) -> Iterable[Any]:
+    return sweep_outer_cc(*c)
+
+
+def run_trajectory_cm(c: Chains) -> Iterable[Any]:
+    """Trajectory_CM, for the chains of a pair."""
+    return trajectory_cm(c.top, c.directrix)
+
+
+def run_inner_cm(c: Chains) -> Iterable[Any]:
+    """SweepI_CM, for the chains of a pair."""
+    return sweep_inner_cm(c.top, c.directrix)
+
+
+def run_outer_cm(c: Chains) -> Iterable[Any]:
+    """SweepO_CM, for the chains of a pair."""
+    return sweep_outer_cm(*c)
+
+
+def _run_trajectory_mm(c: Chains) -> Iterable[Any]:
+    return trajectory_mm(c.top, c.directrix)
+
+
+def _run_literal_mm(c: Chains) -> Iterable[Any]:
+    return literal.trajectory_mm(c.top, c.directrix)
+
+
+def _run_inner_mm(c: Chains) -> Iterable[Any]:
+    return sweep_mm(*c)[0]
+
+
+def _run_outer_mm(c: Chains) -> Iterable[Any]:
+    return sweep_mm(*c)[1]
+
+
+def _list_costs() -> Iterator[Cost]:
+    for name, run in (
+        ("Trajectory_CC", _run_trajectory_cc),
+        ("SweepI_CC", _run_inner_cc),
+        ("SweepO_CC", _run_outer_cc),
+    ):
+        for varied in ("mn", "m", "n"):
+            yield Cost("Corollary 3.4", name, run, M_PLUS_N, cc, varied, 32, 1024)
+    for row, name, run, family in (
+        ("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, cm_hard),
+        ("Corollary 4.5", "SweepO_CM", run_outer_cm, cm_hard),
+        ("Corollary 4.6", "SweepI_CM", run_inner_cm, cm_undercut),
+    ):
+        yield Cost(row, name, run, MN, family, "mn", 8, 16)
+        yield Cost(row, name, run, MN, family, "m", 32, 128)
+        yield Cost(row, name, run, MN, family, "n", 32, 128)
+    yield Cost("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, MN, wide, "m", 64, 128)
+    row, name, run = "Corollary 5.7", "Trajectory_MM", _run_trajectory_mm
+    yield Cost(row, name, run, MN_LOG, figure10, "mn", 8, 16, limit=STEPS)
+    yield Cost(row, name, run, MN_LOG, figure10, "m", 32, 32, limit=STEPS)
+    yield Cost(row, name, run, MN_LOG, figure10, "n", 32, 32, limit=STEPS)
+    yield Cost(row, name, run, MN_LOG, mm, "mn", 16, 16, limit=STEPS)
+    yield Cost(row, f"{name} to the letter", _run_literal_mm, MN_LOG, figure10, "m", 32, 32)
+    row, name, run = "Corollary 5.8", "Sweep_MM, outer loop", _run_outer_mm
+    yield Cost(row, name, run, MN2_LOG, figure10, "mn", 4, 4, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, figure10, "m", 32, 32, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, figure10, "n", 8, 8, 8, limit=STEPS)
+    name, run = "Sweep_MM, inner loop", _run_inner_mm
+    yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 32, 8, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, needles, "n", 8, 8, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, mm, "mn", 8, 8, limit=STEPS)
+
+
+COSTS = tuple(_list_costs())
+
+
+def tabulate(growth: Iterable[Growth]) -> Table:
+    """Claimed and found exponents, a line for each procedure, family and size that is doubled.
+
+    Args:
+        growth: series of operations, bytes and seconds, in any order.
+
+    Returns:
+        A Table; its last column is "within", or "beyond" if any series is beyond its bound.
+    """
+    lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
+    for series in growth:
+        procedure = series.what.partition(" of ")[2]
+        lines.setdefault((procedure, series.family, series.varied), {})[series.unit] = series
+    rows = []
+    for (procedure, family, varied), found in lines.items():
+        one = next(iter(found.values()))
+        exponents = [
+            f"{found[unit].exponent(3 if unit == 'seconds' else 0):.2f}" if unit in found else "-"
+            for unit in UNITS
+        ]
+        verdict = "within" if all(series.is_flat for series in found.values()) else "beyond"
+        claimed = f"{one.claimed():.2f}"
+        rows.append([procedure, family, varied, one.bound, claimed, *exponents, verdict])
+    header = ("procedure", "family", "doubled", "bound", "its exponent", *UNITS, "verdict")
+    return Table("Exponents of the claimed bound, and of what was found", header, rows)
+
+
+def measure_costs(row: str, effort: Effort) -> Evidence:
+    """Count and measure all that bears on the bounds of a row of the ledger."""
+    growth = tuple(series for cost in COSTS if cost.row == row for series in cost.measure(effort))
+    without = " Seconds are left out of a quick run." if effort.quick else ""
+    tried = f"Operations, bytes and seconds over doubling sizes.{without}"
+    failure = first_failure(series.failure for series in growth)
+    return Evidence(tried, failure, growth=growth)

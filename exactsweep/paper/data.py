@@ -1,0 +1,204 @@
+"""What a run finds, as data: ledger.json, tables as CSV, counterexamples as files.
+
+The files go beside the report. ledger.schema.json says what ledger.json holds; a file of
+`counterexamples` has the polygons G and D by name, so that
+
+    exactsweep sweep lemma-5-3.json#G lemma-5-3.json#D
+
+sweeps it.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import platform
+import re
+import subprocess
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from exactsweep import __version__
+from exactsweep.formats import NamedPolygon, format_polygons
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Row
+from exactsweep.paper.costs import tabulate
+from exactsweep.paper.growth import Growth
+
+FORMAT = "exactsweep ledger"
+PACKAGES = ("sympy", "matplotlib", "jinja2")
+
+
+def slug(text: str) -> str:
+    """A name for a file.
+
+    >>> slug("Figure 10's count")
+    'figure-10-s-count'
+    """
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+
+
+def describe_environment(effort: Effort) -> dict[str, Any]:
+    """Commit, versions, system, processor and seed of a run."""
+    return {
+        "exactsweep": __version__,
+        "commit": _commit(),
+        "python": f"{platform.python_implementation()} {platform.python_version()}",
+        "packages": {name: found for name in PACKAGES if (found := _version(name))},
+        "system": platform.platform(),
+        "processor": _processor(),
+        "seed": effort.seed,
+        "quick": effort.quick,
+        "date": f"{datetime.now(UTC):%Y-%m-%d}",
+    }
+
+
+def _commit() -> str | None:
+    """The commit of a checkout, with a + if there are changes; None elsewhere."""
+    command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty=+"]
+    try:
+        found = subprocess.run(
+            [*command, "--abbrev=40", "--exclude=*"], capture_output=True, text=True, check=False
+        )
+    except OSError:
+        return None
+    return found.stdout.strip() or None
+
+
+def _version(name: str) -> str | None:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None
+
+
+def _processor() -> str:
+    described = Path("/proc/cpuinfo")
+    if described.exists():
+        for line in described.read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()
+
+
+def as_json(rows: Sequence[Row], effort: Effort) -> dict[str, Any]:
+    """All that a run found, in plain types."""
+    return {
+        "format": FORMAT,
+        "version": 1,
+        "environment": describe_environment(effort),
+        "totals": dict(Counter(row.claim.verdict.value for row in rows)),
+        "failing": [row.claim.name for row in rows if row.disagreement],
+        "claims": [_row_as_json(row) for row in rows],
+    }
+
+
+def _row_as_json(row: Row) -> dict[str, Any]:
+    claim, found = row.claim, row.evidence
+    return {
+        "name": claim.name,
+        "section": claim.section,
+        "words": claim.words,
+        "verdict": claim.verdict.value,
+        "evidence": list(claim.evidence),
+        "weight": claim.weight or None,
+        "correction": claim.correction or None,
+        "proof": claim.proof or None,
+        "kernel": claim.kernel or None,
+        "see": list(claim.see),
+        "code": list(claim.code),
+        "tried": found.tried,
+        "sampled": found.sampled or None,
+        "disagreement": row.disagreement or None,
+        "counterexamples": [
+            {
+                "text": case.text,
+                "how": case.how,
+                "file": name if case.generatrix else None,
+                "generatrix": [list(point) for point in case.generatrix],
+                "directrix": [list(point) for point in case.directrix],
+            }
+            for name, case in name_cases(claim.name, found)
+        ],
+        "tables": [
+            {
+                "caption": table.caption,
+                "header": list(table.header),
+                "rows": [list(line) for line in table.rows],
+            }
+            for table in found.tables
+        ],
+        "growth": [_growth_as_json(series) for series in found.growth],
+        "seconds": round(row.seconds, 3),
+    }
+
+
+def _growth_as_json(series: Growth) -> dict[str, Any]:
+    return {
+        "what": series.what,
+        "family": series.family,
+        "varied": series.varied,
+        "bound": series.bound,
+        "exponent": round(series.exponent(), 4),
+        "claimed": round(series.claimed(), 4),
+        "verdict": series.verdict,
+        "points": [
+            {"m": point.m, "n": point.n, "count": point.count, "bound": point.bound}
+            for point in series.points
+        ],
+    }
+
+
+def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample]]:
+    """The counterexamples of a row, and the names of their files."""
+    for number, case in enumerate(found.cases, 1):
+        stem = slug(name) + (f"-{number}" if number > 1 else "")
+        yield f"counterexamples/{stem}.json", case
+
+
+def write_data(folder: Path, rows: Sequence[Row], effort: Effort) -> Path:
+    """Write ledger.json, the CSV files and the counterexamples into a folder.
+
+    Returns:
+        The path of ledger.json.
+
+    Raises:
+        OSError: a file cannot be written.
+    """
+    for name in ("tables", "counterexamples"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    for row in rows:
+        for number, table in enumerate(row.evidence.tables, 1):
+            path = folder / "tables" / f"{slug(row.claim.name)}-{number}.csv"
+            _write_csv(path, [table.header, *table.rows])
+        for name, case in name_cases(row.claim.name, row.evidence):
+            if case.generatrix:
+                named = [
+                    NamedPolygon(Polygon(case.generatrix), "G"),
+                    NamedPolygon(Polygon(case.directrix), "D"),
+                ]
+                (folder / name).write_text(format_polygons(named, "json"), encoding="utf-8")
+    growth = [(row.claim.name, series) for row in rows for series in row.evidence.growth]
+    if growth:
+        header = ("row", "what", "family", "m", "n", "count", "divided by", "bound")
+        lines = (
+            (name, s.what, s.family, p.m, p.n, p.count, s.bound, p.bound)
+            for name, s in growth
+            for p in s.points
+        )
+        _write_csv(folder / "tables" / "growth.csv", [header, *lines])
+        costs = tabulate(s for name, s in growth if name.startswith("Corollary"))
+        _write_csv(folder / "tables" / "exponents.csv", [costs.header, *costs.rows])
+    path = folder / "ledger.json"
+    text = json.dumps(as_json(rows, effort), indent=1, ensure_ascii=False)
+    path.write_text(f"{text}\n", encoding="utf-8")
+    return path
+
+
+def _write_csv(path: Path, lines: Iterable[Sequence[object]]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows(lines)

@@ -1,0 +1,270 @@
+"""Contact lines: where the boundary of the free positions of a polygon of any shape can run.
+
+Let D and H = I(G) be sets with interiors connected, bounded by rings with the interior on the left,
+and O = int D + int H the positions of overlap, an open set. A position that is not in O, and at
+which the two touch, lies on a *contact segment*: a convex vertex of one, moved along an edge of the
+other whose direction has its place between those of the two edges at the vertex, ends included.
+
+(1) A free position with contact lies on a contact segment. Where the two touch, the cones of both
+    have no inner point in common, so one of them is convex; two disjoint cones of which one is
+    convex are parted by the line through an edge of one of them; and the vertex on the other side
+    of that line is convex, since its cone lies in a half-plane. The ends of a shared piece of two
+    edges are vertices for which this holds, too.
+    A shape that touches itself in a point has several cones there; those of the other one lie in
+    one gap between them, and the ring around that gap stands for all, unless the other one touches
+    itself there, too, and they hold each other: see (7) of `free_positions`.
+(2) Left of a contact segment, near each inner point of it, there is overlap: the vertex has gone
+    through the edge there, and the interior next to it with it.
+
+By (1) the boundary of the free positions, and the exact fits, are made of pieces of contact
+segments, and each piece between two neighbouring crossings is free or overlapped as a whole. By (2)
+a free region lies right of every contact segment that bounds it, and an exact fit has contact
+segments of both directions along it.
+
+Reduced convolution: Behar and Lien, "Fast and robust 2D Minkowski sum using reduced convolution",
+IROS 2011, has the same segments for polygons without holes, without the ends of the ranges.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import gcd
+from typing import NamedTuple
+
+from exactsweep.geometry.direction import Vector, primitive
+from exactsweep.geometry.overlap import Rings
+from exactsweep.geometry.point import Rational
+from exactsweep.geometry.point import Vertex as Corner
+from exactsweep.procedures.envelope import Break
+
+_UNITS = 2**32
+
+Cut = tuple[int, Break, bool, bool, bool]
+"""A crossing of a stretch with another one.
+
+A key, greater for another cut only where its place is not less; the place on the stretch; whether
+there is overlap just before it, and just after it, on account of the other stretch; whether contact
+segments run both ways along that.
+"""
+
+Vertex = tuple[int, int, int, int]
+"""A point of the plane by its reduced coordinates: x = n / d and y = m / e as (n, d, m, e)."""
+
+
+class Stretch:
+    """A stretch of a line on which contact segments of the same directions lie.
+
+    The line has the points with dx * y - dy * x = c; dx, dy are coprime ints, dx > 0 or (0, 1).
+    Places on it are values of x, of y if it is vertical.
+
+    Attributes:
+        low, high: its ends, Breaks.
+        left, right: on which sides there is overlap: whether contact segments run along (dx, dy),
+            and whether they run against it.
+        low_through, high_through: the same for segments that run through the point `low` or `high`;
+            None where the line goes no further.
+        low_covered, high_covered: whether there is overlap just inside of an end at which the
+            stretch was cut short.
+        cuts: crossings with other stretches.
+    """
+
+    __slots__ = (
+        "c",
+        "cuts",
+        "dx",
+        "dy",
+        "high",
+        "high_covered",
+        "high_through",
+        "left",
+        "low",
+        "low_covered",
+        "low_through",
+        "right",
+    )
+
+    def __init__(
+        self,
+        line: tuple[int, int, Rational],
+        low: Rational,
+        high: Rational,
+        left: bool,
+        right: bool,
+    ) -> None:
+        self.dx, self.dy, self.c = line
+        self.low: Break = (low, 1)
+        self.high: Break = (high, 1)
+        self.left = left
+        self.right = right
+        self.low_through: tuple[bool, bool] | None = None
+        self.high_through: tuple[bool, bool] | None = None
+        self.low_covered = self.high_covered = False
+        self.cuts: list[Cut] = []
+
+    def between(self, low: Rational, high: Rational) -> Stretch:
+        """The piece from one place to another; an end that is not the stretch's is covered."""
+        piece = Stretch((self.dx, self.dy, self.c), low, high, self.left, self.right)
+        piece.low_covered, piece.high_covered = low != self.low[0], high != self.high[0]
+        piece.low_through, piece.high_through = self.low_through, self.high_through
+        return piece
+
+    def vertex(self, place: Break) -> Vertex:
+        """The point of the line at a place."""
+        n, d = place
+        if self.dx == 0:
+            return *_reduce(-self.c, 1), *_reduce(n, d)
+        return *_reduce(n, d), *_reduce(n * self.dy + self.c * d, self.dx * d)
+
+
+def _reduce(n: Rational, d: Rational) -> tuple[int, int]:
+    if type(n) is int and type(d) is int:
+        common = gcd(n, d)
+        return n // common, d // common
+    return Fraction(n, d).as_integer_ratio()
+
+
+class _Edge(NamedTuple):
+    rank: int
+    number: int  # of the direction, either way round
+    ahead: bool  # whether it runs along that direction
+    offset: Rational
+    low: Rational
+    high: Rational
+
+
+class _Convex(NamedTuple):
+    point: Corner
+    first: int
+    last: int
+
+
+def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
+    """The contact segments of two shapes, those on one line put together.
+
+    Args:
+        stationary: the rings of D.
+        moving: the rings of H = I(G), the orbiting shape turned by half a turn.
+
+    Returns:
+        The stretches, in the order of their lines.
+
+    Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
+    """
+    directions, ranks = _ranked((stationary, moving))
+    sides = [_features(rings, ranks, len(directions)) for rings in (stationary, moving)]
+    lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
+        list
+    )
+    for (_, corners), (edges, _) in (sides, sides[::-1]):
+        # Twice round, so that each range of directions is one slice.
+        circle = 2 * len(directions)
+        order = sorted(edges)
+        order += [edge._replace(rank=edge.rank + circle) for edge in order]
+        at = [edge.rank for edge in order]
+        for (x, y), first, last in corners:
+            for _, k, ahead, offset, low, high in order[
+                bisect_left(at, first) : bisect_right(at, last)
+            ]:
+                dx, dy = directions[k]
+                along = x if dx else y
+                lines[k, dx * y - dy * x + offset].append((low + along, high + along, ahead))
+    return [
+        stretch
+        for (k, c), segments in lines.items()
+        for stretch in _stretches((*directions[k], c), segments)
+    ]
+
+
+def _ranked(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int]]:
+    """All directions of edges, either way round, in order of slope, and their places there."""
+    found = {
+        primitive((q[0] - p[0], q[1] - p[1]))
+        for rings in shapes
+        for ring in rings
+        for p, q in _edges(ring)
+    }
+    vertical = {(0, 1)} & found
+    order = sorted((v * _UNITS // u, u, v) for u, v in found - vertical)
+    if any(a[0] == b[0] for a, b in pairwise(order)):
+        # Slopes that differ by less than a unit.
+        order.sort(key=lambda item: Fraction(item[2], item[1]))
+    directions = [(u, v) for _, u, v in order] + list(vertical)
+    return directions, {u: k for k, u in enumerate(directions)}
+
+
+def _edges(ring: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
+    p = ring[-1]
+    for q in ring:
+        yield p, q
+        p = q
+
+
+def _features(
+    rings: Rings, ranks: dict[Vector, int], half: int
+) -> tuple[list[_Edge], list[_Convex]]:
+    """The edges and the convex vertices of a shape, with the ranks of their directions.
+
+    Directions are ranked counter-clockwise from just above straight down, `half` to half a turn.
+    """
+    edges: list[_Edge] = []
+    corners: list[_Convex] = []
+    for ring in rings:
+        of_ring: list[_Edge] = []
+        for p, q in _edges(ring):
+            (px, py), (qx, qy) = p, q
+            u = primitive((qx - px, qy - py))
+            k, (dx, dy) = ranks[u], u
+            ahead = p < q
+            low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
+            rank = k if ahead else k + half
+            of_ring.append(_Edge(rank, k, ahead, dx * py - dy * px, low, high))
+        # Edge i ends at vertex i.
+        for i, point in enumerate(ring):
+            first, last = of_ring[i].rank, of_ring[(i + 1) % len(ring)].rank
+            if last < first:
+                last += 2 * half
+            if last - first < half:
+                corners.append(_Convex(point, first, last))
+        edges += of_ring
+    return edges, corners
+
+
+def _stretches(
+    line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
+) -> Iterator[Stretch]:
+    """Put the contact segments of one line together: stretches with the same directions along."""
+    if len(segments) == 1:
+        ((low, high, ahead),) = segments
+        yield Stretch(line, low, high, ahead, not ahead)
+        return
+    ending: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
+    starting: defaultdict[Rational, list[int]] = defaultdict(lambda: [0, 0])
+    for low, high, ahead in segments:
+        starting[low][ahead] += 1
+        ending[high][ahead] += 1
+    against = along = 0
+    before: Stretch | None = None
+    for place in sorted(starting.keys() | ending.keys()):
+        along -= ending[place][True]
+        against -= ending[place][False]
+        # Segments that end here where others start do not run through: (2) is not said of their
+        # ends, and an exact fit can begin there.
+        through = along > 0, against > 0
+        along += starting[place][True]
+        against += starting[place][False]
+        left, right = along > 0, against > 0
+        if before is not None:
+            sides = before.left, before.right
+            if sides == (left, right) == through:
+                continue
+            before.high = (place, 1)
+            before.high_through = through if left or right else None
+            yield before
+        after = Stretch(line, place, place, left, right) if left or right else None
+        if after is not None and before is not None:
+            after.low_through = through
+        before = after

@@ -1,0 +1,261 @@
+"""The free positions of two polygons of any shape, from their contact lines.
+
+See `contact_lines` for (1) and (2). What follows from them, step by step:
+
+(3) A piece of a stretch between two neighbouring crossings cannot be free if at one of its ends it
+    goes off to the left of a stretch that runs through there: there is overlap by (2).
+(4) The pieces that are left bound a free region on their right, or, if contact segments run along
+    them both ways, are exact fits, or are overlapped after all.
+(5) From a piece that bounds a free region, the next one of its boundary is the first that is met by
+    turning counter-clockwise from the way back. It is left by (3), too, and so are all others
+    until the loop closes. So a walk that comes to an end shows that all of its pieces are
+    overlapped, and one position of a loop that closes decides all of it.
+(6) A single free position has overlap in all directions, and so contact segments through it that
+    have every direction on their left: more than two, or two that run both ways each.
+(7) Where both shapes touch themselves in one point, they can hold each other like the links of a
+    chain. No contact segment need pass there; these positions, which are single, are asked about.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from functools import cmp_to_key
+from itertools import groupby, pairwise
+from operator import itemgetter
+from typing import NamedTuple
+
+from exactsweep.geometry.number import quotient
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Vertex as Corner
+from exactsweep.procedures.contact_lines import Stretch, Vertex
+from exactsweep.procedures.envelope import Break
+
+Loop = list[Point]
+Fit = tuple[Point, Point]
+
+
+class Free(NamedTuple):
+    """Free positions, as they are bounded.
+
+    Attributes:
+        around: the loops around overlap.
+        within: the loops around free regions, but for the unbounded one.
+        fits: exact fits, sorted: segments, an end on a loop first if the other one is not, else the
+            lesser end; and points as segments of two equal ends.
+
+    Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
+    """
+
+    around: list[Loop]
+    within: list[Loop]
+    fits: list[Fit]
+
+
+_Piece = tuple[Vertex, Vertex, int, int]
+"""A piece of a stretch between crossings: start, end, direction; a free region is on its right."""
+
+
+def free_positions(
+    stretches: Sequence[Stretch],
+    overlap: Callable[[Point], bool],
+    scale: int = 1,
+    links: Iterable[Corner] = (),
+) -> Free:
+    """Find the loops and the exact fits among stretches that have been cut at their crossings.
+
+    Args:
+        stretches: of contact segments, with their cuts.
+        overlap: whether there is overlap at a position.
+        scale: what the positions found are divided by, when they leave the lattice.
+        links: positions at which both shapes touch themselves in one point, (7).
+
+    Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
+    but the free ones, each piece with segments both ways, and each position that (6) leaves.
+    """
+    pieces: list[_Piece] = []
+    both_ways: list[tuple[Stretch, Vertex, Vertex]] = []
+    suspects = {(*x.as_integer_ratio(), *y.as_integer_ratio()) for x, y in links}
+    for stretch in stretches:
+        for low, high in _left_over(stretch, suspects):
+            p, q = stretch.vertex(low), stretch.vertex(high)
+            if stretch.left and stretch.right:
+                both_ways.append((stretch, p, q))
+            elif stretch.left:
+                pieces.append((p, q, stretch.dx, stretch.dy))
+            else:
+                pieces.append((q, p, -stretch.dx, -stretch.dy))
+    rings = list(_rings(pieces, overlap))
+    bounding = {start for ring in rings for start, _, _, _ in ring}
+    fits = list(_join((f for f in both_ways if not overlap(_middle(*f[1:]))), bounding))
+    known = bounding | {end for fit in fits for end in fit}
+    alone = [p for p in suspects - known if not overlap(_leave(p, 1))]
+    fits += [(p, p) for p in alone if not any(_lies_on(p, fit) for fit in fits)]
+    around: list[Loop] = []
+    within: list[Loop] = []
+    for ring in rings:
+        loop, is_around = _canonical(ring, scale)
+        (around if is_around else within).append(loop)
+    return Free(around, within, sorted(_hang(fit, bounding, scale) for fit in fits))
+
+
+def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Break]]:
+    """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
+
+    Cost: O(k log k) for k cuts.
+    """
+    left: list[tuple[Break, Break]] = []
+    cuts, twice = stretch.cuts, stretch.left and stretch.right
+    cuts.sort(key=itemgetter(0))
+    if any(a[0] == b[0] for a, b in pairwise(cuts)):
+        cuts.sort(key=lambda cut: (cut[0], quotient(*cut[1])))
+    joint = stretch.low_through is not None or stretch.high_through is not None
+    (since_n, since_d), covered = stretch.low, stretch.low_covered
+    k, size = 0, len(cuts)
+    while k < size:
+        key, place, before, after, other_twice = cuts[k]
+        n, d = place
+        k += 1
+        alone = True
+        while k < size and cuts[k][0] == key and cuts[k][1][0] * d == n * cuts[k][1][1]:
+            before = before or cuts[k][2]
+            after = after or cuts[k][3]
+            alone = False
+            k += 1
+        if since_n * d < n * since_d:
+            if not (covered or before):
+                left.append(((since_n, since_d), place))
+            since_n, since_d, covered = n, d, after
+        else:
+            covered = covered or after
+        if not alone or (twice and other_twice) or (joint and _goes_on(stretch, place)):
+            suspects.add(stretch.vertex(place))
+    end_n, end_d = stretch.high
+    if not (covered or stretch.high_covered) and since_n * end_d < end_n * since_d:
+        left.append(((since_n, since_d), stretch.high))
+    return left
+
+
+def _goes_on(stretch: Stretch, place: Break) -> bool:
+    """Whether a place is an end at which another stretch of the line begins."""
+    n, d = place
+    return (stretch.low_through is not None and n == stretch.low[0] * d) or (
+        stretch.high_through is not None and n == stretch.high[0] * d
+    )
+
+
+def _rings(
+    pieces: Sequence[_Piece], overlap: Callable[[Point], bool]
+) -> Iterator[Sequence[_Piece]]:
+    """The rings of free pieces, by (5)."""
+    leaving: defaultdict[Vertex, list[int]] = defaultdict(list)
+    for number, piece in enumerate(pieces):
+        leaving[piece[0]].append(number)
+    undecided, on_way, done = 0, 1, 2
+    state = [undecided] * len(pieces)
+    for first in range(len(pieces)):
+        way: list[int] = []
+        k: int | None = first
+        while k is not None and state[k] == undecided:
+            state[k] = on_way
+            way.append(k)
+            k = _next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
+        if k is not None and state[k] == on_way:
+            ring = way[way.index(k) :]
+            if not overlap(_middle(pieces[k][0], pieces[k][1])):
+                yield from _simple(pieces[number] for number in ring)
+        for number in way:
+            state[number] = done
+
+
+def _next(pieces: Sequence[_Piece], piece: _Piece, leaving: Sequence[int]) -> int | None:
+    """The first piece counter-clockwise from the way back."""
+    if len(leaving) < 2:
+        return leaving[0] if leaving else None
+    x, y = -piece[2], -piece[3]
+
+    def turned(k: int) -> tuple[bool, int]:
+        """Whether a piece is more than half a turn on."""
+        _, _, dx, dy = pieces[k]
+        turn = x * dy - y * dx
+        return turn < 0 or (turn == 0 and x * dx + y * dy > 0), k
+
+    def compare(a: tuple[bool, int], b: tuple[bool, int]) -> int:
+        if a[0] != b[0]:
+            return 1 if a[0] else -1
+        (_, _, px, py), (_, _, qx, qy) = pieces[a[1]], pieces[b[1]]
+        return qx * py - qy * px
+
+    return min(map(turned, leaving), key=cmp_to_key(compare))[1]
+
+
+def _simple(ring: Iterable[_Piece]) -> Iterator[Sequence[_Piece]]:
+    """Part a ring where it comes back to a point: positions of overlap in several pieces touch."""
+    way: list[_Piece] = []
+    places: dict[Vertex, int] = {}
+    for piece in ring:
+        since = places.setdefault(piece[0], len(way))
+        if since < len(way):
+            yield way[since:]
+            for passed in way[since + 1 :]:
+                del places[passed[0]]
+            del way[since:]
+        way.append(piece)
+    yield way
+
+
+def _canonical(ring: Sequence[_Piece], scale: int) -> tuple[Loop, bool]:
+    """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
+    corners = [
+        (_leave(start, scale), (bx, by), (dx, dy))
+        for (_, _, bx, by), (start, _, dx, dy) in zip([ring[-1], *ring[:-1]], ring, strict=True)
+        if (bx, by) != (dx, dy)
+    ]
+    first = min(range(len(corners)), key=lambda k: corners[k][0])
+    # The least vertex is a convex corner.
+    _, (bx, by), (dx, dy) = corners[first]
+    points = [point for point, _, _ in corners[first:] + corners[:first]]
+    if bx * dy > by * dx:
+        return points, True
+    return [points[0], *points[:0:-1]], False
+
+
+def _leave(vertex: Vertex, scale: int) -> Point:
+    """A vertex of the lattice or between, divided by the scale."""
+    xn, xd, yn, yd = vertex
+    return Point(quotient(xn, xd * scale), quotient(yn, yd * scale))
+
+
+def _middle(p: Vertex, q: Vertex) -> Point:
+    a, b = _leave(p, 2), _leave(q, 2)
+    return Point(a.x + b.x, a.y + b.y)
+
+
+def _join(
+    fits: Iterable[tuple[Stretch, Vertex, Vertex]], bounding: Container[Vertex]
+) -> Iterator[tuple[Vertex, Vertex]]:
+    """Join exact fits that go on in one line, unless they meet a loop there."""
+    for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c)):
+        start: Vertex | None = None
+        end: Vertex | None = None
+        for _, p, q in group:
+            if start is None or end is None:
+                start = p
+            elif p != end or p in bounding:
+                yield start, end
+                start = p
+            end = q
+        assert start is not None
+        assert end is not None
+        yield start, end
+
+
+def _lies_on(vertex: Vertex, fit: tuple[Vertex, Vertex]) -> bool:
+    p, (a, b) = _leave(vertex, 1), sorted(_leave(end, 1) for end in fit)
+    return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and a <= p <= b
+
+
+def _hang(fit: tuple[Vertex, Vertex], bounding: Container[Vertex], scale: int) -> Fit:
+    """Put the end on a loop first, if only one is, else the lesser one; and leave the lattice."""
+    (p, first), (q, second) = sorted((_leave(end, scale), end) for end in fit)
+    return (q, p) if second in bounding and first not in bounding else (p, q)

@@ -1,0 +1,134 @@
+"""Polygons of any shape, with holes or without: no-fit and inner-fit positions (kind "SS").
+
+Beyond the paper. Its sets carry over: the positions of overlap are O = int D + int I(G), an open
+set, and the free positions are the rest. What bounds them is looked for where it can be, on the
+contact segments of the pair (see `contact_lines`), and what is left there after their crossings is
+decided by exact questions whether two polygons overlap (see `free_positions`). No part of either
+polygon is made and no union, so that nothing of a partition has to be removed again.
+
+Errata to the plan of cutting D and G into monotone parts and joining O(m n) sweeps: none in its
+mathematics; the contact segments are fewer than the edges of those sweeps, and most end where they
+first cross another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.overlap import Overlap, Rings
+from exactsweep.geometry.point import ORIGIN, Vertex
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.cover import leave_out_covered
+from exactsweep.procedures.crossings import cut_at_crossings
+from exactsweep.procedures.free_positions import Fit, Free, Loop, free_positions
+
+
+class NoFit(NamedTuple):
+    """Where a polygon does not fit around another one.
+
+    Attributes:
+        exterior: the loop around all positions of overlap, counter-clockwise.
+        holes: the loops around free positions inside, counter-clockwise.
+        exact_fits: free positions without free ones around them: segments, and points as segments
+            of two equal ends; an end that hangs on a loop comes first if the other one does not.
+    """
+
+    exterior: Loop
+    holes: list[Loop]
+    exact_fits: list[Fit]
+
+
+class InnerFit(NamedTuple):
+    """Where a polygon fits into a container.
+
+    Attributes:
+        regions: free regions, each as its exterior and the loops around overlap inside it, all
+            counter-clockwise.
+        exact_fits: as for `NoFit`.
+    """
+
+    regions: list[tuple[Loop, list[Loop]]]
+    exact_fits: list[Fit]
+
+
+def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFit:
+    """The no-fit polygon of two shapes, with its holes and exact fits.
+
+    Args:
+        directrix: the rings of D, interior on the left.
+        generatrix: the rings of G.
+        scale: what the positions are divided by, when they leave the lattice of the rings.
+
+    Returns:
+        Positions of G's origin; loops are canonical.
+
+    Cost: O(k log k + c + q m n) for k contact segments, c crossings of them and q loops and
+    exact fits to be decided; k <= 2 m n and c <= k^2, and few of either for real outlines.
+
+    >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+    >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
+    [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    """
+    free = _free(directrix, generatrix, scale)
+    (exterior,) = free.around
+    return NoFit(exterior, sorted(free.within), free.fits)
+
+
+def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFit:
+    """The positions of a part inside a container.
+
+    Args:
+        container: its rings, interior on the left: the exterior, and defects as clockwise holes.
+        part: the rings of the part.
+        scale: as for `no_fit_ss`.
+
+    Returns:
+        Positions of the part's origin; nothing where it does not fit.
+
+    Cost: as for `no_fit_ss`.
+
+    >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+    >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).exact_fits]
+    [(0, 0, 2, 0)]
+    """
+    # What the part must not overlap is the plane outside the container, and each defect.
+    free = _free([ring[::-1] for ring in container], part, scale, unbounded=True)
+    inside: list[list[Loop]] = [[] for _ in free.within]
+    for loop in free.around:
+        inside[_around(loop, free.within)].append(loop)
+    return InnerFit(list(zip(free.within, inside, strict=True)), free.fits)
+
+
+def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
+    moving = [inverse(ring) for ring in orbiting]
+    stretches = contact_stretches(stationary, moving)
+    if not unbounded:
+        stretches = leave_out_covered(stretches, stationary, moving)
+    cut_at_crossings(stretches)
+    overlap = Overlap(stationary, orbiting, unbounded=unbounded)
+    links = [
+        (dx - gx, dy - gy)
+        for dx, dy in (_pinches(stationary) if len(orbiting) > 1 else ())
+        for gx, gy in _pinches(orbiting)
+    ]
+    return free_positions(stretches, overlap.at, scale, links)
+
+
+def _pinches(rings: Rings) -> set[Vertex]:
+    """The points in which rings of a shape touch each other. Cost: O(n^2)."""
+    if len(rings) == 1:
+        return set()
+    outline = Outline(rings)
+    return {
+        vertex
+        for k, vertex in enumerate(outline.vertices)
+        if outline.numbers[vertex] != k or any(True for _ in outline.edges_through(vertex))
+    }
+
+
+def _around(loop: Loop, exteriors: Sequence[Loop]) -> int:
+    """Which of some loops without common inner points has a loop inside."""
+    return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))

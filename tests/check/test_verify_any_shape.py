@@ -1,0 +1,226 @@
+"""Certificates of polygons of any shape: true ones are proved, and every change is refused."""
+
+import json
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import pytest
+from cells import Holed, grid, shape_of
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from shape_certificates import (
+    falsified,
+    inner_fit_certificate,
+    no_fit_certificate,
+    sweep_certificate,
+)
+from shapes import cell_sets, polyominoes, shape_pairs
+from strategies import simple_polygons
+
+from exactsweep import Point, Polygon
+from exactsweep.check import classify, verify
+from exactsweep.check.monotone import has_shared_direction
+from exactsweep.geometry.direction import DirectionError, shared_direction
+
+patient = settings(deadline=None, max_examples=40)
+UNIT = grid("#")
+C = grid("####", "#..#", "#...", "#..#", "####")
+RING = grid("####", "#..#", "#..#", "####")
+CAVE = grid("##########", "#........#", *["#........#"] * 6, "#........#", "###....###")
+PAIRS = {
+    "C": (C, UNIT),
+    "closed C": (C, grid("##", "##")),
+    "hole of its size": (grid("###", "#.#", "###"), UNIT),
+    "rooms": (grid("########", "#..#...#", "#..#...#", "########"), UNIT),
+    "ring around a ring": (grid("###", "#.#", "###"), RING),
+    "moves around": (CAVE, grid("###", "###", "###")),
+    "crossing slits": (grid("#####", "##.##", "#...#", "##.##", "#####"), UNIT),
+}
+
+
+def proved(certificate: dict[str, Any]) -> bool:
+    result = verify(json.loads(json.dumps(certificate)))
+    assert result.proved == (result.reason == "proved")
+    return result.proved
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_every_change_is_refused(name: str) -> None:
+    d, g = PAIRS[name]
+    certificates = [no_fit_certificate(d, g), sweep_certificate(d, g)]
+    certificates.append(inner_fit_certificate(Holed(Polygon([(-1, -1), (99, -1), (9, 99)])), d))
+    certificates.append(inner_fit_certificate(d, g))
+    for certificate in certificates:
+        if certificate["claim"] != "sweep" or d.holes or g.holes or name == "moves around":
+            assert proved(certificate)
+        for change, false in falsified(certificate, Random(name)):
+            assert not proved(false), (certificate["claim"], change)
+
+
+@patient
+@given(shape_pairs(), st.integers(0, 99))
+def test_certificate_from_the_definition_is_proved_and_no_change_of_it(
+    pair: tuple[Holed, Holed], seed: int
+) -> None:
+    certificate = no_fit_certificate(*pair)
+    assert proved(certificate)
+    rng = Random(seed)
+    changes = list(falsified(certificate, rng))
+    for change, false in rng.sample(changes, min(8, len(changes))):
+        assert not proved(false), change
+
+
+@patient
+@given(cell_sets(), polyominoes(4), st.integers(0, 99))
+def test_inner_fit_is_proved_and_no_change_of_it(
+    container: frozenset[tuple[int, int]], part: frozenset[tuple[int, int]], seed: int
+) -> None:
+    certificate = inner_fit_certificate(shape_of(container), shape_of(part))
+    assert proved(certificate)
+    rng = Random(seed)
+    changes = list(falsified(certificate, rng))
+    for change, false in rng.sample(changes, min(8, len(changes))):
+        assert not proved(false), change
+
+
+@patient
+@given(shape_pairs(), st.integers(0, 99))
+def test_sweep_is_proved_and_no_change_of_it(pair: tuple[Holed, Holed], seed: int) -> None:
+    d, g = pair
+    certificate = sweep_certificate(d, g)
+    monotone = not d.holes and not g.holes and _has_direction(d.exterior, g.exterior)
+    assert proved(certificate) != monotone
+    rng = Random(seed)
+    changes = list(falsified(certificate, rng))
+    for change, false in rng.sample(changes, min(8, len(changes))):
+        assert not proved(false), change
+
+
+@patient
+@given(simple_polygons(), simple_polygons())
+@example(grid("#.#", "###").exterior, UNIT.exterior)
+@example(grid("#.#", "###").exterior, grid("##", "#.", "##").exterior)
+def test_shared_direction_is_found_as_by_the_kernel(d: Polygon, g: Polygon) -> None:
+    assert has_shared_direction([d.vertices, g.vertices]) == _has_direction(d, g)
+
+
+def _has_direction(d: Polygon, g: Polygon) -> bool:
+    try:
+        shared_direction(g, d)
+    except DirectionError:
+        return False
+    return True
+
+
+# --- Witnesses -----------------------------------------------------------------------------------
+
+
+def test_witness_of_a_missed_fit_is_a_position_of_contact() -> None:
+    d, g = PAIRS["hole of its size"]
+    result = verify({**no_fit_certificate(d, g), "exact_fits": []})
+    assert result == (
+        False,
+        "exact_fits: one is missing, or a part of it",
+        Point(*map(Fraction, (1, 1))),
+    )
+
+
+def test_witness_of_a_missed_hole_is_on_its_boundary() -> None:
+    d, g = PAIRS["rooms"]
+    certificate = no_fit_certificate(d, g)
+    result = verify({**certificate, "holes": []})
+    assert result.reason == "holes: one is missing, or a part of it"
+    assert result.witness is not None
+    assert classify(d, g, result.witness).verdict == "CONTACT"
+
+
+def test_witness_of_an_invented_fit_says_what_is_there() -> None:
+    d, g = PAIRS["closed C"]
+    for (x, y), reason in {
+        ("1/2", "1/2"): "exact_fits[0]: at the witness G overlaps D",
+        ("3/2", "5/2"): "exact_fits[0]: at the witness G overlaps D",
+        ("9", "9"): "exact_fits[0]: at the witness G does not touch D",
+    }.items():
+        result = verify({**no_fit_certificate(d, g), "exact_fits": [[[x, y], [x, y]]]})
+        assert result == (False, reason, (Fraction(x), Fraction(y)))
+
+
+# --- Input ---------------------------------------------------------------------------------------
+
+SQUARE = [["0", "0"], ["9", "0"], ["9", "9"], ["0", "9"]]
+
+
+def hole(*points: tuple[int, int]) -> list[list[str]]:
+    return [[str(x), str(y)] for x, y in points]
+
+
+@pytest.mark.parametrize(
+    ("holes", "reason"),
+    [
+        ([hole((10, 1), (11, 1), (11, 2))], "directrix.holes[0] is not inside the exterior"),
+        ([hole((8, 1), (11, 1), (11, 2))], "directrix.exterior and directrix.holes[0] meet in"),
+        ([hole((0, 1), (1, 2), (0, 3))], "directrix.exterior and directrix.holes[0] meet in"),
+        ([hole((1, 1), (5, 1), (5, 5)), hole((2, 1), (3, 0), (3, 1))], "directrix.holes[0] and"),
+        ([hole((1, 1), (8, 1), (8, 8)), hole((4, 2), (7, 2), (7, 4))], "directrix.holes[0] and"),
+        ([hole((4, 2), (7, 2), (7, 4)), hole((1, 1), (8, 1), (8, 8))], "directrix.holes: not sor"),
+        ([hole((1, 1), (3, 1), (3, 3)), hole((2, 1), (3, 2), (2, 3))], "directrix.holes[0] and"),
+        ([hole((0, 4), (4, 2), (9, 4), (4, 6))], "directrix: its interior falls apart"),
+        (
+            [hole((1, 1), (4, 4), (1, 4)), hole((1, 4), (4, 4), (4, 8))],
+            "directrix.holes[0] and directrix.holes[1] meet in more",
+        ),
+        (
+            [hole((1, 1), (4, 3), (2, 3)), hole((1, 6), (2, 3), (3, 4), (4, 3), (4, 6))],
+            "directrix: its interior falls apart",
+        ),
+        ([hole((4, 5), (9, 4), (12, 5), (9, 6))], "directrix.holes[0] is not inside the ext"),
+        ([hole((1, 1), (1, 2), (2, 2))], "directrix.holes[0]: not canonical"),
+        ([hole((1, 1), (2, 2), (3, 3))], "directrix.holes[0]: zero area"),
+    ],
+)
+def test_bad_holes_are_refused(holes: list[Any], reason: str) -> None:
+    d = {"exterior": SQUARE, "holes": holes}
+    result = verify({**no_fit_certificate(C, UNIT), "directrix": d})
+    assert not result.proved
+    assert result.reason.startswith(reason)
+
+
+def test_holes_may_touch_in_points() -> None:
+    points = Polygon([(1, 4), (4, 2), (4, 6)]), Polygon([(4, 4), (6, 2), (7, 4), (6, 6)])
+    d = Holed(Polygon([(0, 0), (9, 0), (9, 9), (0, 9)]), points)
+    assert proved(no_fit_certificate(d, UNIT))
+    assert proved(sweep_certificate(d, UNIT))
+    assert proved(inner_fit_certificate(d, UNIT))
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"claim": "fit"}, "claim is not no_fit, inner_fit, sweep"),
+        ({"claim": []}, "claim is not no_fit, inner_fit, sweep"),
+        ({"claim": "sweep"}, "the key 'kind' is missing"),
+        ({"extra": 1}, "there are unknown keys"),
+        ({"version": 2}, "version is not 1"),
+        ({"directrix": []}, "directrix: not an object of exterior and holes"),
+        ({"generatrix": {"exterior": SQUARE}}, "generatrix: not an object of exterior and holes"),
+        ({"exterior": [["0", "0"]]}, "exterior: fewer than three vertices"),
+        ({"exterior": [["0", "0"], ["1", "1"], ["2", "2"]]}, "exterior: zero area"),
+        ({"holes": None}, "holes: a NoneType, not a list"),
+        ({"exact_fits": [[["0", "0"]]]}, "exact_fits[0]: not a list of 2"),
+    ],
+)
+def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) -> None:
+    result = verify({**no_fit_certificate(C, UNIT), **change})
+    assert not result.proved
+    assert result.reason.startswith(reason)
+
+
+def test_many_edges_are_refused_at_once_for_any_shape() -> None:
+    teeth = [(k, 2 * (k % 2)) for k in range(2001)]
+    comb = Holed(Polygon([*teeth, (2000, 9), (0, 9)]))
+    certificate = no_fit_certificate(UNIT, UNIT)
+    edges = [[str(c) for c in p] for p in comb.exterior.vertices]
+    shape = {"exterior": edges, "holes": []}
+    result = verify({**certificate, "directrix": shape, "generatrix": shape})
+    assert result.reason == "too large: to check it would take more than 100000000 steps"

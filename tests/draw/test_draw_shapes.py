@@ -1,0 +1,209 @@
+"""Pictures of no-fit polygons and inner fits, and of polygons with holes."""
+
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given, settings
+from matplotlib.axes import Axes
+from strategies import simple_polygons
+from test_notebook import SVG, Balanced, inside
+
+from exactsweep import InnerFit, NoFitPolygon, Polygon, Region, inner_fit_polygon, no_fit_polygon
+from exactsweep.canvas import style
+from exactsweep.draw import DrawError, new_figure, plot_inner_fit, plot_no_fit, save
+from exactsweep.draw.sweeps import is_on
+from exactsweep.geometry.point import Point
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+# Holes in which the square has room, just slides, and just fits.
+PLATE = Region(
+    [(0, 0), (9, 0), (9, 5), (0, 5)],
+    [
+        [(1, 1), (4, 1), (4, 3), (1, 3)],
+        [(5, 1), (6, 1), (6, 4), (5, 4)],
+        [(7, 2), (8, 2), (8, 3), (7, 3)],
+    ],
+)
+CHANNEL = [(0, 0), (5, 0), (5, 1), (0, 1)]
+
+
+def picture_of(found: NoFitPolygon | InnerFit, **options: Any) -> Axes:
+    return found.plot(new_figure().axes[0], **options)
+
+
+def labels(axes: Axes) -> list[str]:
+    legend = axes.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def line(axes: Axes, label: str) -> list[tuple[float, float]]:
+    """The points of the line of a label; chains are parted by nan."""
+    (found,) = (one for one in axes.lines if one.get_label() == label)
+    points: Any = found.get_xydata()
+    return [(float(x), float(y)) for x, y in points if x == x]
+
+
+def rings(axes: Axes, order: float) -> list[list[tuple[float, float]]]:
+    """The rings of the areas that are drawn at a height."""
+    found = []
+    for patch in axes.patches:
+        if patch.get_zorder() == order:
+            for ring in patch.get_path().to_polygons(closed_only=False):
+                points: Any = ring
+                found.append([(float(x), float(y)) for x, y in points[:-1]])
+    return found
+
+
+def test_all_of_a_no_fit_polygon_is_in_the_picture() -> None:
+    axes = picture_of(no_fit_polygon(PLATE, SQUARE))
+    assert labels(axes) == [
+        "stationary D",
+        "hole",
+        "exterior",
+        "exact fit",
+        "exact fit, one position",
+        "orbiting G",
+        "reference point of G",
+    ]
+    assert line(axes, "exterior") == [(-1, -1), (9, -1), (9, 5), (-1, 5), (-1, -1)]
+    assert line(axes, "exact fit") == [(5, 1), (5, 3)]
+    assert line(axes, "exact fit, one position") == [(7, 2)]
+    # The inner end of the segment, the single position, the hole, the exterior.
+    assert line(axes, "reference point of G") == [(5, 3), (7, 2), (1, 1), (-1, -1)]
+    (hole,) = rings(axes, style.FREE.order)
+    assert hole == [(1, 1), (3, 1), (3, 2), (1, 2)]
+
+
+def test_holes_are_cut_out() -> None:
+    for shape, order in (PLATE, style.DIRECTRIX.order), (Region(SQUARE), style.GENERATRIX.order):
+        axes = picture_of(no_fit_polygon(PLATE, SQUARE), positions=[(0, 0)])
+        exterior, *holes = rings(axes, order)
+        assert exterior == [(float(x), float(y)) for x, y in shape.exterior.vertices]
+        # Holes run clockwise: what is inside them is not filled.
+        assert [hole[::-1] for hole in holes] == [
+            [(float(x), float(y)) for x, y in hole.vertices] for hole in shape.holes
+        ]
+
+
+def test_a_ring_that_moves_keeps_its_hole() -> None:
+    ring = Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
+    axes = picture_of(no_fit_polygon(SQUARE, ring), positions=[(10, 0)])
+    exterior, hole = rings(axes, style.GENERATRIX.order)
+    assert exterior == [(10, 0), (13, 0), (13, 3), (10, 3)]
+    assert hole[::-1] == [(11, 1), (12, 1), (12, 2), (11, 2)]
+    # It goes over the square where this just fits its hole.
+    assert line(axes, "exact fit, one position") == [(-1, -1)]
+
+
+def test_all_of_an_inner_fit_is_in_the_picture() -> None:
+    axes = picture_of(inner_fit_polygon(PLATE, SQUARE))
+    assert labels(axes) == [
+        "container D",
+        "free positions",
+        "exact fit",
+        "part G",
+        "reference point of G",
+    ]
+    assert rings(axes, style.FREE.order)[0] == [(0, 3), (4, 3), (4, 4), (0, 4)]
+    axes = picture_of(inner_fit_polygon(CHANNEL, SQUARE))
+    assert labels(axes) == ["container D", "exact fit", "part G", "reference point of G"]
+    assert line(axes, "exact fit") == [(0, 0), (4, 0)]
+    assert labels(picture_of(inner_fit_polygon(SQUARE, CHANNEL))) == ["container D"]
+
+
+def test_ends_are_hollow_where_they_hang() -> None:
+    # A door exactly as wide as the square, from the outside into a chamber.
+    room = [(0, 0), (5, 0), (5, 6), (3, 6), (3, 4), (4, 4), (4, 1), (1, 1), (1, 4), (2, 4)]
+    room += [(2, 6), (0, 6)]
+    axes = picture_of(no_fit_polygon(room, SQUARE))
+    (hollow,) = (one for one in axes.lines if one.get_zorder() == style.HANGING_END.order)
+    points: Any = hollow.get_xydata()
+    assert [(x, y) for x, y in points if x == x] == [(2, 3), (2, 6)]
+
+
+def test_a_far_reference_point_leaves_the_picture_alone() -> None:
+    near = picture_of(no_fit_polygon(PLATE, SQUARE))
+    far = picture_of(no_fit_polygon(PLATE, SQUARE, reference=(10**40, 0)))
+    assert line(near, "exact fit") == line(far, "exact fit")
+    assert rings(near, style.FREE.order) == rings(far, style.FREE.order)
+    assert "vertex 0 of G" in labels(far)
+
+
+@pytest.mark.parametrize("scale", ["1e30", "1e-30"])
+def test_size_changes_labels_only(scale: str) -> None:
+    factor = Point(*Polygon([(0, 0), (scale, 0), (0, scale)]).vertices[1]).x
+    big = [[(x * factor, y * factor) for x, y in ring] for ring in PLATE.rings]
+    part = [(x * factor, y * factor) for x, y in SQUARE]
+    axes = picture_of(no_fit_polygon(Region(big[0], big[1:]), part))
+    plain = picture_of(no_fit_polygon(PLATE, SQUARE))
+    assert labels(axes) == labels(plain)
+    for label in ("exterior", "exact fit", "exact fit, one position"):
+        assert line(axes, label) == line(plain, label)
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
+def test_files_are_the_same_each_time(tmp_path: Path, suffix: str) -> None:
+    files = [tmp_path / f"{name}{suffix}" for name in "ab"]
+    for file in files:
+        figure = new_figure()
+        plot_no_fit(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
+        save(figure, str(file))
+    one, other = (file.read_bytes() for file in files)
+    assert one == other
+
+
+def test_positions_are_read_as_all_numbers_are() -> None:
+    with pytest.raises(ValueError, match=r"^position 0: 'x' is not a number"):
+        picture_of(inner_fit_polygon(PLATE, SQUARE), positions=[("x", 0)])
+
+
+def test_without_matplotlib_the_refusal_says_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
+    for found in (no_fit_polygon(PLATE, SQUARE), inner_fit_polygon(PLATE, SQUARE)):
+        with pytest.raises(DrawError, match="pip install"):
+            found.plot()
+
+
+@settings(max_examples=25)
+@given(simple_polygons(), simple_polygons())
+def test_every_answer_has_a_picture_in_a_notebook(d: Polygon, g: Polygon) -> None:
+    for found in (no_fit_polygon(d, g), inner_fit_polygon(d, g)):
+        assert inside(ElementTree.fromstring(found._repr_svg_()))
+        Balanced(found._repr_html_())
+
+
+def test_a_single_position_is_a_dot_in_a_notebook() -> None:
+    picture = ElementTree.fromstring(no_fit_polygon(PLATE, SQUARE)._repr_svg_())
+    dots = [
+        path.attrib
+        for path in picture.iterfind(f"{SVG}path")
+        if path.attrib.get("stroke-linecap") == "round" and path.attrib["stroke-width"] == "8"
+    ]
+    (dot,) = dots
+    start, end = dot["d"].removeprefix("M").split("L")
+    assert start == end
+
+
+def test_the_summary_tells_the_sizes() -> None:
+    texts = Balanced(no_fit_polygon(PLATE, SQUARE)._repr_html_()).texts
+    for text in ("SS, polygons of any shape", "16 vertices, area 35", "58", "1", "2"):
+        assert text in texts
+    texts = Balanced(inner_fit_polygon(PLATE, SQUARE)._repr_html_()).texts
+    for text in ("inner fit of 4 in 16 vertices", "3", "6", "8"):
+        assert text in texts
+
+
+def test_a_point_is_on_a_loop_or_not() -> None:
+    square = Polygon(SQUARE)
+    half = Polygon([("1/2", 0), (1, 0), (0, 1)]).vertices[1]
+    assert is_on(half, square)
+    assert not is_on(Point(half.x, half.x), square)
+
+
+def test_plots_take_what_is_found() -> None:
+    assert labels(plot_inner_fit(inner_fit_polygon(CHANNEL, SQUARE), new_figure().axes[0])) == (
+        labels(picture_of(inner_fit_polygon(CHANNEL, SQUARE)))
+    )

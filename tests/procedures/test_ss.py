@@ -1,0 +1,222 @@
+"""Polygons of any shape: answers worked out by hand, counted ones, and the paper's beside them."""
+
+from fractions import Fraction
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, unit_edges
+from strategies import pairs
+
+from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.corpus import cases
+from exactsweep.evidence.no_fit import NoFitPolygon
+from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.point import ORIGIN, Point
+
+Ring = list[tuple[int, int]]
+Fits = tuple[tuple[Point, Point], ...]
+
+
+def box(left: int, low: int, right: int, high: int) -> Ring:
+    return [(left, low), (right, low), (right, high), (left, high)]
+
+
+def fits(*ends: tuple[int, int]) -> Fits:
+    points = [Point(Fraction(x), Fraction(y)) for x, y in ends]
+    return tuple(zip(points[::2], points[1::2], strict=True))
+
+
+def computed(directrix: Region, generatrix: Region) -> NoFitPolygon:
+    """By the contact segments, whatever the shapes."""
+    return NoFitPolygon(directrix, generatrix, ORIGIN, None)
+
+
+UNIT = box(0, 0, 1, 1)
+
+
+def test_a_hole_of_the_same_size_is_a_single_position() -> None:
+    n = no_fit_polygon(Region(box(-2, -2, 3, 3), [UNIT]), UNIT)
+    assert (n.kind, n.holes, n.exact_fits) == ("SS", (), fits((0, 0), (0, 0)))
+    assert n.exterior == Polygon(box(-3, -3, 3, 3))
+
+
+def test_a_hole_with_room_in_one_direction_is_a_segment() -> None:
+    n = no_fit_polygon(Region(box(-2, -2, 7, 3), [box(0, 0, 4, 1)]), UNIT)
+    assert (n.holes, n.exact_fits) == ((), fits((0, 0), (3, 0)))
+
+
+def test_a_hole_with_room_is_a_hole() -> None:
+    n = no_fit_polygon(Region(box(-2, -2, 7, 7), [box(0, 0, 4, 3)]), UNIT)
+    assert (n.holes, n.exact_fits) == ((Polygon(box(0, 0, 3, 2)),), ())
+
+
+# A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
+DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
+NARROW = [(x, Fraction(3, 2) if (x, y) in {(3, 2), (4, 2)} else y) for x, y in DOOR]
+
+
+def test_a_cave_that_can_be_entered_exactly() -> None:
+    n = no_fit_polygon(DOOR, UNIT)
+    assert n.holes == (Polygon(box(1, 1, 2, 2)),)
+    # Through the door, from the cave to the outside; both ends hang on loops.
+    assert n.exact_fits == fits((2, 1), (4, 1))
+
+
+def test_a_cave_whose_door_is_too_narrow() -> None:
+    n = no_fit_polygon(NARROW, UNIT)
+    assert (n.holes, n.exact_fits) == ((Polygon(box(1, 1, 2, 2)),), ())
+
+
+def test_a_slot_in_a_straight_wall_hangs_on_the_middle_of_an_edge() -> None:
+    block = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+    n = computed(Region(block), Region(UNIT))
+    assert n.exact_fits == sweep(UNIT, block).exact_fits == fits((1, 3), (1, 1))
+    assert n.exterior == Polygon(box(-1, -1, 3, 3))
+
+
+def test_a_container_as_wide_as_the_part() -> None:
+    f = inner_fit_polygon(box(0, 0, 100, 100), box(0, 0, 100, 100))
+    assert (f.regions, f.exact_fits) == ((), fits((0, 0), (0, 0)))
+    f = inner_fit_polygon(box(0, 0, 100, 50), box(0, 0, 60, 50))
+    assert (f.regions, f.exact_fits) == ((), fits((0, 0), (40, 0)))
+
+
+def test_a_part_larger_than_its_container_fits_nowhere() -> None:
+    f = inner_fit_polygon(UNIT, box(0, 0, 2, 2))
+    assert (f.regions, f.exact_fits, f.area) == ((), (), Fraction(0))
+
+
+def test_defects_of_a_container_are_holes_of_its_region() -> None:
+    plate = Region(box(0, 0, 10, 10), [box(4, 4, 5, 5)])
+    (found,) = inner_fit_polygon(plate, UNIT).regions
+    assert found == Region(box(0, 0, 9, 9), [box(3, 3, 5, 5)])
+
+
+def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
+    plate = Region(box(0, 0, 10, 10), [box(3, 3, 4, 4), box(5, 5, 6, 6)])
+    (found,) = inner_fit_polygon(plate, UNIT).regions
+    assert found.holes == (Polygon(box(2, 2, 4, 4)), Polygon(box(4, 4, 6, 6)))
+
+
+def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
+    diamond, part = [(2, 5), (3, 4), (4, 5), (3, 6)], [(0, 0), (2, 1), (0, 2)]
+    (found,) = inner_fit_polygon(Region(box(0, 0, 10, 10), [diamond]), part).regions
+    (hole,) = found.holes
+    assert found.exterior == Polygon(box(0, 0, 8, 8))
+    assert hole.vertices[0] == Point(Fraction(0), Fraction(4))
+
+
+def test_links_hold_each_other_in_a_single_position() -> None:
+    """No edge of either can slide along the other: the defect and the wall touch in the origin."""
+    wall = [(-20, -20), (20, -20), (20, -5), (0, 0), (20, 5), (20, 20), (-20, 20)]
+    arms = [(-10, -10), (1, -10), (0, 0), (1, 10), (-10, 10)]
+    gap = [(0, 0), (-1, 5), (-8, 5), (-8, -5), (-1, -5)]
+    container = Region(wall, [[(0, 0), (-4, -1), (-4, 1)]])
+    assert fits((0, 0), (0, 0))[0] in inner_fit_polygon(container, Region(arms, [gap])).exact_fits
+
+
+def test_a_ring_goes_around_a_pin() -> None:
+    n = no_fit_polygon(UNIT, Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)]))
+    assert n.exterior == Polygon(box(-5, -5, 1, 1))
+    assert n.holes == (Polygon(box(-3, -3, -1, -1)),)
+
+
+def test_the_reference_point_moves_all() -> None:
+    frame_ = Region(box(-2, -2, 7, 7), [box(0, 0, 4, 3)])
+    n = no_fit_polygon(frame_, UNIT, reference=(1, "1/2"))
+    assert n.holes == (Polygon(box(0, 0, 3, 2)).translated((1, "1/2")),)
+    assert inner_fit_polygon(UNIT, UNIT, reference=(1, 1)).exact_fits == fits((1, 1), (1, 1))
+
+
+@given(st.one_of(pairs("CC"), pairs("CM"), pairs("MM")))
+@settings(deadline=None)
+def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> None:
+    generatrix, directrix = pair
+    s, n = sweep(generatrix, directrix), computed(Region(directrix), Region(generatrix))
+    assert (n.exterior, n.holes, n.exact_fits) == (s.trajectory, (), s.exact_fits)
+
+
+def test_the_paper_s_procedures_give_the_same_on_the_corpus() -> None:
+    for case in cases():
+        n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), case.reference, None)
+        assert (n.exterior, n.holes, n.exact_fits) == (case.trajectory, (), case.exact_fits), (
+            case.id
+        )
+
+
+SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0), (3, -2, 1, 5), (1, 0, 0, -1)]
+
+
+def check(directrix: Cells, generatrix: Cells, matrix: Matrix) -> None:
+    """Hold a pair against the count, square by square, of the pair before it was mapped."""
+    n = computed(region(directrix, matrix), region(generatrix, matrix))
+    holes, edges, points = free_cells(directrix, generatrix)
+    a, b, c, d = matrix
+    size = abs(a * d - b * c)
+    assert sum((hole.area for hole in n.holes), Fraction(0)) == size * len(holes)
+    overlapped = {(x - u, y - v) for x, y in directrix for u, v in generatrix}
+    covered = {(x + i, y + j) for x, y in overlapped for i in (-1, 0) for j in (-1, 0)}
+    assert n.exterior.area == size * len(covered | holes)
+
+    def back(p: Point) -> tuple[int, int]:
+        det = a * d - b * c
+        return int((d * p.x - b * p.y) / det), int((a * p.y - c * p.x) / det)
+
+    found = [(back(p), back(q)) for p, q in n.exact_fits]
+    assert sorted(e for fit in found for e in unit_edges(fit)) == sorted(edges)
+    assert {(2 * p[0], 2 * p[1]) for p, q in found if p == q} == points
+
+
+@given(polyominoes(), polyominoes(6, 3), st.sampled_from(SHEARS))
+@settings(deadline=None)
+def test_polyominoes_counted_square_by_square(d: Cells, g: Cells, matrix: Matrix) -> None:
+    check(d, g, matrix)
+
+
+@given(polyominoes(9, 4), st.sampled_from(SHEARS), st.sampled_from([1, 2]))
+@settings(deadline=None)
+def test_a_polyomino_in_its_own_mould(g: Cells, matrix: Matrix, width: int) -> None:
+    mould = frame(g, width)
+    if len(region_parts(mould)) == 1:
+        check(mould, g, matrix)
+
+
+def region_parts(cells: Cells) -> list[Cells]:
+    """The pieces that are joined along edges."""
+    left, parts = set(cells), []
+    while left:
+        part, front = set(), [left.pop()]
+        while front:
+            x, y = front.pop()
+            part.add((x, y))
+            for near in ((x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)):
+                if near in left:
+                    left.remove(near)
+                    front.append(near)
+        parts.append(frozenset(part))
+    return parts
+
+
+@given(polyominoes(8, 4), polyominoes(5, 3), st.sampled_from([10**30, 10**-30]))
+@settings(deadline=None, max_examples=20)
+def test_size_does_not_matter(d: Cells, g: Cells, factor: float) -> None:
+    scale = Fraction(factor) if factor > 1 else Fraction(1, 10**30)
+
+    def scaled(shape: Region) -> Region:
+        rings = [[(x * scale, y * scale) for x, y in ring] for ring in shape.rings]
+        return Region(rings[0], rings[1:])
+
+    small = computed(region(d), region(g))
+    large = computed(scaled(region(d)), scaled(region(g)))
+    assert large.exterior.area == small.exterior.area * scale**2
+    assert [(p.x, p.y, q.x, q.y) for p, q in large.exact_fits] == [
+        (p.x * scale, p.y * scale, q.x * scale, q.y * scale) for p, q in small.exact_fits
+    ]
+
+
+@given(st.integers(-3, 6), st.integers(-3, 6), polyominoes(9, 4), polyominoes(6, 3))
+@settings(deadline=None)
+def test_overlap_on_the_grid_is_a_shared_square(x: int, y: int, d: Cells, g: Cells) -> None:
+    overlap = Overlap(region(d).lattice()[1], region(g).lattice()[1])
+    shared = any((u + x, v + y) in d for u, v in g)
+    assert overlap.at(Point(Fraction(x), Fraction(y))) == shared
