@@ -15,15 +15,14 @@ from exactsweep.corpus.facts import is_clockwise
 from exactsweep.corpus.representable import types_holding
 from exactsweep.draw.notebook import sweep_svg
 from exactsweep.draw.sweeps import path
-from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.writing import wkt_geometry
+from exactsweep.formats.writing import wkt_points, wkt_polygon
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.sweep import sweep
 
 # A little more than a picture is wide and high, and two lines under it.
-_WIDTH, _HEIGHT = 460, 390
+_WIDTH, _HEIGHT = 440, 370
 
 
 class Figure(NamedTuple):
@@ -74,8 +73,8 @@ def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
     for case in cases:
         for name, closed, points in figures(case):
             try:
-                row = [(format_decimal(x), format_decimal(y)) for x, y in points]
-                yield _row(case.id, name, wkt_geometry(row, closed=closed), "")
+                ring = wkt_polygon({name: points}).rstrip() if closed else ""
+                yield _row(case.id, name, ring or f"LINESTRING {wkt_points(name, points)}", "")
             except FormatError as error:
                 yield _row(case.id, name, "", str(error))
 
@@ -167,7 +166,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
             note += ", axes scaled apart"
         yield (
             f'<g transform="translate({x} {y})">\n{sweep_svg(s)}\n'
-            f'<text x="12" y="{_HEIGHT - 30}">{escape(case.id)}</text>\n'
-            f'<text x="12" y="{_HEIGHT - 12}" fill="#777">{note}</text>\n</g>\n'
+            f'<text x="12" y="{_HEIGHT - 34}">{escape(case.id)}</text>\n'
+            f'<text x="12" y="{_HEIGHT - 16}" fill="#777">{note}</text>\n</g>\n'
         )
     yield "</svg>\n"

@@ -38,7 +38,7 @@ def stretches(s: Swept) -> list[Stretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Returns:
-        list of Stretch, once round from the first vertex of the trajectory.
+        list of Stretch, all the way around from the first vertex of the trajectory.
 
     Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
 

@@ -113,16 +113,6 @@ def wkt_points(name: str, points: Sequence[Point]) -> str:
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
-def wkt_geometry(row: _Row, *, closed: bool = True) -> str:
-    """Write points, pairs of decimals, as a POLYGON or a LINESTRING.
-
-    >>> wkt_geometry([("0", "0"), ("1.5", "0")], closed=False)
-    'LINESTRING (0 0, 1.5 0)'
-    """
-    points = ", ".join(f"{x} {y}" for x, y in (row + row[:1] if closed else row))
-    return f"POLYGON (({points}))" if closed else f"LINESTRING ({points})"
-
-
 def _geojson(polygons: Sequence[NamedPolygon]) -> str:
     features = []
     for row, (_, name, _) in zip(_rows(polygons, "GeoJSON"), polygons, strict=True):

@@ -33,7 +33,7 @@ class Stop(NamedTuple):
 
 
 def stops(s: Swept) -> list[Stop]:
-    """Find all stops, once round from the first vertex of the trajectory.
+    """Find all stops, all the way around from the first vertex of the trajectory.
 
     Returns:
         list of Stop: its `vertex` is its number in the trajectory, None inside an edge; its

@@ -103,7 +103,8 @@ def test_export_as_wkt_holds_every_figure_or_says_why_not() -> None:
     assert [row[1] for row in rows[1:]] == [
         *["directrix", "generatrix", "trajectory", "inner", "outer"]
     ]
-    assert rows[3][2:] == ["", "-2/3 is not a finite decimal"]
+    assert rows[3][2] == ""
+    assert "-2/3 is not a finite decimal" in rows[3][3]
     case = find_case("worked-swallowtail")
     for row, ring in (rows[1], case.directrix_ring), (rows[5], case.outer.vertices):
         assert parse_polygon(row[2]) == Polygon(ring)
@@ -152,8 +153,8 @@ def test_export_as_svg_is_a_sheet_of_pictures() -> None:
     assert len(pictures) == len(wanted)
     for picture, case in zip(pictures, wanted, strict=True):
         (drawn,) = picture.findall("{http://www.w3.org/2000/svg}svg")
-        assert int(drawn.attrib["width"]) <= 444, case.id
-        assert int(drawn.attrib["height"]) <= 344, case.id
+        assert int(drawn.attrib["width"]) <= 440, case.id
+        assert int(drawn.attrib["height"]) <= 330, case.id
         texts = [text.text for text in picture.findall("{http://www.w3.org/2000/svg}text")]
         assert texts[0] == case.id
         assert str(texts[1]).startswith(f"{case.kind}, {case.size} vertices")
