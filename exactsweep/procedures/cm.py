@@ -22,8 +22,15 @@ from exactsweep.geometry.number import sums
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
-from exactsweep.procedures.convex_part import ConvexPart, flatter, joined_parts
-from exactsweep.procedures.envelope import Break, Envelope, cross, height, point_on
+from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts, take_whole
+from exactsweep.procedures.envelope import (
+    Break,
+    Envelope,
+    cross,
+    height,
+    line_of,
+    point_on,
+)
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
 
@@ -47,7 +54,7 @@ def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
-    return sweep_parts(convex_chain(inverse(generatrix)), joined_parts(directrix))
+    return sweep_parts(convex_chain(inverse(generatrix)), split_parts(directrix))
 
 
 def sweep_outer_cm(
@@ -65,7 +72,7 @@ def sweep_outer_cm(
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
     """
     top, bottom = convex_chain(inverse(generatrix_top)), convex_chain(generatrix_bottom)
-    return sweep_parts(merge_by_slope(top, bottom), joined_parts(directrix))
+    return sweep_parts(merge_by_slope(top, bottom), split_parts(directrix))
 
 
 def sweep_parts(
@@ -75,8 +82,8 @@ def sweep_parts(
 
     The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
     """
-    chain = ConvexPart(list(edges), None, None)
-    pieces = (part.swept(chain, source) for source, part in enumerate(parts, first_source))
+    chain = take_whole(edges)
+    pieces = (part.sweep(chain, source) for source, part in enumerate(parts, first_source))
     return reduce(lower_envelope_cm, pieces)
 
 
@@ -122,7 +129,7 @@ def sweep_inner_cm(
         before, after = parts[sources[k - 1]], parts[sources[k]]
         i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
         j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
-        step = height(edges[k - 1], edges[k], at)
+        step = height(line_of(edges[k - 1]), line_of(edges[k]), at)
         # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
         plain = step == 0 and in_left and in_right
         higher = edges[k] if step < 0 else edges[k - 1]
@@ -139,12 +146,7 @@ def sweep_inner_cm(
 
 
 def _contact(
-    reversed_edges: Sequence[Vertex],
-    part: Sequence[Vertex],
-    edge: Edge,
-    at: Break,
-    *,
-    rightmost: bool,
+    moving: Sequence[Vertex], points: Sequence[Vertex], edge: Edge, at: Break, *, rightmost: bool
 ) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
 
@@ -154,22 +156,21 @@ def _contact(
     Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
     Cost: O(log m + log n).
     """
-    k = flatter(part, edge)
-    h = flatter(reversed_edges, edge)
+    k, h = count_flatter(points, edge), count_flatter(moving, edge)
     n, d = at
     travelled = n - edge[0][0] * d
     along: Rational
     inside = False
-    if k == len(part) - 1 or cross(part[k], part[k + 1], edge) > 0:
+    if k == len(points) - 1 or cross(points[k], points[k + 1], edge) > 0:
         along = 0
-    elif h == len(reversed_edges) - 1 or cross(reversed_edges[h], reversed_edges[h + 1], edge) > 0:
+    elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], edge) > 0:
         along = travelled
-        inside = 0 < along < (part[k + 1][0] - part[k][0]) * d
+        inside = 0 < along < (points[k + 1][0] - points[k][0]) * d
     elif rightmost:
-        along = min(travelled, (part[k + 1][0] - part[k][0]) * d)
+        along = min(travelled, (points[k + 1][0] - points[k][0]) * d)
     else:
-        along = max(0, travelled - (reversed_edges[h + 1][0] - reversed_edges[h][0]) * d)
-    return min(k, len(part) - 2), (part[k][0] * d + along, d), inside
+        along = max(0, travelled - (moving[h + 1][0] - moving[h][0]) * d)
+    return min(k, len(points) - 2), (points[k][0] * d + along, d), inside
 
 
 def _placed(

@@ -257,9 +257,9 @@ def test_piece_that_starts_elsewhere_is_refused(piece: Chain) -> None:
 
 
 def test_hole_between_chains_is_refused_when_it_is_read() -> None:
-    holed = lower_envelope_mm([Envelope.of([(0, 0), (1, 0)]), Envelope.of([(2, 0), (3, 0)])])
-    with pytest.raises(ChainError, match="the envelope has a hole"):
-        list(holed)
+    gapped = lower_envelope_mm([Envelope.of([(0, 0), (1, 0)]), Envelope.of([(2, 0), (3, 0)])])
+    with pytest.raises(ChainError, match="the envelope has a gap"):
+        list(gapped)
 
 
 def test_equal_breaks_need_not_be_written_alike() -> None:

@@ -27,11 +27,11 @@ from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import Chains, Pair
 from exactsweep.procedures.chain import complement, convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.convex_part import joined_parts
+from exactsweep.procedures.convex_part import split_envelope, split_parts
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import outer_mm
-from exactsweep.procedures.mm_inner import inner_mm, inside_runs
+from exactsweep.procedures.mm_inner import inner_mm, take_inside
 from exactsweep.procedures.part_pairs import sweep_pairs
 
 MN = ("mn", lambda m, n: float(m * n))
@@ -176,8 +176,10 @@ def _check_corollary_5_8(run: Run) -> Evidence:
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
     """The inner boundary as Sweep_MM has it: Trajectory_MM along all of T's inside."""
     directrix = chains.directrix
-    boundary = sweep_pairs(joined_parts(inverse(chains.top)), inside_runs(trajectory))
-    boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
+    boundary = sweep_pairs(
+        split_parts(inverse(chains.top)), list(split_envelope(take_inside(trajectory)))
+    )
+    boundary = boundary.restrict(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))
 
 
@@ -304,7 +306,7 @@ CLAIMS = (
         "For the inner loop of an MM sweep there is a more efficient algorithm (said without "
         "giving it).",
         Status.CONDITION,
-        ("exactsweep.procedures.mm_inner.inner_mm", "exactsweep.procedures.mm_inner.gaps"),
+        ("exactsweep.procedures.mm_inner.inner_mm", "exactsweep.procedures.mm_inner.find_gaps"),
         _check_faster_inner,
         "Where G touches D_b the inner boundary is D_b, and the edges of the trajectory say where "
         "that is; only the gaps between have to be swept. Where they are few, that takes O((m + n) "

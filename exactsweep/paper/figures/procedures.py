@@ -62,7 +62,7 @@ PLACES = {
     "sweep_pairs": (62, 95),
     "lower_envelope_mm": (62, 35),
     "lower_envelope_cm": (176, 95),
-    "swept": (190, 35),
+    "sweep": (190, 35),
     "sweep_inner_cm": (290, 140),
     "trajectory_cm": (290, 105),
     "sweep_parts": (326, 68),
