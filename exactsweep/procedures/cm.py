@@ -21,8 +21,8 @@ from typing import cast
 from exactsweep.geometry.number import sums
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
-from exactsweep.procedures.chain import convex_chain, corners, inverse
-from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts
+from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
+from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts, take_whole
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
@@ -30,7 +30,6 @@ from exactsweep.procedures.envelope import (
     height,
     line_of,
     point_on,
-    point_on_line,
 )
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
@@ -83,7 +82,7 @@ def sweep_parts(
 
     The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
     """
-    chain = ConvexPart.of(edges)
+    chain = take_whole(edges)
     pieces = (part.sweep(chain, source) for source, part in enumerate(parts, first_source))
     return reduce(lower_envelope_cm, pieces)
 
@@ -115,10 +114,10 @@ def sweep_inner_cm(
     >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    reversed_edges, parts = convex_chain(inverse(generatrix)), split_parts(directrix)
+    reversed_edges, parts = convex_chain(inverse(generatrix)), convex_parts(directrix)
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
-    top, moving = inverse(reversed_edges), ConvexPart.of(reversed_edges)
+    top = inverse(reversed_edges)
     edges, sources = cast(list[Edge], trajectory.edges), trajectory.sources
     inner: list[Vertex] = []
     joints: set[int] = set()
@@ -128,26 +127,26 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _contact(moving, before, edges[k - 1], at, rightmost=True)
-        j, right, in_right = _contact(moving, after, edges[k], at, rightmost=False)
+        i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
+        j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
         step = height(line_of(edges[k - 1]), line_of(edges[k]), at)
         # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
         plain = step == 0 and in_left and in_right
         higher = edges[k] if step < 0 else edges[k - 1]
-        inner += before.points[done : i + 1]
+        inner += before[done : i + 1]
         first = len(inner)
-        inner.append(point_on_line(before.lines[i], left))
+        inner.append(point_on((before[i], before[i + 1]), left))
         inner += _placed(top, at, higher, left, right, touching=not plain)
-        inner.append(point_on_line(after.lines[j], right))
+        inner.append(point_on((after[j], after[j + 1]), right))
         if not plain:
             joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
         done = j + 1
-    inner += parts[sources[-1]].points[done:]
+    inner += parts[sources[-1]][done:]
     return corners(inner, joints)
 
 
 def _contact(
-    generatrix: ConvexPart, part: ConvexPart, edge: Edge, at: Break, *, rightmost: bool
+    moving: Sequence[Vertex], points: Sequence[Vertex], edge: Edge, at: Break, *, rightmost: bool
 ) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
 
@@ -157,9 +156,8 @@ def _contact(
     Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
     Cost: O(log m + log n).
     """
-    line, n, d = line_of(edge), *at
-    points, moving = part.points, generatrix.points
-    k, h = count_flatter(part.lines, line), count_flatter(generatrix.lines, line)
+    k, h = count_flatter(points, edge), count_flatter(moving, edge)
+    n, d = at
     travelled = n - edge[0][0] * d
     along: Rational
     inside = False

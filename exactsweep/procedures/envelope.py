@@ -165,7 +165,8 @@ class Envelope:
             self.lines()[kept:] = chain.lines()[first:]
         self.edges[kept:] = chain.edges[first:]
         self.sources[kept:] = chain.sources[first:]
-        self.breaks[kept:] = [at, *chain.breaks[first + 1 :]]
+        self.breaks[kept:] = chain.breaks[first:]
+        self.breaks[kept] = at
 
     def pad(self, start: Break, end: Break) -> Envelope:
         """The same over a wider x-range, with gaps at the ends. Cost: O(n)."""
@@ -185,18 +186,15 @@ class Envelope:
     def __iter__(self) -> Iterator[Vertex]:
         edges, sources = self.edges, self.sources
         yield self.point(0, self.breaks[0])
-        before, source = edges[0], sources[0]
-        for k in range(1, len(edges)):
-            last, before, last_source, source = before, edges[k], source, sources[k]
-            if last is not None and before is not None and last[1] == before[0]:
-                q = before[0]
+        for k, (before, after) in enumerate(pairwise(edges), 1):
+            if before is not None and after is not None and before[1] == after[0]:
+                q = after[0]
                 # Of one chain no three vertices are collinear; of two they may be, by chance.
-                if source == last_source:
-                    yield q
-                    continue
-                (px, py), (rx, ry) = last[0], before[1]
-                if (q[0] - px) * (ry - q[1]) != (q[1] - py) * (rx - q[0]):
-                    yield q
+                if sources[k] != sources[k - 1]:
+                    (px, py), (rx, ry) = before[0], after[1]
+                    if (q[0] - px) * (ry - q[1]) == (q[1] - py) * (rx - q[0]):
+                        continue
+                yield q
                 continue
             at = self.breaks[k]
             u, v = difference(self.line(k - 1), self.line(k))

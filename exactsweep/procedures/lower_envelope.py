@@ -104,10 +104,11 @@ def _find_takeover(
     Returns what `Envelope.replace_end` takes: the number of edges of the partial trajectory that
     are kept, the break, the piece, and its edge there.
     """
+    breaks, piece_breaks, edges = partial.breaks, piece.breaks, partial.edges
     adx, ady, ac = partial.line(i)
     bdx, bdy, bc = piece.line(j)
     while True:
-        mine, others = partial.breaks[i], piece.breaks[j]
+        mine, others = breaks[i], piece_breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
         n, d = at = others if order > 0 else mine
         u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
@@ -123,7 +124,7 @@ def _find_takeover(
             i -= 1  # (6)
             adx, ady, ac = partial.line(i)
             if (
-                not shares_vertex(partial.edges[i], partial.edges[i + 1])
+                not shares_vertex(edges[i], edges[i + 1])
                 and (ady * bdx - bdy * adx) * n + (ac * bdx - bc * adx) * d <= 0
             ):
                 return i + 1, at, piece, j

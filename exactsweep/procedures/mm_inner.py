@@ -24,13 +24,17 @@ from typing import cast
 
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import complement, corners, inverse
-from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts
+from exactsweep.procedures.convex_part import (
+    ConvexPart,
+    count_flatter,
+    split_envelope,
+    split_parts,
+)
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
     Line,
     Span,
-    line_of,
     precedes,
     value,
 )
@@ -76,7 +80,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
         source = trajectory.sources[k]
         points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
         if source != last:
-            last, v = source, count_flatter(parts[source % len(parts)].lines, line_of(edge))
+            last, v = source, count_flatter(points, edge)
         # Edges from one source become steeper.
         while v < len(spans):
             (start, y), (end, z) = points[v], points[v + 1]
@@ -140,7 +144,7 @@ def inner_mm(
         return corners(directrix)
     chains = split_parts(inverse(generatrix_top))
     inside = take_inside(trajectory)
-    slots = split_parts(inside)
+    slots = list(split_envelope(inside))
     # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
     guess: list[set[int]] = [set() for _ in chains]
     owners = chain.from_iterable(repeat(k, len(slot.lines)) for k, slot in enumerate(slots))

@@ -16,7 +16,7 @@ from math import inf
 from typing import NamedTuple
 
 from exactsweep.geometry.point import Rational
-from exactsweep.procedures.convex_part import Box, ConvexPart
+from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
 from exactsweep.procedures.envelope import Break, Envelope, Span, upper_bound
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
@@ -36,7 +36,7 @@ class Boxes(NamedTuple):
     rights: list[Rational]
 
     @classmethod
-    def of(cls, parts: Iterable[ConvexPart]) -> Boxes:
+    def of(cls, parts: Iterable[ConvexPart | CrossingPart]) -> Boxes:
         """Collect the boxes of parts, from left to right."""
         boxes = [part.box for part in parts]
         return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
@@ -127,7 +127,7 @@ class Ceiling:
 
 def sweep_pairs(
     chains: Sequence[ConvexPart],
-    parts: Sequence[ConvexPart],
+    parts: Sequence[ConvexPart] | Sequence[CrossingPart],
     known: Envelope | None = None,
     gaps: Sequence[Span] | None = None,
     guess: Guess | None = None,

@@ -11,7 +11,8 @@ from exactsweep import Polygon, sweep
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.convex_part import ConvexPart
+from exactsweep.procedures.convex_part import CrossingPart, take_whole
+from exactsweep.procedures.envelope import line_of
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(deadline=None, max_examples=100)
@@ -79,9 +80,7 @@ def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
     one, other = (split(polygon.vertices)[0] for polygon in pair)
-    chain = ConvexPart.of(one, not cut[0], not cut[1])
-    swept = ConvexPart.of(other, not cut[2], not cut[3]).sweep(chain, 0)
-    found = list(swept) if swept.lines() else []
+    found = merge_by_slope(one, other, cut[:2], cut[2:])
     slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
@@ -93,6 +92,24 @@ def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
     ]
     assert [(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(found)] == kept
     assert not kept or set(found) <= set(merge_by_slope(one, other))
+
+
+@given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
+@usually
+def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
+    pair: Pair, turns: tuple[bool, bool, bool, bool]
+) -> None:
+    one, other = (split(polygon.vertices)[0] for polygon in pair)
+    chain, part = (
+        take_whole(points)._replace(turns_left=left, turns_right=right)
+        for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
+    )
+    lines = list(map(line_of, pairwise(other)))
+    same = CrossingPart(lines, [(x, 1) for x, _ in other], *turns[2:])
+    found, again = part.sweep(chain, 0), same.sweep(chain, 0)
+    assert len(found.edges) == len(again.edges)
+    if found.edges:
+        assert list(found) == list(again)
 
 
 @given(own.pairs("CC"))
