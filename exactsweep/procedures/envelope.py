@@ -184,17 +184,13 @@ class Envelope:
         return cut
 
     def __iter__(self) -> Iterator[Vertex]:
-        edges, sources = self.edges, self.sources
+        edges = self.edges
         yield self.point(0, self.breaks[0])
         for k, (before, after) in enumerate(pairwise(edges), 1):
             if before is not None and after is not None and before[1] == after[0]:
-                q = after[0]
-                # Of one chain no three vertices are collinear; of two they may be, by chance.
-                if sources[k] != sources[k - 1]:
-                    (px, py), (rx, ry) = before[0], after[1]
-                    if (q[0] - px) * (ry - q[1]) == (q[1] - py) * (rx - q[0]):
-                        continue
-                yield q
+                (px, py), q, (rx, ry) = before[0], after[0], after[1]
+                if (q[0] - px) * (ry - q[1]) != (q[1] - py) * (rx - q[0]):
+                    yield q
                 continue
             at = self.breaks[k]
             u, v = difference(self.line(k - 1), self.line(k))
