@@ -5,10 +5,6 @@ set, and the free positions are the rest. What bounds them is looked for where i
 contact segments of the pair (see `contact_lines`), and what is left there after their crossings is
 decided by exact questions whether two polygons overlap (see `free_positions`). No part of either
 polygon is made and no union, so that nothing of a partition has to be removed again.
-
-Errata to the plan of cutting D and G into monotone parts and joining O(m n) sweeps: none in its
-mathematics; the contact segments are fewer than the edges of those sweeps, and most end where they
-first cross another one.
 """
 
 from __future__ import annotations
