@@ -171,7 +171,7 @@ def _list_costs() -> Iterator[Cost]:
     yield Cost(row, name, run, MN2_LOG, figure10, "n", 8, 8, 8, limit=STEPS)
     name, run = "Sweep_MM, inner loop", _run_inner_mm
     yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 16, 8, limit=STEPS)
-    yield Cost(row, name, run, MN2_LOG, needles, "n", 8, 8, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, needles, "n", 8, 8, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, mm, "mn", 8, 8, limit=STEPS)
 
 
