@@ -10,29 +10,13 @@ import click
 
 from exactsweep.cli.output import takes_output, write
 from exactsweep.cli.pair import PATH
-from exactsweep.cli.reports import takes_accept
-from exactsweep.geometry.number import to_fraction
-
-
-def _to_rounding(ctx: click.Context, option: click.Parameter, value: str | None) -> Fraction | None:
-    try:
-        rounding = None if value is None else to_fraction(value)
-    except ValueError as error:
-        raise click.BadParameter(str(error)) from None
-    if rounding is not None and rounding < 0:
-        raise click.BadParameter(f"{value} is negative")
-    return rounding
+from exactsweep.cli.reports import takes_accept, takes_rounding
 
 
 @click.command("compare")
 @click.argument("case", type=PATH)
 @click.argument("result", type=PATH)
-@click.option(
-    "--rounding",
-    callback=_to_rounding,
-    metavar="NUMBER",
-    help="By how much less a coordinate may be off and the answer still be 'within'.",
-)
+@takes_rounding
 @takes_accept
 @click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
 @takes_output

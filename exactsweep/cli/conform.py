@@ -6,6 +6,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from fractions import Fraction
 from math import isnan
 from pathlib import Path
 from typing import NoReturn
@@ -13,7 +14,7 @@ from typing import NoReturn
 import click
 
 from exactsweep.cli.pair import PATH
-from exactsweep.cli.reports import Reports, takes_reports
+from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
 
 
 def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> float:
@@ -60,6 +61,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     metavar="N",
     help="Make N failures of each verdict smaller, for --html and --json; 1 if left out.",
 )
+@takes_rounding
 @takes_reports
 def conform_command(
     command: tuple[str, ...],
@@ -70,6 +72,7 @@ def conform_command(
     journal: str | None,
     resume: bool,
     shrink: int,
+    rounding: Fraction | None,
     reports: Reports,
 ) -> None:
     """Judge a program by exact answers.
@@ -99,10 +102,17 @@ def conform_command(
     cases = distinct(selection.shipped() if path is None else selection.among(read_cases(path)))
     with ExitStack() as stack:
         stack.enter_context(_terminated_as_interrupted())
-        judges = stack.enter_context(Judges(command, seconds=timeout, workers=workers))
+        judges = stack.enter_context(
+            Judges(command, seconds=timeout, workers=workers, rounding=rounding)
+        )
         kept = journal and stack.enter_context(
             Journal(
-                Path(journal), command=command, hello=judges.hello, seconds=timeout, resume=resume
+                Path(journal),
+                command=command,
+                hello=judges.hello,
+                seconds=timeout,
+                rounding=rounding,
+                resume=resume,
             )
         )
         run = Run(judges.hello, command, Verdict(reports.accept))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
+from fractions import Fraction
 from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ import click
 from exactsweep.cli.output import terminal_size, write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError
+from exactsweep.geometry.number import to_fraction
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -95,6 +97,27 @@ def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
     return option(command)
 
 
+def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the option --rounding NUMBER, as `rounding`."""
+    option = click.option(
+        "--rounding",
+        callback=_to_rounding,
+        metavar="NUMBER",
+        help="By how much less a coordinate may be off and the answer still be 'within'.",
+    )
+    return option(command)
+
+
+def _to_rounding(ctx: click.Context, option: click.Parameter, value: str | None) -> Fraction | None:
+    try:
+        rounding = None if value is None else to_fraction(value)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+    if rounding is not None and rounding < 0:
+        raise click.BadParameter(f"{value} is negative")
+    return rounding
+
+
 def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> str:
     """Refuse what is no verdict, or says nothing on an answer."""
     from exactsweep.conform.judge.verdict import Verdict
@@ -109,7 +132,8 @@ def _closing(run: Run) -> str:
     """The last lines of a run: what failed, and how it ended."""
     from exactsweep.conform.run.run import fails
 
-    lines = []
+    diagnosis = run.summary.diagnosis()
+    lines = [] if diagnosis is None else [diagnosis]
     failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
     failed.sort(key=lambda outcome: -outcome.verdict.severity)
     lines += [f"{o.verdict}  {o.id}  {o.reason}" for o in failed[:_MOST_LISTED]]

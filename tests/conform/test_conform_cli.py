@@ -79,6 +79,12 @@ def test_conform_and_compare_pass_the_same(
     assert run("compare", *options, str(case), str(answer)).exit_code == code
 
 
+def test_a_mistake_made_throughout_is_said_first() -> None:
+    done = run("conform", "--filter", "id=figures", "--", *FAULTY, "sign-of-g")
+    first = done.stdout.partition("\n\n")[2].splitlines()[0]
+    assert first.endswith(" trajectories that differ: exact for D + G, G not reflected")
+
+
 def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
     done = run("conform", "--filter", "id=worked-", "--filter", "class=CC", "--", *CONVEX)
     assert re.match(r" +cases  exact\nall +\d+ +\d+\nCC ", done.stdout)

@@ -53,6 +53,14 @@ def test_a_small_error_is_shown_again_enlarged() -> None:
     assert enlarged.witness == (SIDE / 2, SIDE / 2)
 
 
+@pytest.mark.parametrize("error", ["1/" + str(2**1074), "1e-400", "1e-2500"])
+def test_an_error_beyond_floats_is_enlarged_too(error: str) -> None:
+    case = Case.of("a", "", SQUARE, SQUARE)
+    low = -1 - Fraction(error)
+    _, enlarged = panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
+    assert "times larger, at the witness" in enlarged.caption
+
+
 def test_what_is_thin_is_not_a_line() -> None:
     needle = [(0, 0), (10**9, 0), (10**9, 1)]
     case = Case.of("a", "", needle, needle)

@@ -20,7 +20,7 @@ class AnswerError(ValueError):
     """An answer, or a part of it, that does not say which points it means; with the place."""
 
 
-class Loop(NamedTuple):
+class AnsweredLoop(NamedTuple):
     """One loop as it was answered.
 
     Attributes:
@@ -39,7 +39,7 @@ class Loop(NamedTuple):
         )
 
 
-def read_loop(value: object, path: str) -> Loop:
+def read_loop(value: object, path: str) -> AnsweredLoop:
     """Read a loop: a list of pairs of numbers, or a list of such lists, its rings.
 
     Args:
@@ -49,7 +49,7 @@ def read_loop(value: object, path: str) -> Loop:
         path: where the value stands, for messages.
 
     Returns:
-        The Loop. Rings of fewer than three vertices are read, too.
+        The AnsweredLoop. Rings of fewer than three vertices are read, too.
 
     Raises:
         AnswerError: anything else, numbers that are not finite, a ring without vertices, or
@@ -91,24 +91,29 @@ def read_loop(value: object, path: str) -> Loop:
         if len(points) > 1 and points[0] == points[-1]:
             points.pop()
         read.append(tuple(points))
-    return Loop(tuple(read), has_floats)
+    return AnsweredLoop(tuple(read), has_floats)
 
 
-def read_segments(value: object, path: str) -> list[tuple[Point, Point]]:
+def read_segments(value: object, path: str) -> AnsweredLoop:
     """Read exact fits: a list of pairs of points, as `read_loop` reads points.
+
+    Returns:
+        An AnsweredLoop, each segment a ring of two points, which may be equal.
 
     Raises:
         AnswerError: anything else.
     """
     segments = []
+    has_floats = False
     for k, pair in enumerate(_list(value, path, "a list of segments")):
         place = f"{path}[{k}]"
         ends = _list(pair, place, "a pair of points")
         if len(ends) != 2:
             raise AnswerError(f"{place} has {len(ends)} ends, not 2")
-        (p, _), (q, _) = (_read_pair(end, place, j) for j, end in enumerate(ends))
-        segments.append((p, q))
-    return segments
+        read = [_read_pair(end, place, j) for j, end in enumerate(ends)]
+        segments.append(tuple(point for point, _ in read))
+        has_floats = has_floats or any(is_float for _, is_float in read)
+    return AnsweredLoop(tuple(segments), has_floats)
 
 
 def read_number(value: object, path: str) -> Fraction:

@@ -23,7 +23,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.canonical import doubled_area
 from exactsweep.geometry.point import Point
+
+Rings = Sequence[Sequence[Point]]
 
 MAX_CELLS = 300_000
 
@@ -76,6 +79,41 @@ def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fracti
     closed = [*first, first[0]]
     cells = iter(range(MAX_CELLS))
     return any(_walk(closed, start, bound, cells) for start in _starts(first[0], second, bound))
+
+
+def match_rings(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
+    """Tell whether rings are others but for rounding, each of them one of the others.
+
+    Args:
+        exact: rings that are counter-clockwise.
+        theirs: rings of any orientation; rounding may have made them touch or cross themselves.
+        rounding: what coordinates must be off by less.
+
+    Returns:
+        Whether each two of a pairing can be walked together.
+
+    Cost: that of `walk_together`, at most for each two of them.
+    """
+    if not rounding or len(exact) != len(theirs):
+        return False
+    left = list(theirs)
+    for ring in exact:
+        found = next((other for other in left if _is_rounded(ring, other, rounding)), None)
+        if found is None:
+            return False
+        left.remove(found)
+    return True
+
+
+def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fraction) -> bool:
+    for axis in (0, 1):
+        one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
+        if abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding:
+            return False
+    turn = doubled_area(theirs)
+    return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
+        turn <= 0 and walk_together(exact, theirs[::-1], rounding)
+    )
 
 
 def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[Point]]:

@@ -20,33 +20,33 @@ class Verdict(StrEnum):
     before all others:
 
     - malformed: no loop, though what there is may still be measured. A number is nan, infinite or
-      unreadable; a vertex has not two coordinates; a ring encloses nothing (fewer than three
-      distinct vertices, or zero area), or has a spike, or touches or crosses itself; two rings
-      overlap, neither inside the other; a loop that was promised is missing or empty; it is too
-      large to be measured (`answer.MAX_VERTICES`, `region.MAX_WORK`).
+      unreadable; a vertex has not two coordinates; any of the rings encloses nothing (fewer than
+      three distinct vertices, or zero area), or has a spike, or touches or crosses itself; two
+      rings overlap, neither inside the other; a loop that was promised is missing or empty; it is
+      too large to be judged (`answer.MAX_VERTICES`, `loops.MOST_RINGS`, `outcome.TO_COMPARE`).
+      Two things are not malformed: what rounding each vertex does to the exact loop, and spikes
+      along exact fits.
     - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come
       first, and may be repeated at the end.
-    - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, or
-      in several rings.
-    - within: theirs is the exact loop but for rounding. It is one ring, and two points can travel
-      once round theirs and the exact loop, neither ever turning back, and never be `rounding` or
-      more apart in x or in y. (So the Fréchet distance of the loops, by the larger of the two
-      coordinate differences, is below `rounding`.) Vertices may fall together or appear on
-      edges so, but nothing that is wider than `rounding` is lost. A rounded answer may permit
-      overlap, or lose free space: the witnesses say whether it does.
+    - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
+      other rings, or with exact fits as whiskers.
+    - within: theirs is the exact loop but for rounding. It has as many rings, and two points can
+      travel once round each of theirs and one of the exact rings, neither ever turning back, and
+      never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
+      the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
+      together or appear on edges so, but nothing that is wider than `rounding` is lost. A rounded
+      answer may permit overlap, or lose free space: the witnesses say whether it does.
     - conservative: T holds E. For the trajectory, theirs permits no overlap, and forbids free
       positions.
     - unsound: E holds T. For the trajectory, theirs permits overlap.
     - wrong: neither. For the trajectory, theirs permits overlap and forbids free positions.
 
-    `rounding` is what the answer or the caller declares. Otherwise it is, for a loop with floats,
-    2^-32 of the largest absolute coordinate of the exact loop, and at least 2^-1073; for one of
-    integers 1, or 0 if the exact loop is one of integers, too, and needs no rounding; and 0 for
-    other rationals, which claim to be exact.
+    `rounding` is what the caller declares, or what `rounding.grant_rounding` grants: what the
+    program's numbers hold there. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
 
-    Exact fits, where the trajectory is answered, are a part of their own. They are exact if they
-    are the same segments; unsound if a position on one of theirs overlaps; else the part is
-    "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
+    Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
+    they may be. Where they are only missing, too short, invented in free space or rounded, the part
+    is "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
     or equivalent.
 
     The runner adds timeout, crash, and unsupported: no answer that could be judged.
@@ -113,6 +113,9 @@ class PartComparison:
         forbidden: area of T without E: free space lost, for the trajectory.
         unsound: Witness in E without T, or None.
         conservative: Witness in T without E, or None.
+        granted: by how much less coordinates were allowed to be off, where that was looked at.
+        kind: in which way exact fits differ, or how else the loop is special; "" where it is not.
+        diagnosis: what the loop is exact for, the likeliest first; () where nothing is found.
     """
 
     name: str
@@ -123,6 +126,9 @@ class PartComparison:
     forbidden: Fraction | None = None
     unsound: Witness | None = None
     conservative: Witness | None = None
+    granted: Fraction | None = None
+    kind: str = ""
+    diagnosis: tuple[str, ...] = ()
 
     @property
     def area(self) -> Fraction | None:

@@ -39,6 +39,12 @@ _DOES = {
 }
 
 
+def exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
+    """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes."""
+    polygon: Polygon = getattr(case, name)
+    return (polygon.vertices,)
+
+
 class WitnessError(ValueError):
     """A case whose expected answer is refuted by the definition; the message names the place."""
 

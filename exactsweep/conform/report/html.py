@@ -11,6 +11,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from importlib.resources import files
 from typing import Any, NamedTuple
@@ -21,7 +22,7 @@ from exactsweep.canvas.svg import path_data
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import root, witness_lines
-from exactsweep.conform.run.outcome import Outcome, witnesses
+from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
 from exactsweep.conform.run.run import SHOWN, Run, fails
 from exactsweep.geometry.number import NumberError, to_fraction
 from exactsweep.geometry.point import Point
@@ -105,12 +106,20 @@ def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
     return Failure(
         outcome,
         case["title"] if case else "",
-        panels(outcome) if case else [],
+        _draw(outcome) if case else [],
         [_part(part) for part in outcome.parts],
         json.dumps(case, indent=1) if case else "",
         json.dumps(outcome.result, indent=1) if outcome.result else "",
         _failure(smaller) if smaller else None,
     )
+
+
+def _draw(outcome: Outcome) -> list[Panel]:
+    """Draw an outcome, or nothing where that fails: it is not to cost the page."""
+    try:
+        return panels(outcome)
+    except (ArithmeticError, ValueError):
+        return []
 
 
 def _part(part: Mapping[str, Any]) -> dict[str, Any]:
@@ -120,7 +129,7 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
         "name": part["name"].replace("_", " "),
         "verdict": part["verdict"],
         "reason": part["reason"],
-        "distance": _about(root(to_fraction(squares[0]))) if squares else "",
+        "distance": _about(root(read_exact(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
         "said": said or [part["reason"]],
@@ -128,12 +137,12 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _area(text: str | None) -> str:
-    return "" if text is None else _about(to_fraction(text))
+    return "" if text is None else _about(read_exact(text))
 
 
 def _about(value: Fraction) -> str:
     rounded = approximation(value)
-    return rounded if to_fraction(rounded) == value else f"about {rounded}"
+    return rounded if Fraction(Decimal(rounded)) == value else f"about {rounded}"
 
 
 @dataclass(frozen=True)
@@ -232,7 +241,7 @@ def _scene(
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]
-    return _Scene(tuple(layers), seen, root(to_fraction(squares[1])) if squares else None)
+    return _Scene(tuple(layers), seen, root(read_exact(squares[1])) if squares else None)
 
 
 def _severity(part: Mapping[str, Any]) -> int:

@@ -57,7 +57,8 @@ def _part(part: PartComparison) -> list[str]:
     lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
     if part.distance_squared is not None and part.area:
         distance = _about(root(part.distance_squared[1]), ROUND_CEILING)
-        lines.append(f"  off by at most {distance}, area {_about(part.area)}")
+        granted = f", granted {_about(part.granted)}" if part.granted else ""
+        lines.append(f"  off by at most {distance}, area {_about(part.area)}{granted}")
     for witness in part.witnesses:
         lines += (f"  {line}" for line in witness_lines(witness.to_json()))
     return lines

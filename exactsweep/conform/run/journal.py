@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, BinaryIO, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import MAX_BYTES
+from exactsweep.geometry.number import format_fraction
 
 FORMAT = "exactsweep conform"
 VERSION = 1
@@ -31,6 +34,7 @@ class Journal:
         command: what is judged; a journal of another command is not gone on with.
         hello: what the implementation says of itself, likewise.
         seconds: that an answer may take, likewise.
+        rounding: by how much less a coordinate may be off, likewise.
         resume: whether the file may be there and is gone on with.
 
     Attributes:
@@ -48,6 +52,7 @@ class Journal:
         command: Sequence[str],
         hello: Hello,
         seconds: float,
+        rounding: Fraction | None = None,
         resume: bool = False,
     ) -> None:
         self._path = path
@@ -59,6 +64,7 @@ class Journal:
             "command": list(command),
             "hello": hello.to_json(),
             "seconds": seconds,
+            "rounding": rounding and format_fraction(rounding),
         }
         try:
             if resume and path.exists():
@@ -85,7 +91,9 @@ class Journal:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self._file.close()
+        # What could not be written would fail again.
+        with suppress(OSError):
+            self._file.close()
 
     def _go_on(self, head: Mapping[str, Any]) -> None:
         file = self._path.open("r+b")

@@ -8,6 +8,7 @@ import signal
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
+from fractions import Fraction
 from typing import Any, NoReturn
 
 from exactsweep.conform.judge.compare import compare
@@ -16,7 +17,7 @@ from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, limits, quoted, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -78,6 +79,12 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
         raise ValueError(f"no outcome: {error}") from None
 
 
+def read_exact(text: str) -> Fraction:
+    """Read a number that `to_json` wrote, of any length: an error may be as small as it likes."""
+    with limits(max_digits=len(text)):
+        return to_fraction(text)
+
+
 def witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     """Return the witnesses of a part of an outcome, the one of overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
@@ -93,12 +100,13 @@ def judge_case(peer: Peer, case: Case) -> Outcome:
     Returns:
         The Outcome.
     """
-    return judge_answer(case, *ask(peer, case), peer.hello.loops)
+    return judge_answer(case, *ask(peer, case), peer.hello.loops, peer.hello.numbers)
 
 
-def judge_in_time(peer: Peer, case: Case) -> Outcome:
+def judge_in_time(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
     """Judge a case as `judge_case` does, but do not compare for ever; in the main thread only."""
-    return judge_answer_in_time(case, *ask(peer, case), peer.hello.loops)
+    hello = peer.hello
+    return judge_answer_in_time(case, *ask(peer, case), hello.loops, hello.numbers, rounding)
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
@@ -110,7 +118,14 @@ def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
     return put, peer.ask(put)
 
 
-def judge_answer(case: Case, put: Case, answer: Answer, promised: Collection[str]) -> Outcome:
+def judge_answer(
+    case: Case,
+    put: Case,
+    answer: Answer,
+    promised: Collection[str],
+    numbers: str | None = None,
+    rounding: Fraction | None = None,
+) -> Outcome:
     """Judge an answer.
 
     Args:
@@ -118,12 +133,16 @@ def judge_answer(case: Case, put: Case, answer: Answer, promised: Collection[str
         put: the same as it was put to the implementation.
         answer: what came of that.
         promised: the loops that an answer must have.
+        numbers: what the implementation reads, as for `compare`.
+        rounding: by how much less a coordinate may be off, as for `compare`.
 
     Returns:
         The Outcome.
     """
     if answer.result is not None:
-        comparison = compare(put, answer.result, promised=promised)
+        comparison = compare(
+            put, answer.result, rounding=rounding, promised=promised, numbers=numbers
+        )
     else:
         assert answer.verdict is not None
         comparison = Comparison(case.id, answer.verdict, answer.reason)
@@ -145,19 +164,25 @@ def judge_answer(case: Case, put: Case, answer: Answer, promised: Collection[str
 
 
 def judge_answer_in_time(
-    case: Case, put: Case, answer: Answer, promised: Collection[str]
+    case: Case,
+    put: Case,
+    answer: Answer,
+    promised: Collection[str],
+    numbers: str | None = None,
+    rounding: Fraction | None = None,
 ) -> Outcome:
     """Judge an answer as `judge_answer` does; in the main thread only.
 
     Returns:
-        The Outcome; its verdict is timeout if comparing takes more than TO_COMPARE seconds.
+        The Outcome; its verdict is malformed if comparing takes more than TO_COMPARE seconds: no
+            timeout, for it is not the implementation that was slow.
     """
     try:
         with stop_after(TO_COMPARE):
-            return judge_answer(case, put, answer, promised)
+            return judge_answer(case, put, answer, promised, numbers, rounding)
     except OvertimeError:
         reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
-        late = Answer(verdict=Verdict.TIMEOUT, reason=reason, seconds=answer.seconds)
+        late = Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=answer.seconds)
         return judge_answer(case, put, late, ())
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
+from fractions import Fraction
 from typing import Any, Self
 
 from exactsweep.conform.run.outcome import Outcome, judge_in_time, shrink_outcome
@@ -35,6 +36,7 @@ class Judges:
         seconds: that an answer may take.
         workers: how many cases are worked on at a time.
         to_start: seconds that the implementation may take to say hello.
+        rounding: by how much less a coordinate may be off, as for `compare`.
 
     Attributes:
         hello: what the implementation says of itself.
@@ -53,11 +55,14 @@ class Judges:
         seconds: float = SECONDS,
         workers: int = 1,
         to_start: float = TO_START,
+        rounding: Fraction | None = None,
     ) -> None:
         self.complaints: list[str] = []
         self._pool = Pool(workers)
         try:
-            hellos: list[Hello] = self._call_in_each(_start, list(command), seconds, to_start)
+            hellos: list[Hello] = self._call_in_each(
+                _start, list(command), seconds, to_start, rounding
+            )
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
                 raise ProtocolError("not all its processes say the same hello")
@@ -149,20 +154,24 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
 # What follows runs in the processes that judge.
 
 _peer: ProcessPeer
+_rounding: Fraction | None
 
 
-def _start(command: Sequence[str], seconds: float, to_start: float) -> Hello:
-    global _peer
+def _start(
+    command: Sequence[str], seconds: float, to_start: float, rounding: Fraction | None
+) -> Hello:
+    global _peer, _rounding
+    _rounding = rounding
     _peer = ProcessPeer(command, seconds, to_start)
     return _peer.hello
 
 
 def _judge(case: Case) -> Outcome:
-    return judge_in_time(_peer, case)
+    return judge_in_time(_peer, case, _rounding)
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:
-    return shrink_outcome(_peer, outcome, seconds, judge_in_time)
+    return shrink_outcome(_peer, outcome, seconds, lambda _, case: _judge(case))
 
 
 def _finish() -> str | None:

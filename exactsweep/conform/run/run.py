@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome
+from exactsweep.conform.run.outcome import Outcome, read_exact
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus.case import KINDS
-from exactsweep.geometry.number import format_fraction, to_fraction
+from exactsweep.geometry.number import format_fraction
 
 SHOWN = 20
 """How many failures of each verdict are kept with all that belongs to them, the smallest."""
@@ -39,6 +39,9 @@ class Worst(NamedTuple):
     area: tuple[Fraction, str]
 
 
+_DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
+
+
 class Tally:
     """Counts of verdicts, and what goes with them.
 
@@ -50,6 +53,8 @@ class Tally:
         worst: dict from the name of a loop to its Worst, where there was anything to measure.
         seconds: that all answers took together.
         slowest: the longest time of one answer, and the id of its case.
+        different: how many trajectories are conservative, unsound or wrong.
+        diagnoses: Counter of what these are exact for.
 
     Example:
         >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
@@ -62,6 +67,8 @@ class Tally:
         self.worst: dict[str, Worst] = {}
         self.seconds = 0.0
         self.slowest = (0.0, "")
+        self.different = 0
+        self.diagnoses: Counter[str] = Counter()
         for outcome in outcomes:
             self.add(outcome)
 
@@ -72,11 +79,21 @@ class Tally:
         self.seconds += outcome.seconds
         self.slowest = max(self.slowest, (outcome.seconds, outcome.id))
         for part in outcome.parts:
+            if part["name"] == "trajectory" and Verdict(part["verdict"]) in _DIFFERENT:
+                self.different += 1
+                self.diagnoses.update(part["diagnosis"])
             if part["distance_squared"] is not None and part["area"] is not None:
-                distance = to_fraction(part["distance_squared"][0]), outcome.id
-                area = to_fraction(part["area"]), outcome.id
+                distance = read_exact(part["distance_squared"][0]), outcome.id
+                area = read_exact(part["area"]), outcome.id
                 old = self.worst.get(part["name"], Worst(distance, area))
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
+
+    def diagnosis(self) -> str | None:
+        """Say what all trajectories that differ are exact for, or None."""
+        for words, number in self.diagnoses.most_common(1):
+            if number == self.different > 1:
+                return f"all {number} trajectories that differ: {words}"
+        return None
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
         """Return how many cases there are, in a group, with a verdict or with any."""
@@ -202,6 +219,7 @@ class Run:
                 }
                 for group in summary.groups()
             },
+            "diagnosis": summary.diagnosis(),
             "worst": {name: _worst(worst) for name, worst in summary.worst.items()},
             "outcomes": [outcome.to_json() for outcome in self.outcomes],
             "shrunk": {id: outcome.to_json() for id, outcome in self.shrunk.items()},

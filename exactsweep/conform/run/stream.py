@@ -61,7 +61,9 @@ class Stream:
                 result = read_object(line)
                 case = self._case(result.get("id"), find)
                 put = adapt(case, terms)
-                outcome = judge_answer_in_time(case, put, read_answer(result), self.hello.loops)
+                outcome = judge_answer_in_time(
+                    case, put, read_answer(result), self.hello.loops, self.hello.numbers
+                )
             except ValueError as error:
                 if len(self.complaints) < _MOST_COMPLAINTS:
                     self.complaints.append(f"line {number}: {error}")

@@ -89,6 +89,29 @@ def everywhere(change: Callable[[Loop], Loop]) -> Callable[[Result, Case], Resul
     }
 
 
+def sign_of_generatrix(result: Result, case: Case) -> Result:
+    """The sum of D and G, about the reference point."""
+    x, y = map(Fraction, case["reference"])
+    turned = [[str(-Fraction(a)), str(-Fraction(b))] for a, b in case["generatrix"]]
+    loop = answer({**case, "generatrix": turned, "reference": ["0", "0"]})["trajectory"]
+    return {**result, "trajectory": [(a + x, b + y) for a, b in loop]}
+
+
+def with_broken_ring(result: Result, case: Case) -> Result:
+    """The exact ring, and a bow tie far away."""
+    bow_tie = [[1000, 0], [1001, 1], [1001, 0], [1000, 1]]
+    return {**result, "trajectory": [result["trajectory"], bow_tie]}
+
+
+def exchanged(result: Result, case: Case) -> Result:
+    """D moves around G, about the origin."""
+    roles = {"directrix": case["generatrix"], "generatrix": case["directrix"]}
+    return {
+        **result,
+        "trajectory": answer({**case, **roles, "reference": ["0", "0"]})["trajectory"],
+    }
+
+
 def invented_fit(result: Result, case: Case) -> Result:
     inside = tuple(map(Fraction, case["directrix"][0]))
     xs, ys = zip(*(map(Fraction, p) for p in case["directrix"]), strict=True)
@@ -101,6 +124,13 @@ GEOMETRY: dict[str, Callable[[Result, Case], Result]] = {
     "swapped-axes": on_trajectory(lambda loop: [(y, x) for x, y in loop]),
     "reference": without_reference,
     "shifted": on_trajectory(lambda loop: [(x + 1, y) for x, y in loop]),
+    "sign-of-g": sign_of_generatrix,
+    "exchanged": exchanged,
+    "broken-ring": with_broken_ring,
+    "to-floats-with-claim": lambda result, case: {
+        **GEOMETRY["to-one-digit"](result, case),
+        "rounding": 10**6,
+    },
     "no-generatrix": lambda result, case: {**result, "trajectory": case["directrix"]},
     "vertex-outward": on_trajectory(lambda loop: moved(loop, 0, "-1/3", "-1/3")),
     "vertex-inward": on_trajectory(lambda loop: moved(loop, 0, "1/3", "1/3")),

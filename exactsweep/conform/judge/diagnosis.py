@@ -1,0 +1,208 @@
+"""What a wrong trajectory is the right answer to: the mistake behind it, where there is one.
+
+P are the positions of G's origin in which it overlaps D, the sum of D and -G. The usual mistakes
+give another exact set instead: P about another reference point; -P, for exchanged roles; D + G, for
+a sign forgotten; P at another scale or in other axes; its hull; or one that belongs to another
+question. Each is compared as a whole, so that a diagnosis is a proof and no guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import chain
+
+from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, minus
+from exactsweep.corpus import Case
+from exactsweep.corpus.generator.shapes import hull
+from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.geometry.number import abridged
+from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.sweep import sweep
+from exactsweep.words import pair
+
+Rings = Sequence[Sequence[Point]]
+
+_MOST_ROUNDED = 16
+
+
+def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[str, ...]:
+    """Find what an answered loop is exact for, but for rounding.
+
+    Args:
+        case: the case.
+        name: "trajectory", "inner" or "outer".
+        rings: what was answered.
+        rounding: by how much less a coordinate may be off.
+
+    Returns:
+        Tuple of phrases that go with "exact for" or stand alone, the likeliest first; () where
+        nothing is found. All that hold are there: in one case two reference points may be one.
+
+    Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
+    """
+    if not any(map(doubled_area, rings)):
+        return ()
+    low, high = _box(rings)
+    if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
+        # Nearly everything is something else but for so much.
+        rounding = Fraction(0)
+    exact = exact_rings(case, name)
+    if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
+        return ("lacks the holes",)
+    found = [*_other_loops(case, name, rings, rounding)]
+    if name == "trajectory" and not found:
+        found += _other_positions(case, rings, rounding)
+    return tuple(dict.fromkeys(found))
+
+
+def _other_loops(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:
+    """Loops of the case that are not the one asked for."""
+    exact: Polygon = getattr(case, name)
+    for other, words in LOOP_NAMES.items():
+        if other != name and _is_same(exact_rings(case, other), theirs, rounding):
+            yield f"exact for the {words} instead"
+    whole = Polygon(hull(exact.vertices))  # type: ignore[arg-type]
+    low, high = exact.bounding_box
+    box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
+    named = {
+        "D itself": case.directrix,
+        "G itself": case.generatrix,
+        "the convex hull of the exact one": whole,
+        "the bounding box of the exact one": box,
+    }
+    for words, polygon in named.items():
+        if polygon != exact and _is_same([polygon.vertices], theirs, rounding):
+            yield words
+
+
+def _other_positions(case: Case, theirs: Rings, rounding: Fraction) -> Iterator[str]:
+    """Mistakes in what is computed, each about any reference point."""
+    rings = exact_rings(case, "trajectory")
+    positions = _map(rings, 1, 0, 0, 1, minus(ORIGIN, case.reference))
+    shapes: list[tuple[str, Rings]] = [("", positions)]
+    shapes.append(("D + G, G not reflected", [_add(case).vertices]))
+    shapes += ((words, _map(positions, *matrix)) for words, matrix in _AXES.items())
+    for words, shape in shapes:
+        offset = _find_offset(shape, theirs, rounding)
+        if offset is None:
+            continue
+        points = [*_name_offsets(case, offset, rounding)]
+        if not points:
+            by = pair(minus(offset, case.reference))
+            points = [f"another reference point: all is moved by {by}"]
+        if words and "the reference point given" in points:
+            yield f"exact for {words}"
+        else:
+            joint = ", and for " if words else ""
+            yield from (f"exact for {words}{joint}{point}" for point in points)
+    factor = _find_scale(rings, theirs, rounding)
+    if factor is not None:
+        yield f"exact for another scale: it is {abridged(factor)} times as large"
+
+
+_AXES = {
+    "exchanged roles, D around G": (-1, 0, 0, -1),
+    "another orientation: y is negated": (1, 0, 0, -1),
+    "another orientation: x is negated": (-1, 0, 0, 1),
+    "another orientation: x and y are exchanged": (0, 1, 1, 0),
+    "another orientation: a turn to the left": (0, -1, 1, 0),
+    "another orientation: a turn to the right": (0, 1, -1, 0),
+}
+
+
+def _map(rings: Rings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> Rings:
+    """Return the image of rings under a matrix and a translation, counter-clockwise again."""
+    image = [[Point(a * x + b * y + by.x, c * x + d * y + by.y) for x, y in r] for r in rings]
+    return image if a * d > b * c else [ring[::-1] for ring in image]
+
+
+def _add(case: Case) -> Polygon:
+    return sweep(case.generatrix.reflected(), case.directrix, reference=ORIGIN).trajectory
+
+
+def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str]:
+    """Names of the point of G whose path a trajectory is, if G's origin moved by it draws it."""
+    ring, (low, high) = case.generatrix_ring, case.generatrix.bounding_box
+    first, base = ring[0], case.directrix_ring[0]
+    d_low, _ = case.directrix.bounding_box
+    middle = Point((low.x + high.x) / 2, (low.y + high.y) / 2)
+    named = {
+        "the reference point given": case.reference,
+        "G's first vertex as reference": first,
+        "G's origin as reference": ORIGIN,
+        "the reference point negated": minus(ORIGIN, case.reference),
+        "the lower left corner of G's box as reference": low,
+        "the centre of G's box as reference": middle,
+        "G's centroid as reference": _centroid(case.generatrix),
+        "the mean of G's vertices as reference": _mean(ring),
+        "G's last vertex as reference": ring[-1],
+        "G's lowest vertex as reference": min(ring, key=lambda p: (p.y, p.x)),
+        "G's leftmost vertex as reference": min(ring),
+        "G's rightmost vertex as reference": max(ring),
+        "G's highest vertex as reference": max(ring, key=lambda p: (p.y, p.x)),
+        "positions relative to D's first vertex": minus(case.reference, base),
+        "G's first vertex as reference, relative to D's first": minus(first, base),
+        "positions relative to the lower left corner of D's box": minus(low, d_low),
+    }
+    for name, point in named.items():
+        if _is_near(point, offset, rounding):
+            yield name
+
+
+def _centroid(polygon: Polygon) -> Point:
+    ring = polygon.vertices
+    x = y = Fraction(0)
+    for k, q in enumerate(ring):
+        p = ring[k - 1]
+        weight = p.x * q.y - p.y * q.x
+        x, y = x + (p.x + q.x) * weight, y + (p.y + q.y) * weight
+    return Point(x / (6 * polygon.area), y / (6 * polygon.area))
+
+
+def _mean(ring: Sequence[Point]) -> Point:
+    x, y = (sum(values, Fraction(0)) / len(ring) for values in zip(*ring, strict=True))
+    return Point(x, y)
+
+
+def _find_offset(shape: Rings, theirs: Rings, rounding: Fraction) -> Point | None:
+    """The translation that makes some rings others, but for rounding."""
+    (low, high), (other_low, other_high) = _box(shape), _box(theirs)
+    if not _is_near(minus(high, low), minus(other_high, other_low), 2 * rounding):
+        return None
+    by = minus(other_low, low)
+    return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
+
+
+def _find_scale(shape: Rings, theirs: Rings, rounding: Fraction) -> Fraction | None:
+    """The factor that makes some rings others, but for rounding."""
+    (low, high), (other_low, other_high) = _box(shape), _box(theirs)
+    factor = (other_high.x - other_low.x) / (high.x - low.x)
+    scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in shape]
+    return factor if factor not in (0, 1) and _is_same(scaled, theirs, 4 * rounding) else None
+
+
+def _box(rings: Rings) -> tuple[Point, Point]:
+    xs, ys = zip(*chain.from_iterable(rings), strict=True)
+    return Point(min(xs), min(ys)), Point(max(xs), max(ys))
+
+
+def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
+    return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
+
+
+def _is_same(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
+    """Whether some rings are others, but for rounding."""
+    if len(exact) != len(theirs):
+        return False
+    if not all(_is_near(p, q, rounding) for p, q in zip(_box(exact), _box(theirs), strict=True)):
+        return False
+    if rounding:
+        return match_rings(exact, theirs, rounding)
+    try:
+        one, other = (sorted(Polygon(ring).vertices for ring in r) for r in (exact, theirs))
+    except PolygonError:
+        return False
+    return one == other

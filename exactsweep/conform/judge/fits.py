@@ -1,0 +1,205 @@
+"""Answered exact fits beside the exact ones: each of them right, or wrong in one of these ways.
+
+- missing: no position of it is answered;
+- too short: only a part of it is answered;
+- too long: what is answered goes on beyond it;
+- invented: what is answered is no part of any; in free space it does no harm;
+- given twice, or in pieces: all the same positions;
+- rounded: both ends are off by less than the rounding;
+- whisker: traced by the loop, and not listed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
+from exactsweep.conform.judge.whiskers import Segment, is_on
+from exactsweep.conform.judge.witness import at_position, crossing_of, exact_rings, minus
+from exactsweep.corpus import Case
+from exactsweep.geometry.point import Point
+from exactsweep.words import count
+
+NAME = "exact_fits"
+
+
+def judge_fits(
+    case: Case,
+    theirs: Sequence[Segment],
+    rounding: Fraction = Fraction(0),
+    whiskers: Sequence[Segment] = (),
+) -> PartComparison:
+    """Hold answered exact fits against the exact ones.
+
+    Args:
+        case: the case.
+        theirs: segments of positions of the reference point, in any order and direction.
+        rounding: by how much less a coordinate may be off.
+        whiskers: of the loop, on exact fits.
+
+    Returns:
+        The part "exact_fits". Its verdict is exact; equivalent, for the same positions given in
+        another way; "equivalent but for exact fits" where some are missing, too short, invented
+        in free space or rounded; or unsound, with a position that overlaps. Its kind says in
+        which of these ways they differ.
+
+    Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
+    """
+    exact = {_unordered(fit) for fit in case.exact_fits}
+    answered = [_unordered(fit) for fit in theirs]
+    if set(answered) == exact and len(answered) == len(exact):
+        return PartComparison(NAME, Verdict.EXACT)
+    if unite([*theirs, *whiskers]) == unite(case.exact_fits):
+        kind = "whisker" if whiskers else "given twice or in pieces"
+        reason = "traced as whiskers of the loop" if whiskers else kind
+        return PartComparison(NAME, Verdict.EQUIVALENT, reason, kind=kind)
+    missing = [f for f in case.exact_fits if _unordered(f) not in answered]
+    others = [f for f in [*theirs, *whiskers] if _unordered(f) not in exact]
+    rounded = _take_rounded(missing, others, rounding)
+    ways = _name_ways(missing, others)
+    if twice := len(answered) - len(set(answered)):
+        ways["given twice"] = twice
+    if rounded:
+        ways["rounded"] = rounded
+    for fit in others:
+        for position in _places(case, fit):
+            found = at_position(case, position)
+            if found.classified == "OVERLAP":
+                says = f"{found.says}; that is on an exact fit of theirs"
+                return PartComparison(
+                    NAME,
+                    Verdict.UNSOUND,
+                    f"an exact fit of theirs overlaps: {_list(ways)}",
+                    unsound=Witness(says, found.translation, "OVERLAP", found.point),
+                    kind=", ".join(ways),
+                )
+    return PartComparison(
+        NAME,
+        Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+        _list(ways),
+        conservative=_find_missed(case, missing[0]) if missing else None,
+        kind=", ".join(ways),
+        granted=rounding if rounded else None,
+    )
+
+
+def unite(segments: Iterable[Segment]) -> set[frozenset[Point]]:
+    """Return the longest segments, by their ends, that others make up together. Cost: O(f^2).
+
+    Example:
+        >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 1, 3))
+        >>> unite([(a, b), (c, b), (b, b)]) == {frozenset({a, c})}
+        True
+    """
+    united: list[Segment] = []
+    for segment in segments:
+        joined = segment
+        rest = []
+        for other in united:
+            ends = sorted({*joined, *other})
+            whole = (ends[0], ends[-1])
+            if all(is_on(p, whole) for p in ends) and _meet(joined, other):
+                joined = whole
+            else:
+                rest.append(other)
+        united = [*rest, joined]
+    return {_unordered(segment) for segment in united}
+
+
+def _meet(one: Segment, other: Segment) -> bool:
+    """Whether two segments of one line have a point in common."""
+    return any(is_on(p, other) for p in one) or any(is_on(p, one) for p in other)
+
+
+def _unordered(segment: Segment) -> frozenset[Point]:
+    return frozenset(segment)
+
+
+def _take_rounded(missing: list[Segment], others: list[Segment], rounding: Fraction) -> int:
+    """Take pairs that are the same but for rounding from both lists; return how many there are."""
+    taken = 0
+    for fit in list(missing):
+        near = next((f for f in others if rounding and _is_near(fit, f, rounding)), None)
+        if near is not None:
+            missing.remove(fit)
+            others.remove(near)
+            taken += 1
+    return taken
+
+
+def _is_near(one: Segment, other: Segment, rounding: Fraction) -> bool:
+    return any(
+        all(
+            abs(a - b) < rounding
+            for p, q in zip(one, ends, strict=True)
+            for a, b in zip(p, q, strict=True)
+        )
+        for ends in (other, other[::-1])
+    )
+
+
+def _name_ways(missing: Sequence[Segment], others: Sequence[Segment]) -> dict[str, int]:
+    """Count in which ways exact fits that are missing and others that were answered go together."""
+    ways = dict.fromkeys(("missing", "too short", "too long", "invented"), 0)
+    touched = set()
+    for other in others:
+        near = [fit for fit in missing if _unite_to_one(fit, other)]
+        touched.update(near)
+        inside = [fit for fit in near if all(is_on(p, fit) for p in other)]
+        if not near:
+            ways["invented"] += 1
+        elif inside:
+            ways["too short"] += 1
+        else:
+            ways["too long"] += 1
+    ways["missing"] = len(set(missing) - touched)
+    return {way: number for way, number in ways.items() if number}
+
+
+def _unite_to_one(one: Segment, other: Segment) -> bool:
+    """Whether two segments are on one line, and have more than an end of one in common."""
+    ends = sorted({*one, *other})
+    if not all(is_on(p, (ends[0], ends[-1])) for p in ends):
+        return False
+    low, high = max(min(one), min(other)), min(max(one), max(other))
+    return low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
+
+
+def _list(ways: dict[str, int]) -> str:
+    return ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
+
+
+def _find_missed(case: Case, fit: Segment) -> Witness:
+    (p, q) = fit
+    found = at_position(case, Point((p.x + q.x) / 2, (p.y + q.y) / 2))
+    says = f"{found.says}; that is on an exact fit which is not among theirs"
+    return Witness(says, found.translation, found.classified, found.point)
+
+
+def _places(case: Case, segment: Segment) -> Iterator[Point]:
+    """Positions on a segment, one of each piece that is all overlap or all free of it.
+
+    Such pieces end on the trajectory or at the end of an exact fit.
+    """
+    p, q = segment
+    d = minus(q, p)
+    square = d.x * d.x + d.y * d.y
+    yield from (p, q) if square else (p,)
+    if not square:
+        return
+    ends = [end for fit in case.exact_fits for end in fit]
+    crossings: list[Point | None] = []
+    for ring in exact_rings(case, "trajectory"):
+        ends += ring
+        crossings += (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
+    on_line = [v for v in ends if d.x * (v.y - p.y) == d.y * (v.x - p.x)]
+    shares = {Fraction(0), Fraction(1)}
+    for v in [*(c for c in crossings if c is not None), *on_line]:
+        share = (d.x * (v.x - p.x) + d.y * (v.y - p.y)) / square
+        if 0 < share < 1:
+            shares.add(share)
+    for a, b in pairwise(sorted(shares)):
+        middle = (a + b) / 2
+        yield Point(p.x + middle * d.x, p.y + middle * d.y)

@@ -1,0 +1,214 @@
+"""One loop of an answer, all of its rings, beside the rings of the exact one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from exactsweep.check import classify
+from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError, Ring
+from exactsweep.conform.judge.diagnosis import diagnose
+from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.hausdorff import distance_squared
+from exactsweep.conform.judge.region import Cell, RegionError, area, differences
+from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.whiskers import strip_whiskers, with_whiskers
+from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, witness
+from exactsweep.corpus import Case
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.polygon import Polygon
+
+MOST_PAIRS = 2_000_000
+"""Of loops with more pairs of edges than that the distance is not measured."""
+MOST_RINGS = 200
+"""More rings than that are not looked at: each has to be held against each other one."""
+
+
+def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> PartComparison:
+    """Hold an answered loop against the exact one.
+
+    Args:
+        case: the case.
+        name: "trajectory", "inner" or "outer".
+        loop: what was answered.
+        rounding: by how much less a coordinate may be off.
+
+    Returns:
+        A PartComparison; `Verdict` says what its verdict means. All rings count, and each of them
+        on its own: a broken one is not made good by others.
+
+    Raises:
+        WitnessError: the expected answer of the case is refuted by the definition.
+
+    Cost: linear for an exact answer; otherwise that of `differences`, `distance_squared`,
+        `match_rings` and `diagnose`, all of which are bounded, and of a witness.
+    """
+    exact = exact_rings(case, name)
+    if _are_rotations(loop.rings, exact):
+        return _same(name, Verdict.EXACT)
+    fault = find_fault(loop.rings, f"$.{name}")
+    if fault is None and _canonical(loop.rings) == sorted(exact):
+        return _same(name, Verdict.EQUIVALENT)
+    if name == "trajectory" and fault is not None:
+        rings, whiskers = strip_whiskers(loop.rings, case.exact_fits)
+        if whiskers and find_fault(rings, "") is None and _canonical(rings) == sorted(exact):
+            reason = "exact fits are traced as whiskers of the loop"
+            return _same(name, Verdict.EQUIVALENT, reason, "whisker")
+    return _measure(case, name, loop.rings, exact, fault, rounding)
+
+
+def find_fault(rings: Sequence[Ring], place: str) -> str | None:
+    """Say what is wrong with some rings by themselves, or return None."""
+    polygons: list[Polygon] = []
+    try:
+        for k, ring in enumerate(rings):
+            polygons.append(_polygon(ring, place if len(rings) == 1 else f"{place}[{k}]"))
+        _require_apart(polygons, place)
+    except AnswerError as error:
+        return str(error)
+    return None
+
+
+def _measure(
+    case: Case,
+    name: str,
+    rings: Sequence[Ring],
+    exact: Sequence[Ring],
+    fault: str | None,
+    rounding: Fraction,
+) -> PartComparison:
+    """Compare a loop that is not the exact one, ring for ring."""
+    kind = ""
+    diagnosis: tuple[str, ...] = ()
+    cells: list[Cell] | None
+    try:
+        cells = list(differences(exact, rings))
+    except RegionError:
+        cells = None
+    if fault is None and cells == []:
+        return _same(name, Verdict.EQUIVALENT)
+    lost, extra = ([c for c in cells or () if c.first is first] for first in (True, False))
+    whiskered = with_whiskers(exact, case.exact_fits) if name == "trajectory" else exact
+    if match_rings(exact, rings, rounding):
+        verdict, reason = Verdict.WITHIN, "rounded"
+    elif whiskered != exact and match_rings(whiskered, rings, rounding):
+        verdict, reason = Verdict.WITHIN, "rounded, exact fits traced as whiskers of the loop"
+        kind = "whisker"
+    else:
+        diagnosis = () if fault else diagnose(case, name, rings, rounding)
+        verdict, reason = _judge_difference(LOOP_NAMES[name], fault, cells, lost, extra)
+        if diagnosis:
+            reason = f"{diagnosis[0]}; {reason}"
+    measured = cells is not None
+    return PartComparison(
+        name,
+        verdict,
+        reason,
+        _measure_distance(exact, rings) if measured else None,
+        area(lost) if measured else None,
+        area(extra) if measured else None,
+        witness(case, name, rings, lost) if lost else None,
+        witness(case, name, rings, extra) if extra else None,
+        rounding,
+        kind,
+        diagnosis,
+    )
+
+
+def _measure_distance(
+    exact: Sequence[Ring], rings: Sequence[Ring]
+) -> tuple[Fraction, Fraction] | None:
+    if sum(map(len, exact)) * sum(map(len, rings)) > MOST_PAIRS:
+        return None
+    return distance_squared(exact, rings)
+
+
+def _judge_difference(
+    loop_name: str,
+    fault: str | None,
+    cells: Sequence[Cell] | None,
+    lost: Sequence[Cell],
+    extra: Sequence[Cell],
+) -> tuple[Verdict, str]:
+    if fault is not None:
+        return Verdict.MALFORMED, fault
+    if cells is None:
+        reason = f"not the exact {loop_name}, and too many edges cross for the rest to be measured"
+        return Verdict.WRONG, reason
+    if lost and extra:
+        return Verdict.WRONG, f"neither holds the exact {loop_name} nor is held by it"
+    if lost:
+        return Verdict.UNSOUND, f"part of the exact {loop_name} is missing"
+    return Verdict.CONSERVATIVE, f"more than the exact {loop_name}"
+
+
+def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> PartComparison:
+    zero = Fraction(0)
+    return PartComparison(name, verdict, reason, (zero, zero), zero, zero, kind=kind)
+
+
+def _are_rotations(rings: Sequence[Ring], exact: Sequence[Ring]) -> bool:
+    """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
+    if len(rings) != len(exact) or not _is_rotation(rings[0], exact[0]):
+        return False
+    left = list(exact[1:])
+    for ring in rings[1:]:
+        # Holes are written in either orientation.
+        same = [other for other in left if _is_rotation(ring, other)]
+        same += [other for other in left if _is_rotation(ring[::-1], other)]
+        if not same:
+            return False
+        left.remove(same[0])
+    return True
+
+
+def _is_rotation(ring: Ring, vertices: Ring) -> bool:
+    if len(ring) != len(vertices):
+        return False
+    if ring == vertices:
+        return True
+    try:
+        start = ring.index(vertices[0])
+    except ValueError:
+        return False
+    return ring[start:] + ring[:start] == vertices
+
+
+def _canonical(rings: Sequence[Ring]) -> list[Ring]:
+    return sorted(Polygon(ring).vertices for ring in rings)
+
+
+def _polygon(ring: Ring, place: str) -> Polygon:
+    try:
+        return Polygon(ring)
+    except PolygonError as error:
+        raise AnswerError(f"{place}: {error}") from None
+
+
+def _require_apart(polygons: Sequence[Polygon], place: str) -> None:
+    """Refuse rings that overlap, unless one is inside the other, with other points between."""
+    if len(polygons) > MOST_RINGS:
+        raise AnswerError(f"{place} has more than {MOST_RINGS} rings")
+    boxes = [polygon.bounding_box for polygon in polygons]
+    for k, one in enumerate(polygons):
+        for j, other in enumerate(polygons[:k]):
+            if not _boxes_meet(*boxes[k], *boxes[j]):
+                continue
+            if classify(one, other, ORIGIN).verdict != "OVERLAP":
+                continue
+            try:
+                sides = {cell.first for cell in differences([one.vertices], [other.vertices])}
+            except RegionError:
+                sides = set()
+            if len(sides) != 1:
+                raise AnswerError(f"{place}: rings {j} and {k} overlap")
+
+
+def _boxes_meet(low: Point, high: Point, other_low: Point, other_high: Point) -> bool:
+    return (
+        low.x < other_high.x
+        and other_low.x < high.x
+        and low.y < other_high.y
+        and other_low.y < high.y
+    )

@@ -1,0 +1,233 @@
+"""Loops of answers: all rings count, rounding is what numbers hold there, mistakes are named."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Point
+from exactsweep.conform.judge import hausdorff
+from exactsweep.conform.judge.answer import read_loop
+from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.loops import find_fault
+from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.corpus import Case, cases
+from exactsweep.corpus.generator.shapes import hull
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
+SLOT = Case.of("slot", "", BLOCK, SQUARE)
+ALL_CASES = list(cases())
+
+BROKEN = {
+    "bow tie": [[10, 10], [30, 30], [30, 10], [10, 30]],
+    "spike": [[10, 10], [12, 10], [12, 12], [14, 14], [12, 12], [10, 12]],
+    "one point": [[10, 10]],
+    "two points": [[10, 10], [11, 11]],
+    "touches itself": [[10, 10], [12, 10], [11, 11], [12, 12], [10, 12], [11, 11]],
+    "the same again": [list(p) for p in SLOT.trajectory.vertices],
+    "overlaps": [[3, 0], [9, 0], [9, 1], [3, 1]],
+}
+
+
+def judge(case: Case, loop: object, name: str = "trajectory", **options: Any) -> PartComparison:
+    return compare(case, {name: loop}, **options).parts[0]
+
+
+@pytest.mark.parametrize("name", BROKEN)
+@pytest.mark.parametrize("first", [True, False])
+def test_a_broken_ring_is_not_made_good_by_the_exact_one(name: str, first: bool) -> None:
+    exact = [list(p) for p in SLOT.trajectory.vertices]
+    rings = [exact, BROKEN[name]] if first else [BROKEN[name], exact]
+    assert judge(SLOT, rings).verdict is Verdict.MALFORMED
+
+
+def test_a_sound_ring_besides_the_exact_one_is_not_acquitted_either() -> None:
+    exact = [list(p) for p in SLOT.trajectory.vertices]
+    assert judge(SLOT, [exact, [[10, 10], [12, 10], [10, 12]]]).verdict is Verdict.CONSERVATIVE
+    assert judge(SLOT, [exact, [[0, 0], ["1/2", 0], [0, "1/2"]]]).verdict is Verdict.UNSOUND
+
+
+def test_more_rings_than_anybody_needs_are_refused_at_once() -> None:
+    tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 3000, 2)]
+    assert judge(SLOT, tiny).reason == "$.trajectory has more than 200 rings"
+
+
+# Rounding.
+
+
+def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
+    """2^-32 of the largest coordinate is an eighth of these polygons."""
+    far = 2**31
+    ring = [(x + far, y + far) for x, y in BLOCK]
+    case = Case.of("far", "", ring, SQUARE)
+    loop = [[float(x), float(y)] for x, y in hull(case.trajectory.vertices)]  # type: ignore[arg-type]
+    found = judge(case, loop)
+    assert found.verdict is Verdict.CONSERVATIVE
+    assert found.granted is not None
+    assert found.granted < Fraction(1, 10**4)
+    thick = [[float(x) - 0.01, float(y)] for x, y in case.trajectory.vertices]
+    assert judge(case, thick).verdict is Verdict.WRONG
+
+
+def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
+    """Two notches at thirds are lost: by one or less each, in integers."""
+    notched = [(0, 0), (3, 0), (3, 3), (2, 3), ("5/3", "8/3"), ("4/3", 3), (0, 3)]
+    case = Case.of("notched", "", notched, [(0, 0), ("1/9", 0), (0, "1/9")])
+    box = [[round(x), round(y)] for x, y in hull(case.trajectory.vertices)]  # type: ignore[arg-type]
+    assert judge(case, box, numbers="integer").verdict is Verdict.WITHIN
+    assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
+
+
+@pytest.mark.parametrize("claim", ["1000", "1", "1/2"])
+def test_a_claim_is_capped(claim: str) -> None:
+    loop = [[-1, -1], [4, -1], [4, 3], [2, 3], [2, "5/4"], [1, 1], [1, 3], [-1, 3]]
+    result = {"trajectory": loop, "rounding": claim}
+    part = compare(SLOT, result).parts[0]
+    assert part.verdict is Verdict.CONSERVATIVE
+    assert part.granted == Fraction(1, 100)
+    # The caller may allow whatever it likes.
+    assert compare(SLOT, result, rounding=Fraction(claim)).parts[0].verdict is Verdict.WITHIN
+
+
+def rounded(case: Case, name: str, to: Any) -> list[list[Any]]:
+    return [[to(x), to(y)] for x, y in getattr(case, name).vertices]
+
+
+def holds(value: Fraction) -> bool:
+    return abs(value) < Fraction(2) ** 1000
+
+
+@pytest.mark.parametrize("name", ["trajectory", "inner", "outer"])
+def test_the_nearest_rounded_answer_is_within(name: str) -> None:
+    """Each vertex to the nearest number: snapping may make a loop touch itself, or a spike."""
+    good = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.WITHIN}
+    broken = 0
+    for case in ALL_CASES:
+        if not all(holds(c) for p in getattr(case, name).vertices for c in p):
+            continue
+        for to in (float, round):
+            loop = rounded(case, name, to)
+            found = judge(case, loop, name)
+            assert found.verdict in good, (case.id, to, found.reason)
+            broken += find_fault(read_loop(loop, "").rings, "") is not None
+    if name == "trajectory":
+        assert broken >= 4
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.sampled_from([case for case in ALL_CASES if case.size <= 20]), st.data())
+def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
+    loop: list[Any] = list(case.trajectory.vertices)
+    k = data.draw(st.integers(0, len(loop) - 1))
+    granted = judge(case, [[x, y] for x, y in loop[::-1]][:-1], numbers="binary64").granted
+    assert granted is not None
+    low, high = case.trajectory.bounding_box
+    outward = high.x - low.x + 2 * granted
+    loop[k] = Point(loop[k].x + outward, loop[k].y)
+    assert judge(case, loop, numbers="binary64").verdict not in (
+        Verdict.EXACT,
+        Verdict.EQUIVALENT,
+        Verdict.WITHIN,
+    )
+
+
+def test_sets_of_rings_are_matched_one_to_one() -> None:
+    def ring(*pairs: tuple[Any, Any]) -> tuple[Point, ...]:
+        return tuple(Point(Fraction(x), Fraction(y)) for x, y in pairs)
+
+    outer = ring((0, 0), (9, 0), (9, 9), (0, 9))
+    hole, other = ring((1, 1), (3, 1), (3, 3), (1, 3)), ring((5, 5), (7, 5), (7, 7), (5, 7))
+    near = tuple(Point(x + Fraction(1, 9), y) for x, y in hole)
+    bound = Fraction(1, 8)
+    assert match_rings([outer, hole, other], [other[::-1], near, outer], bound)
+    assert not match_rings([outer, hole, other], [outer, near, near], bound)
+    assert not match_rings([outer, hole, other], [outer, near], bound)
+    assert not match_rings([outer, hole, other], [outer, near, other], Fraction(1, 10))
+
+
+# Diagnoses.
+
+D = [(0, 0), (7, 1), (9, 6), (4, 3), (1, 8)]
+G = [(2, 1), (5, 2), (3, 4)]
+CASE = Case.of("odd", "", D, G, ("1/2", 7))
+
+
+def shift(loop: Sequence[Point], x: Any, y: Any) -> list[Any]:
+    return [(p.x + Fraction(x), p.y + Fraction(y)) for p in loop]
+
+
+def answers() -> dict[str, list[Any]]:
+    t = CASE.trajectory.vertices
+    origin = shift(t, "-1/2", -7)
+    negated = [(-x, -y) for x, y in origin]
+    total = Case.of("", "", D, [(-x, -y) for x, y in G]).trajectory.vertices
+    return {
+        "exact for G's first vertex as reference": shift(t, "3/2", -6),
+        "exact for G's origin as reference": origin,
+        "exact for the lower left corner of G's box as reference": shift(t, "3/2", -6),
+        "exact for positions relative to the lower left corner of D's box": shift(t, "3/2", -6),
+        "exact for the centre of G's box as reference": shift(t, 3, "-9/2"),
+        "exact for G's centroid as reference": shift(t, "17/6", "-14/3"),
+        "exact for another reference point: all is moved by (100,-3)": shift(t, 100, -3),
+        "exact for exchanged roles, D around G": [(x + Fraction(1, 2), y + 7) for x, y in negated],
+        "exact for exchanged roles, D around G, and for G's origin as reference": negated,
+        "exact for D + G, G not reflected": shift(total, "1/2", 7),
+        "exact for another orientation: y is negated": [
+            (x + Fraction(1, 2), 7 - y) for x, y in origin
+        ],
+        "exact for another scale: it is 10 times as large": [(10 * x, 10 * y) for x, y in t],
+        "exact for the inner loop instead": list(CASE.inner.vertices),
+        "exact for the outer loop instead": list(CASE.outer.vertices),
+        "the convex hull of the exact one": hull(t),  # type: ignore[arg-type]
+        "D itself": D,
+        "G itself": G,
+    }
+
+
+@pytest.mark.parametrize("words", answers())
+@pytest.mark.parametrize("numbers", [Fraction, float])
+def test_a_mistake_is_named(words: str, numbers: Any) -> None:
+    loop = [[numbers(x), numbers(y)] for x, y in answers()[words]]
+    found = judge(CASE, loop)
+    assert words in found.diagnosis
+    assert found.reason.startswith(found.diagnosis[0])
+    assert found.verdict in (Verdict.WRONG, Verdict.UNSOUND, Verdict.CONSERVATIVE)
+
+
+def test_no_mistake_is_named_that_is_none() -> None:
+    assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
+    moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
+    assert judge(CASE, moved).diagnosis == ()
+
+
+def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked_at = 0
+
+    class Counting(hausdorff.Edges):
+        def nearest(self, place: hausdorff.Place) -> Any:
+            nonlocal looked_at
+            looked_at += len(self._segments)
+            return super().nearest(place)
+
+    monkeypatch.setattr(hausdorff, "Edges", Counting)
+    rim = [Point(Fraction(k), Fraction(k * k % 7, 50)) for k in range(3000)]
+    noisy = [*rim, Point(Fraction(3000), Fraction(900)), Point(Fraction(-1), Fraction(900))]
+    box = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (3000, 0), (3000, 900), (0, 900)]]
+    low, high = hausdorff.distance_squared([box], [noisy])
+    assert low <= high
+    assert looked_at < 2_000_000
+
+
+def test_the_distance_of_very_many_pairs_of_edges_is_left_out(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("exactsweep.conform.judge.loops.MOST_PAIRS", 10)
+    found = judge(SLOT, [[9, 9], [10, 9], [9, 10]])
+    assert found.verdict is Verdict.WRONG
+    assert found.distance_squared is None
+    assert found.area == SLOT.trajectory.area + Fraction(1, 2)
