@@ -1,8 +1,9 @@
-"""The trajectory by contact: along which stretch of it which features touch."""
+"""Loops of positions by contact: along which stretch of them which features touch."""
 
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -14,10 +15,10 @@ from exactsweep.geometry.point import Point
 
 
 class Stretch(NamedTuple):
-    """A piece of an edge of the trajectory along which the same contacts last.
+    """A piece of an edge of a loop of positions along which the same contacts last.
 
     Attributes:
-        edge: number of the edge, from that vertex of the trajectory to the next.
+        edge: number of the edge, from that vertex of the loop to the next.
         start, end: Point, in the order of travel.
         contacts: tuple of Contact, all that last from start to end.
     """
@@ -34,11 +35,15 @@ class Stretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-def stretches(s: Swept) -> list[Stretch]:
-    """Cut the trajectory where a contact begins or ends.
+def stretches(s: Swept, loop: Sequence[Point] | None = None) -> list[Stretch]:
+    """Cut the trajectory, or another loop of positions, where a contact begins or ends.
+
+    Args:
+        s: a Sweep.
+        loop: of positions, as for `Sweep.contacts_along`; the trajectory if left out.
 
     Returns:
-        list of Stretch, all the way around from the first vertex of the trajectory.
+        list of Stretch, once round from the first vertex of the loop.
 
     Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
 
@@ -49,9 +54,9 @@ def stretches(s: Swept) -> list[Stretch]:
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
     features = Features(s)
-    corners = s.trajectory.vertices
+    corners = s.trajectory.vertices if loop is None else loop
     found: list[Stretch] = []
-    for k, contacts in enumerate(s.contacts):
+    for k, contacts in enumerate(s.contacts if loop is None else s.contacts_along(loop)):
         start, end = corners[k], corners[(k + 1) % len(corners)]
         axis = 0 if start.x != end.x else 1
         sign = 1 if start[axis] < end[axis] else -1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cached_property
@@ -101,6 +101,11 @@ class Swept:
         """The holes of the swept area beside the inner loop: none, but of kind "SS"."""
         return ()
 
+    @property
+    def no_fit_holes(self) -> tuple[Polygon, ...]:
+        """The holes of the no-fit polygon, which G does not reach: none, but of kind "SS"."""
+        return ()
+
     @cached_property
     def area(self) -> Fraction:
         """The swept area: the outer loop without the inner one and what is not swept."""
@@ -130,6 +135,15 @@ class Swept:
         (Contact(event='VE', generatrix=0, directrix=1),)
         """
         return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
+
+    def contacts_along(self, loop: Sequence[Point]) -> tuple[tuple[Contact, ...], ...]:
+        """The contacts along each edge of another loop of positions, all free, as `contacts`.
+
+        A loop of two positions is the way from one to the other, and back.
+        """
+        translations = self._frame.raised(loop, self.reference)
+        found = edge_contacts(translations, *self._outlines)
+        return tuple(tuple(map(self._as_given, contacts)) for contacts in found)
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:

@@ -61,6 +61,11 @@ class SweptShape(Swept):
         """Exact fits anywhere, in caves and holes, too: those of the no-fit polygon."""
         return self._no_fit.exact_fits
 
+    @property
+    def no_fit_holes(self) -> tuple[Polygon, ...]:
+        """The holes of the no-fit polygon, sorted: where G fits into a cave or a hole of D."""
+        return self._no_fit.holes
+
     @cached_property
     def _path(self) -> Pair:
         """T's inside, and I(G), which misses T where a point is not swept."""

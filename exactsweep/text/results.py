@@ -185,7 +185,7 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def _numbers(polygon: Polygon) -> dict[str, list[int]]:
+def _numbers(polygon: Polygon | Region) -> dict[str, list[int]]:
     size = len(polygon)
     return {
         "vertices": [polygon.vertex_index(k) for k in range(size)],

@@ -11,6 +11,7 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region, around
 from exactsweep.words import CLASSES, count, heading, pair
 
 _HALVES: dict[Half, str] = {
@@ -43,7 +44,7 @@ def story(s: Swept) -> Iterator[str]:
     yield from teller.opening(steps)
     half = None
     for k, step in enumerate(steps):
-        if step.half != half:
+        if step.half != half and s.kind != "SS":
             half = step.half
             yield f"-- {_HALVES[half]} --"
             yield ""
@@ -60,21 +61,22 @@ def story(s: Swept) -> Iterator[str]:
 class _Features:
     """How the features of a polygon are called, by index."""
 
-    def __init__(self, polygon: Polygon, letter: str) -> None:
+    def __init__(self, shape: Polygon | Region, letter: str) -> None:
         self.vertices: dict[int, str] = {}
         self.edges: dict[int, str] = {}
         self.corners: dict[int, Point] = {}
         self.ends: dict[int, set[int]] = {}
         self.reflex: set[int] = set()
-        corners, size = polygon.vertices, len(polygon)
-        for k, (x, y) in enumerate(corners):
-            i, j = polygon.vertex_index(k), polygon.edge_index(k)
-            (px, py), (qx, qy) = corners[k - 1], corners[(k + 1) % size]
+        corners = shape.vertices
+        for before, k, after in around(shape):
+            i, j = shape.vertex_index(k), shape.edge_index(k)
+            (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
             self.vertices[i] = f"vertex {i} of {letter}, {pair((x, y))}"
             self.edges[j] = f"edge {j} of {letter}, {pair((x, y))}-{pair((qx, qy))}"
             self.corners[i] = corners[k]
-            self.ends[j] = {i, polygon.vertex_index((k + 1) % size)}
-            if (x - px) * (qy - y) < (y - py) * (qx - x):
+            self.ends[j] = {i, shape.vertex_index(after)}
+            # What is inside of a hole is outside of the shape.
+            if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
 
 
@@ -100,7 +102,12 @@ class _Teller:
             f"A position is that of the point {pair(s.reference)} of G; vertices and edges of G "
             "and D are those of the input."
         )
-        if s.direction != (1, 0):
+        if s.kind == "SS":
+            yield (
+                "G does not reach what lies inside of its way: "
+                f"{count(len(s.no_fit_holes), 'hole')} of the no-fit polygon."
+            )
+        elif s.direction != (1, 0):
             yield (
                 f"Both are monotone to {pair(s.direction)}; what is below, above or an end is so "
                 "with this direction to the right."
@@ -205,6 +212,8 @@ class _Teller:
 
     def _exact_fit(self, landmark: Landmark) -> str:
         hanging, inside = self.sweep.exact_fits[landmark.number]
+        if hanging != landmark.position:
+            hanging, inside = inside, hanging
         way = heading((inside.x - hanging.x, inside.y - hanging.y))
         return (
             f"exact fit {landmark.number} hangs: G could go {way} to {pair(inside)}, "

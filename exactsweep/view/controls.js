@@ -61,13 +61,14 @@ const actions = {
   on: () => moveToStop(stopBefore() + 1),
   play: () => play(playing === null),
   start: () => moveTo(0),
-  end: () => moveTo(SPAN),
-  undercut: () => visit(data.undercuts.map(({ stops: [first] }) => first), describeUndercut, "undercut"),
-  fit: () => visit(data.fits.map(({ stop }) => stop), describeFit, "exact fit"),
+  end: () => moveTo(stops.span),
+  undercut: visitUndercut,
+  fit: visitFit,
+  track: () => moveTo(0, tracks[(tracks.indexOf(stops) + 1) % tracks.length]),
 };
 const keys = {
   "+": "closer", "=": "closer", "-": "farther", 0: "whole", PageUp: "back", PageDown: "on",
-  Home: "start", End: "end", " ": "play", u: "undercut", f: "fit",
+  Home: "start", End: "end", " ": "play", u: "undercut", f: "fit", t: "track",
 };
 const slides = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -75,8 +76,8 @@ const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDow
 document.documentElement.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
-  // In the panel, these keys scroll; on a button, the space bar presses it.
-  const isOwn = target.closest("aside")
+  // In the panel, these keys scroll; on a button, the space bar presses it; a list has keys itself.
+  const isOwn = target.matches("select") || target.closest("aside")
     ? slides[key] || [" ", "PageUp", "PageDown", "Home", "End"].includes(key)
     : key === " " && target.matches("button");
   if (isOwn) return;
@@ -84,7 +85,7 @@ document.documentElement.addEventListener("keydown", (event) => {
   if (target === top && pans[key]) pan(...pans[key].map((step) => step * 60));
   else if (slides[key]) {
     const step = event.shiftKey ? SLIDER_STEP : 20 * SLIDER_STEP;
-    moveTo((at + slides[key] * step + SPAN) % SPAN);
+    moveTo((at + slides[key] * step + stops.span) % stops.span);
   } else if (action) actions[action]();
   else return;
   event.preventDefault();
@@ -93,7 +94,13 @@ document.documentElement.addEventListener("keydown", (event) => {
 for (const button of document.querySelectorAll("[data-do]")) {
   button.addEventListener("click", () => actions[button.dataset.do]());
 }
-element("slider").max = SPAN;
+element("track").replaceChildren(...tracks.map(({ name }, k) => new Option(name, k)));
+element("track").hidden = tracks.length === 1;
+element("track").addEventListener("change", ({ target }) => {
+  play(false);
+  moveTo(0, tracks[target.value]);
+});
+element("slider").max = stops.span;
 element("slider").step = SLIDER_STEP;
 element("slider").addEventListener("input", ({ target }) => {
   play(false);
@@ -117,11 +124,14 @@ setText(element("area-about"), about([rational.parse(data.area)]));
 setText(element("path"), `of the reference point of G${data.path && `; the dot is ${data.path}`}`);
 setText(element("undercuts"), `undercut (${data.undercuts.length})`);
 setText(element("fits"), `exact fit (${data.fits.length})`);
+setText(element("holes"), `hole of the no-fit polygon (${data.holes})`);
+element("hole").hidden = !data.holes;
 element("stretched").hidden = !data.stretched;
 element("incomplete").hidden = data.allBrief;
 
 // For scripts: where G is, exactly, where its corners are drawn, and long numbers in short.
 window.exactsweep = {
+  track: () => stops.name,
   position: () => exactPosition().map(rational.text),
   corners() {
     const [dx, dy] = place();

@@ -2,13 +2,14 @@
 
 A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
 two vertices meet or where an undercut is closed; from each stop to the next the same features
-touch. In large sweeps, what touches for an instant only is not looked for.
+touch. In large sweeps, what touches for an instant only is not looked for. Holes of the no-fit
+polygon and exact fits have stops as the trajectory has.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from exactsweep.draw import Scale, Stretch, stretches
@@ -19,12 +20,25 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.view.touches import brief_contacts, can_be_found, meetings_on_edges
+from exactsweep.geometry.region import Region
+from exactsweep.view.touches import Meetings, brief_contacts, can_be_found
 from exactsweep.words import CLASSES
 
 
+class Track(NamedTuple):
+    """Positions along which G can be moved.
+
+    Attributes:
+        name: what it is called.
+        corners: the vertices of a loop; of an exact fit the ends, for the way there and back.
+    """
+
+    name: str
+    corners: Sequence[Point]
+
+
 class Stop(NamedTuple):
-    """A position of the reference point, and the stretch of the trajectory that begins there."""
+    """A position of the reference point, and the stretch of a track that begins there."""
 
     position: Point
     vertex: int | None
@@ -32,36 +46,56 @@ class Stop(NamedTuple):
     contacts: tuple[Contact, ...]
 
 
-def stops(s: Swept) -> list[Stop]:
-    """Find all stops, all the way around from the first vertex of the trajectory.
+def tracks(s: Swept) -> list[Track]:
+    """List the trajectory, the holes of the no-fit polygon and the exact fits."""
+    holes = [Track(f"hole {k}", hole.vertices) for k, hole in enumerate(s.no_fit_holes)]
+    fits = [
+        Track(f"exact fit {k}", tuple(dict.fromkeys(fit))) for k, fit in enumerate(s.exact_fits)
+    ]
+    return [Track("the trajectory", s.trajectory.vertices), *holes, *fits]
 
-    Returns:
-        list of Stop: its `vertex` is its number in the trajectory, None inside an edge; its
-        `contacts` last from there to the next stop; its `brief` ones are those there that last
+
+def stops(s: Swept) -> list[Stop]:
+    """Find all stops of the trajectory, once round from its first vertex; see `track_stops`."""
+    return next(track_stops(s, tracks(s)[:1]))
+
+
+def track_stops(s: Swept, listed: Iterable[Track]) -> Iterator[list[Stop]]:
+    """Find all stops of tracks, each once round from its first vertex.
+
+    Yields:
+        For each track a list of Stop: its `vertex` is its number in the track, None inside an edge;
+        its `contacts` last from there to the next stop; its `brief` ones are those there that last
         neither up to it nor from it: all of them if `can_be_found`, else those of two vertices
         that meet there as ends of features in contact before or after.
 
     Cost: that of `Sweep.contacts`, `undercuts` and `exact_fits`, and O(u t) if u of their
-    positions are inside one of t stretches; that of `meetings_on_edges` and
-    `Sweep.vertex_contacts` if `can_be_found`.
+    positions are inside one of t stretches; that of `Meetings` and of `Sweep.contacts_at` for each
+    vertex if `can_be_found`.
     """
     features = Features(s)
-    all_brief = can_be_found(s)
-    met_on_edges = meetings_on_edges(s) if all_brief else {}
-    pieces = _cut(stretches(s), _landmarks(s).union(met_on_edges))
-    corners = s.trajectory.vertices
-    found = []
-    for k, (edge, start, _, contacts) in enumerate(pieces):
-        around = {*contacts, *pieces[k - 1].contacts}
-        vertex = edge if start == corners[edge] else None
-        if not all_brief:
-            brief = {m for c in around for m in features.meetings(c, start)}
-        elif vertex is None:
-            brief = set(met_on_edges.get(start, ()))
-        else:
-            brief = brief_contacts(features, s.vertex_contacts[vertex], around)
-        found.append(Stop(start, vertex, tuple(sorted(brief)), contacts))
-    return found
+    meetings = Meetings(s) if can_be_found(s) else None
+    landmarks = _landmarks(s)
+    for k, track in enumerate(listed):
+        if len(track.corners) == 1:
+            brief = brief_contacts(features, s.contacts_at(track.corners[0]), set())
+            yield [Stop(track.corners[0], 0, tuple(sorted(brief)), ())]
+            continue
+        met = {} if meetings is None else meetings.on_edges(track.corners)
+        cut = stretches(s, track.corners if k else None)
+        pieces = _cut(cut, landmarks.union(met))
+        found = []
+        for i, (edge, start, _, contacts) in enumerate(pieces):
+            around = {*contacts, *pieces[i - 1].contacts}
+            vertex = edge if start == track.corners[edge] else None
+            if meetings is None:
+                brief = {m for c in around for m in features.meetings(c, start)}
+            elif vertex is None:
+                brief = set(met.get(start, ()))
+            else:
+                brief = brief_contacts(features, s.contacts_at(start), around)
+            found.append(Stop(start, vertex, tuple(sorted(brief)), contacts))
+        yield found
 
 
 def page_data(s: Swept) -> dict[str, Any]:
@@ -76,8 +110,11 @@ def page_data(s: Swept) -> dict[str, Any]:
     dx, dy = shift(s)
     outer, moved = s.outer.vertices, path(s).vertices
     scale = Scale.of(outer, moved)
-    found = stops(s)
-    number = {stop.position: k for k, stop in enumerate(found)}
+    listed = tracks(s)
+    found = list(track_stops(s, listed))
+    number = {stop.position: k for k, stop in enumerate(found[0])}
+    holes = len(s.no_fit_holes)
+    on_loops = {stop.position for on_track in found[: holes + 1] for stop in on_track}
 
     def shown(points: Iterable[Point]) -> dict[str, Any]:
         points = list(points)
@@ -104,12 +141,18 @@ def page_data(s: Swept) -> dict[str, Any]:
         "directrix": {**shown(s.directrix.vertices), **_numbers(s.directrix)},
         "inner": shown(s.inner.vertices),
         "outer": shown(outer),
-        "stops": {
-            **positions(stop.position for stop in found),
-            "vertex": [stop.vertex for stop in found],
-            "brief": [stop.brief for stop in found],
-            "contacts": [stop.contacts for stop in found],
-        },
+        "unswept": [shown(loop.vertices) for loop in s.unswept],
+        "holes": holes,
+        "tracks": [
+            {
+                "name": track.name,
+                **positions(stop.position for stop in on_track),
+                "vertex": [stop.vertex for stop in on_track],
+                "brief": [stop.brief for stop in on_track],
+                "contacts": [stop.contacts for stop in on_track],
+            }
+            for track, on_track in zip(listed, found, strict=True)
+        ],
         "undercuts": [
             {
                 **shown(undercut.polygon.vertices),
@@ -120,13 +163,15 @@ def page_data(s: Swept) -> dict[str, Any]:
             }
             for undercut in s.undercuts
         ],
-        "fits": [{**positions(fit), "stop": number[fit[0]]} for fit in s.exact_fits],
+        "fits": [
+            {**positions(fit), "hangs": [end in on_loops for end in fit]} for fit in s.exact_fits
+        ],
     }
 
 
 def _landmarks(s: Swept) -> set[Point]:
-    hanging = {fit[0] for fit in s.exact_fits}
-    return hanging.union(*(undercut.positions for undercut in s.undercuts))
+    ends = {end for fit in s.exact_fits for end in fit}
+    return ends.union(*(undercut.positions for undercut in s.undercuts))
 
 
 def _cut(pieces: list[Stretch], landmarks: set[Point]) -> list[Stretch]:
@@ -162,10 +207,11 @@ def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
     }
 
 
-def _numbers(polygon: Polygon) -> dict[str, list[int]]:
-    """The numbers that the caller gave the vertices and edges."""
-    size = range(len(polygon))
+def _numbers(shape: Polygon | Region) -> dict[str, list[int]]:
+    """The numbers that the caller gave the vertices and edges, and the sizes of the rings."""
+    size = range(len(shape))
     return {
-        "vertices": [polygon.vertex_index(k) for k in size],
-        "edges": [polygon.edge_index(k) for k in size],
+        "vertices": [shape.vertex_index(k) for k in size],
+        "edges": [shape.edge_index(k) for k in size],
+        "rings": [len(ring) for ring in shape.rings],
     }

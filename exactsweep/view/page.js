@@ -7,27 +7,48 @@ const element = (id) => document.getElementById(id);
 const PARTS = 1_000_000;
 const SLIDER_STEP = PARTS / 1000;
 const ROUND_SECONDS = 24;
+// Dragged so near to another track, in pixels, G goes there.
+const SNAP = 12;
 
-const stops = data.stops;
-const size = stops.contacts.length;
-const SPAN = size * PARTS;
+// The trajectory, the holes of the no-fit polygon, and the exact fits, there and back.
+const { tracks } = data;
+const firstFit = 1 + data.holes;
+for (const track of tracks) {
+  track.size = track.contacts.length;
+  track.span = track.size * PARTS;
+  track.lengths = track.contacts.map((_, k) => {
+    const [[ax, ay], [bx, by]] = [placeOn(track, k), placeOn(track, k + 1)];
+    return Math.hypot(bx - ax, by - ay);
+  });
+  track.around = track.lengths.reduce((sum, length) => sum + length, 0);
+}
 for (const polygon of [data.generatrix, data.directrix]) {
   polygon.vertexOf = new Map(polygon.vertices.map((number, k) => [number, k]));
   polygon.edgeOf = new Map(polygon.edges.map((number, k) => [number, k]));
+  polygon.after = polygon.rings.flatMap((size, k) => {
+    const first = polygon.rings.slice(0, k).reduce((sum, before) => sum + before, 0);
+    return Array.from({ length: size }, (_, i) => first + (i + 1) % size);
+  });
 }
 
-const view = new View(bounds([...data.outer.places, ...stops.places]), data.stretched);
+const view = new View(bounds([...data.outer.places, ...tracks[0].places]), data.stretched);
 const scene = new Scene(data, view, element("ground"), element("top"));
 const top = element("top");
 
-// Where G is: parts from the first stop, an integer from 0 to SPAN.
+// Where G is: on a track, parts from its first stop, an integer from 0 to its span.
+let stops = tracks[0];
 let at = 0;
 let pointed = {};
 let pointer = null;
 let playing = null;
 
-const stopBefore = () => Math.floor(at / PARTS) % size;
-const stopPlace = (k) => [stops.places[2 * (k % size)], stops.places[2 * (k % size) + 1]];
+const stopBefore = () => Math.floor(at / PARTS) % stops.size;
+const stopPlace = (k) => placeOn(stops, k);
+
+function placeOn({ places, contacts }, k) {
+  const i = 2 * (k % contacts.length);
+  return [places[i], places[i + 1]];
+}
 
 // Where the anchor is; at a stop exactly the place in the data.
 function place() {
@@ -39,7 +60,7 @@ function place() {
 }
 
 function exactStop(k) {
-  return [0, 1].map((axis) => rational.parse(stops.exact[2 * (k % size) + axis]));
+  return [0, 1].map((axis) => rational.parse(stops.exact[2 * (k % stops.size) + axis]));
 }
 
 // The exact position of the reference point.
@@ -108,9 +129,7 @@ function write() {
   const position = pair(exact);
   setText(element("position"), position);
   setText(element("position-about"), about(exact));
-  const number = stops.vertex[k];
-  const here = number === null ? "a stop on an edge" : `vertex ${number}`;
-  const where = at % PARTS ? `between stops ${k} and ${(k + 1) % size} of ${size}` : `${here} of the trajectory, stop ${k} of ${size}`;
+  const where = whereIs(k);
   setText(element("where"), where);
   const list = contactsHere().map(({ contact, note }) => [contact[0], ` ${words(contact)}${note}`]);
   const spoken = list.map((item) => item.join("")).join("; ");
@@ -129,6 +148,16 @@ function write() {
   slider.setAttribute("aria-valuetext", `${about(exact) || position}, ${where}`);
 }
 
+function whereIs(k) {
+  const { name, size, vertex } = stops;
+  if (size === 1) return `${name}, a single position`;
+  if (at % PARTS) return `between stops ${k} and ${(k + 1) % size} of ${size}${stops === tracks[0] ? "" : `, ${name}`}`;
+  const here = vertex[k] === null ? "a stop on an edge" : `${isFit(stops) ? "end" : "vertex"} ${vertex[k]}`;
+  return `${here} of ${name}, stop ${k} of ${size}`;
+}
+
+const isFit = (track) => tracks.indexOf(track) >= firstFit;
+
 function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
@@ -141,23 +170,23 @@ function setLines(node, lines) {
   }));
 }
 
-function moveTo(parts) {
-  at = Math.min(SPAN, Math.max(0, Math.round(parts)));
+function moveTo(parts, track = stops) {
+  if (track !== stops) {
+    stops = track;
+    element("slider").max = stops.span;
+    element("track").value = tracks.indexOf(stops);
+    element("contacts").dataset.spoken = "";
+  }
+  at = Math.min(stops.span, Math.max(0, Math.round(parts)));
   if (pointer) point(...pointer);
   refresh(false);
 }
 
 function moveToStop(k) {
-  moveTo(((k % size) + size) % size * PARTS);
+  moveTo(((k % stops.size) + stops.size) % stops.size * PARTS);
 }
 
-// Round and round, at an even pace along the trajectory.
-const lengths = stops.contacts.map((_, k) => {
-  const [[ax, ay], [bx, by]] = [stopPlace(k), stopPlace(k + 1)];
-  return Math.hypot(bx - ax, by - ay);
-});
-const around = lengths.reduce((sum, length) => sum + length, 0);
-
+// Round and round, at an even pace along the track.
 function play(isOn) {
   const button = document.querySelector("[data-do=play]");
   // Nobody wants to hear each contact on the way.
@@ -171,6 +200,7 @@ function play(isOn) {
   let exact = at;
   const step = (now) => {
     if (at !== Math.round(exact)) exact = at;
+    const { around, lengths, size } = stops;
     let way = last === null ? 0 : (around * (now - last)) / 1000 / ROUND_SECONDS;
     last = now;
     for (;;) {
@@ -198,6 +228,7 @@ function slideTo(x, y) {
   const limit = 3 * Math.hypot(kx * (px - tx), ky * (py - ty)) + 2 / view.zoom.k;
   let best = [Infinity, at];
   const start = stopBefore();
+  const { size } = stops;
   for (const way of [1, -1]) {
     let travelled = 0;
     for (let n = 0; n <= size && travelled <= limit; n++) {
@@ -208,18 +239,37 @@ function slideTo(x, y) {
       if (n) travelled += Math.hypot(kx * (bx - ax), ky * (by - ay));
     }
   }
+  let track = stops;
+  if (best[0] * view.zoom.k > SNAP) [track, best] = snapped(x, y, best);
   const stop = Math.round(best[1] / PARTS);
-  const [sx, sy] = stopPlace(stop);
-  const [ax, ay] = stopPlace(Math.floor(best[1] / PARTS));
-  const [bx, by] = stopPlace(Math.floor(best[1] / PARTS) + 1);
+  const [sx, sy] = placeOn(track, stop);
+  const [ax, ay] = placeOn(track, Math.floor(best[1] / PARTS));
+  const [bx, by] = placeOn(track, Math.floor(best[1] / PARTS) + 1);
   const share = (best[1] % PARTS) / PARTS;
   const dx = view.x(ax + share * (bx - ax)) - view.x(sx);
   const dy = view.y(ay + share * (by - ay)) - view.y(sy);
-  moveTo(Math.hypot(dx, dy) < 5 ? (stop % size) * PARTS : best[1] % SPAN);
+  moveTo(Math.hypot(dx, dy) < 5 ? (stop % track.size) * PARTS : best[1] % track.span, track);
+}
+
+// Another track, if one is right under the pointer: into a hole or an exact fit, and out again.
+function snapped(x, y, best) {
+  let found = [stops, best];
+  let reach = SNAP;
+  for (const track of tracks) {
+    if (track === stops) continue;
+    for (let k = 0; k < track.size; k++) {
+      const [[ax, ay], [bx, by]] = [placeOn(track, k), placeOn(track, k + 1)];
+      const [share, off] = nearest(x, y, view.x(ax), view.y(ay), view.x(bx), view.y(by));
+      if (off >= reach) continue;
+      reach = off;
+      found = [track, [off, (k + share) * PARTS]];
+    }
+  }
+  return found;
 }
 
 function isOnGeneratrix(x, y) {
   const [px, py] = view.place(x, y);
   const [dx, dy] = place();
-  return contains(data.generatrix.places, px - dx, py - dy);
+  return contains(ringsOf(data.generatrix.rings, data.generatrix.places), px - dx, py - dy);
 }

@@ -21,9 +21,10 @@ function vertexAt(x, y) {
   const groups = [
     [data.generatrix.places, dx, dy, (k) => `vertex ${data.generatrix.vertices[k]} of G`, exactCorner],
     [data.directrix.places, 0, 0, (k) => `vertex ${data.directrix.vertices[k]} of D`, listed(data.directrix)],
-    [stops.places, 0, 0, nameOfStop, listed(stops)],
+    ...tracks.slice(0, firstFit).map((track) => [track.places, 0, 0, nameOfStop(track), listed(track)]),
     [data.inner.places, 0, 0, (k) => `vertex ${k} of the inner loop`, listed(data.inner)],
     [data.outer.places, 0, 0, (k) => `vertex ${k} of the outer loop`, listed(data.outer)],
+    ...data.unswept.map((hole, i) => [hole.places, 0, 0, (k) => `vertex ${k} of unswept hole ${i}`, listed(hole)]),
   ];
   let best = REACH;
   const near = [];
@@ -49,10 +50,8 @@ function vertexAt(x, y) {
 
 const listed = ({ exact }) => (k) => `(${exact[2 * k]}, ${exact[2 * k + 1]})`;
 
-function nameOfStop(k) {
-  const number = stops.vertex[k];
-  return number === null ? `stop ${k}, on an edge of the trajectory` : `vertex ${number} of the trajectory`;
-}
+const nameOfStop = ({ name, vertex }) => (k) =>
+  vertex[k] === null ? `stop ${k}, on an edge of ${name}` : `vertex ${vertex[k]} of ${name}`;
 
 // A vertex of G where it is now: its own coordinates and the way that G has gone.
 function exactCorner(k) {
@@ -71,25 +70,31 @@ function fitAt(x, y) {
   return null;
 }
 
+const isSingle = ({ exact: [ax, ay, bx, by] }) => ax === bx && ay === by;
+
 function describeFit(k) {
   const fit = data.fits[k];
   const [hanging, inside] = [0, 1].map(listed(fit));
   return {
     fit,
-    lines: [`exact fit ${k}: G could slide from ${hanging} to ${inside}, touching D on both sides`],
+    lines: [
+      isSingle(fit)
+        ? `exact fit ${k}: G fits at ${inside} and cannot move`
+        : `exact fit ${k}: G could slide from ${hanging} to ${inside}, touching D on both sides`,
+    ],
   };
 }
 
 function undercutAt(x, y) {
   const [px, py] = view.place(x, y);
-  const k = data.undercuts.findIndex(({ places }) => contains(places, px, py));
+  const k = data.undercuts.findIndex(({ places }) => contains([places], px, py));
   return k < 0 ? null : describeUndercut(k);
 }
 
 function describeUndercut(k) {
   const undercut = data.undercuts[k];
   const [a, b] = [0, 1].map(listed({ exact: undercut.extremes }));
-  const positions = [...new Set(undercut.stops)].map(listed(stops));
+  const positions = [...new Set(undercut.stops)].map(listed(tracks[0]));
   const shown = positions.slice(0, 4).join(undercut.slides ? " to " : ", ");
   return {
     undercut,
@@ -101,11 +106,26 @@ function describeUndercut(k) {
   };
 }
 
-// To the next undercut or exact fit on the way; several at one stop are visited in turn.
-function visit(targets, describe, name) {
-  const shown = pointed.describe === describe ? pointed.number : -1;
-  const ahead = targets.map((stop, k) => (stop * PARTS - at + SPAN) % SPAN || (k > shown ? 0 : SPAN));
+// To the next undercut on the way along the trajectory; several at one stop are visited in turn.
+function visitUndercut() {
+  const { span } = tracks[0];
+  const shown = pointed.undercut ? pointed.number : -1;
+  const here = stops === tracks[0] ? at : 0;
+  const ahead = data.undercuts.map(
+    ({ stops: [first] }, k) => (first * PARTS - here + span) % span || (k > shown ? 0 : span),
+  );
   const k = ahead.indexOf(Math.min(...ahead));
+  visit(k, "undercut", () => moveTo(data.undercuts[k].stops[0] * PARTS, tracks[0]), describeUndercut);
+}
+
+// Into the next exact fit, in their order, at its hanging end first.
+function visitFit() {
+  const shown = isFit(stops) ? tracks.indexOf(stops) - firstFit : -1;
+  const k = data.fits.length ? (shown + 1) % data.fits.length : -1;
+  visit(k, "exact fit", () => moveTo(0, tracks[firstFit + k]), describeFit);
+}
+
+function visit(k, name, move, describe) {
   pointer = null;
   element("tip").hidden = true;
   if (k < 0) {
@@ -113,7 +133,7 @@ function visit(targets, describe, name) {
     setLines(element("pointed"), [`There is no ${name}.`]);
     return;
   }
-  moveToStop(targets[k]);
-  pointed = { ...describe(k), describe, number: k };
+  move();
+  pointed = { ...describe(k), number: k };
   setLines(element("pointed"), pointed.lines);
 }

@@ -11,7 +11,8 @@ class Scene {
   constructor(data, view, ground, top) {
     Object.assign(this, { data, view });
     this.layers = [ground, top].map((canvas) => ({ canvas, context: canvas.getContext("2d") }));
-    this.runs = runs(data.stops);
+    this.loops = data.tracks.slice(0, 1 + data.holes);
+    this.runs = runs(this.loops);
     this.readColors();
   }
 
@@ -104,16 +105,18 @@ class Scene {
     this.isDense = false;
     this.drawn = view.zoom;
     this.layers[0].canvas.style.transform = "";
-    const [inner, outer, directrix] = ["inner", "outer", "directrix"].map((name) =>
-      view.pixels(data[name].places),
-    );
-    this.area(context, [outer, inner], this.color("swept"));
-    this.area(context, [directrix], this.color("directrix-fill"));
-    this.line(context, directrix, "directrix", 1, { isClosed: true });
+    const [inner, outer] = ["inner", "outer"].map((name) => view.pixels(data[name].places));
+    const unswept = data.unswept.map(({ places }) => view.pixels(places));
+    const directrix = ringsOf(data.directrix.rings, view.pixels(data.directrix.places));
+    this.area(context, [outer, inner, ...unswept], this.color("swept"));
+    this.area(context, directrix, this.color("directrix-fill"));
+    this.lines(context, directrix, "directrix", 1, { isClosed: true });
+    const holes = this.loops.slice(1).map(({ places }) => view.pixels(places));
+    this.area(context, holes, this.color("hole"));
     const undercuts = data.undercuts.map(({ places }) => view.pixels(places));
     this.area(context, undercuts, this.hatching(context));
     this.lines(context, undercuts, "undercut", 0.7, { isClosed: true });
-    this.line(context, inner, "inner", 3, { isClosed: true });
+    this.lines(context, [inner, ...unswept], "inner", 3, { isClosed: true });
     this.line(context, outer, "outer", 1.8, { isClosed: true, dash: [16, 4] });
     for (const [event, chains] of this.runs) {
       const pixels = chains.map((places) => view.pixels(places));
@@ -124,10 +127,13 @@ class Scene {
     const fits = data.fits.map(({ places }) => view.pixels(places));
     this.lines(context, fits, "fit", isThin ? 1.5 : 4, {});
     if (isThin) return;
-    const hanging = fits.map(([x, y]) => [x, y]);
-    this.dots(context, hanging, "page");
-    this.lines(context, hanging.map(([x, y]) => circle(x, y)), "fit", 2, { isClosed: true });
-    this.dots(context, fits.map(([, , x, y]) => [x, y]), "fit", 5);
+    const ends = fits.flatMap(([ax, ay, bx, by], k) =>
+      [[ax, ay], [bx, by]].map((spot, end) => ({ spot, hangs: data.fits[k].hangs[end] })),
+    );
+    const spots = (wanted) => ends.filter(({ hangs }) => hangs === wanted).map(({ spot }) => spot);
+    this.dots(context, spots(false), "fit", 6);
+    this.dots(context, spots(true), "page");
+    this.lines(context, spots(true).map(([x, y]) => circle(x, y)), "fit", 2, { isClosed: true });
   }
 
   // Show the ground as it was last drawn, moved to where it is now.
@@ -148,16 +154,17 @@ class Scene {
     if (pointed.fit) this.line(context, view.pixels(pointed.fit.places), "fit", 7);
     const g = view.pixels(data.generatrix.places, px, py);
     const d = view.pixels(data.directrix.places);
-    this.area(context, [g], this.color("generatrix-fill"));
-    this.line(context, g, "generatrix", 2, { isClosed: true });
+    const rings = ringsOf(data.generatrix.rings, g);
+    this.area(context, rings, this.color("generatrix-fill"));
+    this.lines(context, rings, "generatrix", 2, { isClosed: true });
     for (const [event, i, j] of [...contacts].reverse()) {
       const spots = [
         [g, data.generatrix, i, event[0]],
         [d, data.directrix, j, event[1]],
       ];
       for (const [pixels, polygon, number, kind] of spots) {
-        const k = 2 * polygon[kind === "E" ? "edgeOf" : "vertexOf"].get(number);
-        const n = (k + 2) % pixels.length;
+        const index = polygon[kind === "E" ? "edgeOf" : "vertexOf"].get(number);
+        const [k, n] = [2 * index, 2 * polygon.after[index]];
         if (kind === "E") {
           const edge = [pixels[k], pixels[k + 1], pixels[n], pixels[n + 1]];
           this.line(context, edge, event, 3.5);
@@ -172,20 +179,22 @@ class Scene {
   }
 }
 
-// The chains of the trajectory by event, cut where it changes.
-function runs({ places, contacts }) {
+// The chains of loops by event, cut where it changes.
+function runs(loops) {
   const found = new Map();
-  let last = null;
-  for (let k = 0; k < contacts.length; k++) {
-    const events = new Set(contacts[k].map(([event]) => event));
-    const event = events.size === 1 ? contacts[k][0][0] : "several";
-    if (event !== last) {
-      if (!found.has(event)) found.set(event, []);
-      found.get(event).push(places.slice(2 * k, 2 * k + 2));
+  for (const { places, contacts } of loops) {
+    let last = null;
+    for (let k = 0; k < contacts.length; k++) {
+      const events = new Set(contacts[k].map(([event]) => event));
+      const event = events.size === 1 ? contacts[k][0][0] : "several";
+      if (event !== last) {
+        if (!found.has(event)) found.set(event, []);
+        found.get(event).push(places.slice(2 * k, 2 * k + 2));
+      }
+      const next = (2 * k + 2) % places.length;
+      found.get(event).at(-1).push(places[next], places[next + 1]);
+      last = event;
     }
-    const next = (2 * k + 2) % places.length;
-    found.get(event).at(-1).push(places[next], places[next + 1]);
-    last = event;
   }
   return found;
 }

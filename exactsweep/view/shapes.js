@@ -159,11 +159,20 @@ function cropped(pixels, [left, low, right, high]) {
   return loop;
 }
 
-function contains(places, x, y) {
+// The places of each ring, of whose sizes there is a list.
+function ringsOf(sizes, places) {
+  let first = 0;
+  return sizes.map((size) => places.slice(2 * first, 2 * (first += size)));
+}
+
+// Whether a point is in an odd number of loops.
+function contains(loops, x, y) {
   let inside = false;
-  for (let i = 0, j = places.length - 2; i < places.length; j = i, i += 2) {
-    const [ax, ay, bx, by] = [places[i], places[i + 1], places[j], places[j + 1]];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+  for (const places of loops) {
+    for (let i = 0, j = places.length - 2; i < places.length; j = i, i += 2) {
+      const [ax, ay, bx, by] = [places[i], places[i + 1], places[j], places[j + 1]];
+      if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+    }
   }
   return inside;
 }

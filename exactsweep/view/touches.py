@@ -5,16 +5,20 @@ The contacts that last along a stretch of the trajectory do not tell these.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import pairwise
 from math import lcm
 
 from exactsweep.draw.features import Features
-from exactsweep.evidence.contact import Boundary, Contact, edges_of, facing, minus
+from exactsweep.evidence.contact import Contact, facing, minus
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 # The numbers below which it takes some seconds at most to find them.
 _MOST = 10**6
@@ -26,44 +30,77 @@ def can_be_found(s: Swept) -> bool:
     return len(s.trajectory) * (m + n) <= _MOST and m * n <= _MOST
 
 
-def meetings_on_edges(s: Swept) -> dict[Point, list[Contact]]:
-    """Find where two vertices meet while the reference point is inside an edge of the trajectory.
+class Meetings:
+    """The positions at which two vertices meet without overlap near them.
 
-    Nothing else touches there for an instant only: two features that touch at positions on a
-    segment, which does not cross the trajectory, touch it inside an edge with an end only.
-
-    Returns:
-        dict of the VV contacts by the position.
-
-    Cost: O((m + n + p) log(m + n + t)) for p pairs of an edge and a vertex that can touch without
+    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
     overlap: O(m + n) for convex polygons, O(m n) for any.
 
-    Example:
-        >>> from exactsweep import sweep
-        >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-        >>> meetings_on_edges(s)[Point(2, -1)]
-        [Contact(event='VV', generatrix=2, directrix=1)]
+    Args:
+        s: a Sweep.
     """
-    x, y = s.reference
-    origin_path = s.trajectory.translated((-x, -y))
-    polygons = s.generatrix, s.directrix, origin_path
-    frame = Frame(s.direction, lcm(*(polygon.lattice()[0] for polygon in polygons)))
-    g, d, path = (frame.turned(frame.lattice(polygon)) for polygon in polygons)
-    pairs = set()
-    for i, j in facing(dict(enumerate(edges_of(g))), Outline([d])):
-        pairs |= {(i, j), ((i + 1) % len(g), j)}
-    for j, i in facing(dict(enumerate(edges_of(d))), Outline([g])):
-        pairs |= {(i, j), (i, (j + 1) % len(d))}
-    boundary = Boundary(path)
-    meetings: defaultdict[Vertex, list[Contact]] = defaultdict(list)
-    for i, j in pairs:
-        found = Contact("VV", s.generatrix.vertex_index(i), s.directrix.vertex_index(j))
-        meetings[minus(d[j], g[i])].append(found)
-    on_edges = [t for t in meetings if next(boundary.edges_through(t), None) is not None]
-    if not on_edges:
-        return {}
-    positions = frame.leave(on_edges, s.reference)
-    return {p: meetings[t] for p, t in zip(positions, on_edges, strict=True)}
+
+    def __init__(self, s: Swept) -> None:
+        self._reference = s.reference
+        self._scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
+        g, g_numbers = _outline(s.generatrix, self._scale)
+        d, d_numbers = _outline(s.directrix, self._scale)
+        pairs = set()
+        for i, j in facing(dict(enumerate(g.edges)), d):
+            pairs |= {(i, j), (g.after[i], j)}
+        for j, i in facing(dict(enumerate(d.edges)), g):
+            pairs |= {(i, j), (i, d.after[j])}
+        self._contacts: defaultdict[Vertex, list[Contact]] = defaultdict(list)
+        for i, j in pairs:
+            contact = Contact("VV", g_numbers[i], d_numbers[j])
+            self._contacts[minus(d.vertices[j], g.vertices[i])].append(contact)
+        self._translations = sorted(self._contacts)
+
+    def on_edges(self, loop: Sequence[Point]) -> dict[Point, list[Contact]]:
+        """Find where two vertices meet inside an edge of a loop of free positions.
+
+        Nothing else touches there for an instant only: two features that touch at positions on a
+        segment, which does not cross the loop, touch it inside an edge with an end only.
+
+        Returns:
+            dict of the VV contacts by the position.
+
+        Cost: O(t log p), and O(1) for each edge and each position in its x-range.
+
+        Example:
+            >>> from exactsweep import sweep
+            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
+            >>> Meetings(s).on_edges(s.trajectory.vertices)[Point(2, -1)]
+            [Contact(event='VV', generatrix=2, directrix=1)]
+        """
+        (rx, ry), scale = self._reference, self._scale
+        raised = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
+        found = {}
+        for p, q in pairwise([*raised, raised[0]]):
+            (px, py), (qx, qy) = low, high = sorted((p, q))
+            start = bisect_right(self._translations, low)
+            for t in self._translations[start : bisect_left(self._translations, high)]:
+                x, y = t
+                if (qx - px) * (y - py) == (qy - py) * (x - px):
+                    found[Point(Fraction(x, scale) + rx, Fraction(y, scale) + ry)] = self._contacts[
+                        t
+                    ]
+        return found
+
+
+def _outline(shape: Polygon | Region, scale: int) -> tuple[Outline, list[int]]:
+    """The features of a shape on a lattice, and the caller's numbers of its vertices."""
+    rings = []
+    numbers: list[int] = []
+    for k, ring in enumerate(shape.rings):
+        first = len(numbers)
+        order = list(range(len(ring)))
+        if k:
+            # With the interior on the left, as all of an outline has it.
+            order[1:] = reversed(order[1:])
+        rings.append([(int(ring[i].x * scale), int(ring[i].y * scale)) for i in order])
+        numbers += [shape.vertex_index(first + i) for i in order]
+    return Outline(rings), numbers
 
 
 def brief_contacts(

@@ -1,16 +1,26 @@
 """Pictures of no-fit polygons and inner fits, and of polygons with holes."""
 
+import json
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
+from command import run
 from hypothesis import given, settings
 from matplotlib.axes import Axes
 from strategies import simple_polygons
 from test_notebook import SVG, Balanced, inside
 
-from exactsweep import InnerFit, NoFitPolygon, Polygon, Region, inner_fit_polygon, no_fit_polygon
+from exactsweep import (
+    InnerFit,
+    NoFitPolygon,
+    Polygon,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
 from exactsweep.canvas import style
 from exactsweep.draw import DrawError, new_figure, plot_inner_fit, plot_no_fit, save
 from exactsweep.draw.sweeps import is_on
@@ -201,6 +211,44 @@ def test_a_point_is_on_a_loop_or_not() -> None:
     half = Polygon([("1/2", 0), (1, 0), (0, 1)]).vertices[1]
     assert is_on(half, square)
     assert not is_on(Point(half.x, half.x), square)
+
+
+def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
+    axes = sweep(SQUARE, PLATE).plot(new_figure().axes[0])
+    assert labels(axes) == [
+        "swept area",
+        "directrix D",
+        "inner loop",
+        "outer loop",
+        "trajectory, EE",
+        "exact fit",
+        "exact fit, one position",
+        "generatrix G",
+        "reference point of G",
+        "contact, VE",
+        "contact, EE",
+        "contact, VV",
+    ]
+    assert len(rings(axes, style.DIRECTRIX.order)) == 4
+    parts = tmp_path / "plate.json"
+    parts.write_text(json.dumps({"exterior": [[0, 0], [5, 0], [5, 5], [0, 5]],
+                                 "holes": [[[1, 1], [3, 1], [3, 3], [1, 3]]]}))  # fmt: skip
+    output = tmp_path / "out.png"
+    result = run("draw", "-", str(parts), "-o", str(output), stdin=json.dumps(SQUARE))
+    assert (result.exit_code, result.output) == (0, "")
+    assert output.read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_is_not_swept_is_cut_out() -> None:
+    cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
+    cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
+    s = sweep(SQUARE, cave)
+    *_, hole = rings(s.plot(new_figure().axes[0]), style.SWEPT.order)
+    assert hole[::-1] == [(3, 3), (7, 3), (7, 7), (3, 7)]
+    assert inside(ElementTree.fromstring(s._repr_svg_()))
+    texts = Balanced(s._repr_html_()).texts
+    assert "no shared direction" in texts
+    assert "4 vertices, area 16" in texts
 
 
 def test_plots_take_what_is_found() -> None:

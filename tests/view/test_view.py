@@ -133,7 +133,7 @@ def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
     scale = Scale.of(s.outer.vertices, path(s).vertices)
     x, y = s.reference
     for (tx, ty), (px, py) in zip(
-        exact_points(data["stops"]["exact"]), places(data["stops"]["places"]), strict=True
+        exact_points(data["tracks"][0]["exact"]), places(data["tracks"][0]["places"]), strict=True
     ):
         for (gx, gy), (qx, qy) in zip(
             s.generatrix.vertices, places(data["generatrix"]["places"]), strict=True
@@ -170,15 +170,20 @@ def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     assert anchor(far) == EXAMPLE.reference
     data, near = page_data(far), page_data(EXAMPLE)
     assert data["path"] == "vertex 0 of G"
-    assert data["stops"]["places"] == near["stops"]["places"]
-    assert exact_points(data["stops"]["exact"])[0] == points((10**40 - 2, -1))[0]
+    assert data["tracks"][0]["places"] == near["tracks"][0]["places"]
+    assert exact_points(data["tracks"][0]["exact"])[0] == points((10**40 - 2, -1))[0]
 
 
 def test_an_exact_fit_hangs_on_a_stop() -> None:
     data = page_data(SLOT)
     (fit,) = data["fits"]
     assert exact_points(fit["exact"]) == points((1, 3), (1, 1))
-    assert exact_points(data["stops"]["exact"])[fit["stop"]] == (Fraction(1), Fraction(3))
+    assert fit["hangs"] == [True, False]
+    assert Point(Fraction(1), Fraction(3)) in exact_points(data["tracks"][0]["exact"])
+    # There, and back; a vertex of the square is on one of the slot halfway down the longer wall.
+    way = points((1, 3), (1, 2), (1, 1), (1, 2))
+    assert exact_points(data["tracks"][1]["exact"]) == way
+    assert data["tracks"][1]["vertex"] == [0, None, 1, None]
 
 
 def test_the_page_needs_nothing_else() -> None:

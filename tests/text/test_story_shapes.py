@@ -1,0 +1,90 @@
+"""Sweeps of any shape, told and reported."""
+
+import json
+from pathlib import Path
+
+from command import run
+from hypothesis import given, settings
+from strategies import simple_polygons
+
+from exactsweep import Polygon, Region, sweep
+from exactsweep.text.report import report
+from exactsweep.text.results import story_to_json
+from exactsweep.text.story import story
+
+SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
+HOLLOW = Region([(0, 0), (8, 0), (8, 6), (0, 6)], [[(1, 1), (5, 1), (5, 4), (1, 4)]])
+# A door exactly as wide as the square, in the top of a chamber.
+CHAMBER = [(0, 0), (8, 0), (8, 8), (5, 8), (5, 6), (7, 6), (7, 1), (1, 1), (1, 6), (3, 6)]
+CHAMBER += [(3, 8), (0, 8)]
+
+REPORT = """\
+class       SS, polygons of any shape
+direction   none
+reference   (0,0)
+undercuts   0
+exact fits  0
+
+            vertices  area about  area exactly
+generatrix         4              4
+directrix          8              36
+trajectory         4              80
+inner loop         4              48
+outer loop         4              120
+swept area                        72
+
+trajectory  (-2,-2) (8,-2) (8,6) (-2,6)
+inner loop  (0,0) (8,0) (8,6) (0,6)
+outer loop  (-2,-2) (10,-2) (10,8) (-2,8)
+"""
+
+
+def test_a_sweep_around_a_hollow_block_is_reported(tmp_path: Path) -> None:
+    assert report(sweep(SQUARE, HOLLOW)) == REPORT
+    hollow = tmp_path / "hollow.json"
+    hollow.write_text(json.dumps({"exterior": [[0, 0], [8, 0], [8, 6], [0, 6]],
+                                  "holes": [[[1, 1], [5, 1], [5, 4], [1, 4]]]}))  # fmt: skip
+    assert run("sweep", "-", str(hollow), stdin=json.dumps(SQUARE)).stdout == REPORT
+
+
+def test_unswept_holes_are_reported() -> None:
+    cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
+    cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
+    lines = report(sweep([(0, 0), (1, 0), (1, 1), (0, 1)], cave)).splitlines()
+    assert "unswept 0          4              16" in lines
+    assert "unswept 0   (3,3) (7,3) (7,7) (3,7)" in lines
+
+
+def test_a_sweep_around_a_hollow_block_is_told() -> None:
+    lines = list(story(sweep(SQUARE, HOLLOW)))
+    assert lines[0] == "Class SS, polygons of any shape, of 4 and 8 vertices."
+    assert "G does not reach what lies inside of its way: 1 hole of the no-fit polygon." in lines
+    assert not any(line.startswith("-- ") for line in lines)
+    start = lines.index("Step 0: right, along (1,0), from (-2,-2) to (8,-2)")
+    assert lines[start + 1] == (
+        "  EE: edge 2 of G, (2,2)-(0,2), slides along edge 0 of D, (0,0)-(8,0)"
+    )
+    assert lines[-1] == "G is back at (-2,-2)."
+
+
+def test_a_door_exactly_as_wide_hangs_where_g_passes() -> None:
+    s = sweep(SQUARE, CHAMBER)
+    # Its inner end hangs on the hole, its outer end on the trajectory.
+    told = [line for line in story(s) if "exact fit 0 hangs" in line]
+    (line,) = told
+    assert line.endswith("exact fit 0 hangs: G could go down to (3,4), touching D on both sides")
+    assert "at (3,8)" in line
+    document = json.loads(story_to_json(s))
+    assert document["direction"] is None
+    assert document["features"]["directrix"]["vertices"] == list(range(12))
+
+
+@settings(max_examples=15)
+@given(simple_polygons(), simple_polygons())
+def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
+    s = sweep(g, d)
+    lines = list(story(s))
+    assert sum(line.startswith("Step ") for line in lines) == len(s.trajectory)
+    assert "".join(lines).isascii()
+    assert report(s).isascii()
+    assert len(json.loads(story_to_json(s))["steps"]) == len(s.trajectory)

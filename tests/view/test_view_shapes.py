@@ -1,0 +1,227 @@
+"""The page of polygons of any shape: along the trajectory, around holes and into exact fits."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from shown import FLAGS, MILLISECONDS, Shown
+from strategies import points, simple_polygons
+
+from exactsweep import Point, Polygon, Region, Sweep, sweep
+from exactsweep.draw.features import Features
+from exactsweep.view import page
+from exactsweep.view.data import page_data, stops, track_stops, tracks
+
+SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
+# Holes in which the square has room, just slides, and just fits.
+PLATE = Region(
+    [(0, 0), (20, 0), (20, 12), (0, 12)],
+    [
+        [(2, 2), (7, 2), (7, 6), (2, 6)],
+        [(9, 2), (11, 2), (11, 10), (9, 10)],
+        [(13, 3), (15, 3), (15, 5), (13, 5)],
+    ],
+)
+EXAMPLE = sweep(SQUARE, PLATE)
+NAMES = ["the trajectory", "hole 0", "exact fit 0", "exact fit 1"]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if chromium is None:
+        pytest.skip("no Chromium on this machine")
+    with playwright.sync_playwright() as driver:
+        opened = driver.chromium.launch(executable_path=chromium, args=FLAGS, timeout=MILLISECONDS)
+        yield opened
+        opened.close()
+
+
+Open = Callable[[Sweep], Shown]
+
+
+@pytest.fixture
+def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
+    opened: list[Shown] = []
+
+    def open_page(s: Sweep) -> Shown:
+        file = tmp_path / "sweep.html"
+        file.write_text(page(s), encoding="utf-8")
+        opened.append(Shown(browser, file))
+        return opened[-1]
+
+    yield open_page
+    for shown in opened:
+        shown.tab.close()
+        assert shown.complaints == []
+
+
+def drag(shown: Shown, position: tuple[int, int], steps: int = 12) -> None:
+    """Drag G by its middle until its reference point is at a position."""
+    (x, y), (right, _) = shown.pixels[:2]
+    unit = (right - x) / 2
+    at = shown.position
+    middle = x + unit, y - unit
+    shown.tab.mouse.move(*middle)
+    shown.tab.mouse.down()
+    dx, dy = (float(b - a) for a, b in zip(at, position, strict=True))
+    shown.tab.mouse.move(middle[0] + dx * unit + 2, middle[1] - dy * unit + 2, steps=steps)
+    shown.tab.mouse.up()
+    shown.settle()
+
+
+def track_of(shown: Shown) -> str:
+    name: str = shown.tab.evaluate("exactsweep.track()")
+    return name
+
+
+@settings(max_examples=15)
+@given(simple_polygons(), simple_polygons())
+def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) -> None:
+    s = sweep(g, d, reference=(1, "1/3"))
+    listed = tracks(s)
+    features = Features(s)
+    for track, found in zip(listed, track_stops(s, listed), strict=True):
+        corners = [stop.position for stop in found if stop.vertex is not None]
+        assert corners == list(track.corners)
+        for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:8]:
+            here = s.contacts_at(stop.position)
+            assert set(stop.brief) <= set(here)
+            if len(found) == 1:
+                assert stop.brief
+                continue
+            (ax, ay), (bx, by) = stop.position, following.position
+            between = s.contacts_at(Point((2 * ax + bx) / 3, (2 * ay + by) / 3))
+            parts = [features.parts(c) for c in between if c.event == "EE"]
+            assert set(between).difference(*parts) == set(stop.contacts)
+
+
+def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
+    data = page_data(EXAMPLE)
+    assert [track["name"] for track in data["tracks"]] == NAMES
+    assert data["holes"] == 1
+    _, hole, segment, single = tracks(EXAMPLE)
+    assert tuple(hole.corners) == points((2, 2), (5, 2), (5, 4), (2, 4))
+    assert tuple(segment.corners) == points((9, 2), (9, 8))
+    assert tuple(single.corners) == points((13, 3))
+    assert [fit["hangs"] for fit in data["fits"]] == [[False, False], [False, False]]
+    assert data["directrix"]["rings"] == [4, 4, 4, 4]
+    assert data["directrix"]["vertices"] == list(range(16))
+
+
+def test_what_is_not_swept_is_shown() -> None:
+    cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
+    cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
+    (hole,) = page_data(sweep([(0, 0), (1, 0), (1, 1), (0, 1)], cave))["unswept"]
+    assert hole["exact"] == ["3", "3", "7", "3", "7", "7", "3", "7"]
+
+
+def test_a_shape_that_just_fits_touches_all_round() -> None:
+    *_, single = track_stops(EXAMPLE, tracks(EXAMPLE))
+    assert [(c.event, c.generatrix, c.directrix) for c in single[0].brief if c.event == "EE"] == [
+        ("EE", 0, 12), ("EE", 1, 13), ("EE", 2, 14), ("EE", 3, 15)
+    ]  # fmt: skip
+
+
+def test_g_can_be_played_on_every_track(show: Open) -> None:
+    shown = show(EXAMPLE)
+    seen = []
+    for _ in NAMES:
+        seen.append(track_of(shown))
+        before = shown.position
+        shown.press("PageDown")
+        if seen[-1] == NAMES[-1]:
+            assert shown.position == before == points((13, 3))[0]
+        else:
+            assert shown.position != before
+        shown.press("Space")
+        shown.tab.wait_for_timeout(60)
+        shown.press("Space")
+        assert track_of(shown) == seen[-1]
+        shown.press("t")
+    assert seen == NAMES
+    assert track_of(shown) == NAMES[0]
+    shown.tab.select_option("#track", "1")
+    shown.settle()
+    assert shown.text("where") == "vertex 0 of hole 0, stop 0 of 4"
+    shown.slide(500_000)
+    assert shown.position == points(("7/2", 2))[0]
+    assert shown.text("where") == "between stops 0 and 1 of 4, hole 0"
+    assert shown.text("contacts") == "EE edge 0 of G on edge 4 of D"
+
+
+def test_g_is_dragged_into_holes_and_fits_and_out_again(show: Open) -> None:
+    shown = show(EXAMPLE)
+    drag(shown, (13, 3))
+    assert (track_of(shown), shown.position) == ("exact fit 1", points((13, 3))[0])
+    assert shown.text("where") == "exact fit 1, a single position"
+    drag(shown, (9, 5))
+    assert track_of(shown) == "exact fit 0"
+    assert shown.position.x == 9
+    drag(shown, (5, 4))
+    assert (track_of(shown), shown.position) == ("hole 0", points((5, 4))[0])
+    # Nowhere near anything: it stays where it is nearest.
+    drag(shown, (6, 8), steps=1)
+    assert track_of(shown) == "hole 0"
+    assert shown.position.y == 4
+    drag(shown, (20, 12))
+    assert (track_of(shown), shown.position) == ("the trajectory", points((20, 12))[0])
+
+
+def test_fits_are_visited_in_turn_and_tell_of_themselves(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.press("f")
+    assert shown.text("pointed") == (
+        "exact fit 0: G could slide from (9, 2) to (9, 8), touching D on both sides"
+    )
+    shown.press("f")
+    assert shown.text("pointed") == "exact fit 1: G fits at (13, 3) and cannot move"
+    assert shown.position == points((13, 3))[0]
+    shown.press("f")
+    assert track_of(shown) == "exact fit 0"
+    shown.press("u")
+    assert shown.text("pointed") == "There is no undercut."
+
+
+def test_holes_of_d_and_g_are_not_painted(show: Open) -> None:
+    ring = Region([(0, 0), (6, 0), (6, 6), (0, 6)], [[(2, 2), (4, 2), (4, 4), (2, 4)]])
+    shown = show(sweep(ring, PLATE))
+    (x, y), (right, _) = shown.pixels[:2]
+    unit = (right - x) / 6
+    colors = shown.colors()
+    middle, rim = (x + 3 * unit, y - 3 * unit), (x + unit, y - 4.5 * unit)
+    assert colors.getpixel(middle) != colors.getpixel(rim)
+    # G is dragged by its rim only.
+    shown.tab.mouse.move(*middle)
+    shown.settle()
+    assert "on-generatrix" not in str(shown.tab.get_attribute("#top", "class") or "")
+    shown.tab.mouse.move(*rim)
+    shown.settle()
+    assert "on-generatrix" in str(shown.tab.get_attribute("#top", "class"))
+
+
+def test_a_pair_of_one_track_has_no_choice_of_it(show: Open) -> None:
+    shown = show(sweep(SQUARE, SQUARE))
+    assert not shown.tab.is_visible("#track")
+    assert not shown.tab.is_visible("#hole")
+    shown.press("t")
+    assert shown.position == points((-2, -2))[0]
+
+
+def test_size_does_not_matter() -> None:
+    big = 10**30
+    exterior, *holes = ([(x * big, y * big) for x, y in ring] for ring in PLATE.rings)
+    s = sweep([(x * big, y * big) for x, y in SQUARE], Region(exterior, holes))
+    for small, large in zip(
+        track_stops(EXAMPLE, tracks(EXAMPLE)), track_stops(s, tracks(s)), strict=True
+    ):
+        assert [stop.contacts for stop in small] == [stop.contacts for stop in large]
+        assert [stop.brief for stop in small] == [stop.brief for stop in large]
+    assert stops(s)[0].position == (Fraction(-2 * big), Fraction(-2 * big))
