@@ -65,7 +65,7 @@ def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
     far = 2**31
     ring = [(x + far, y + far) for x, y in BLOCK]
     case = Case.of("far", "", ring, SQUARE)
-    loop = [[float(x), float(y)] for x, y in hull(case.trajectory.vertices)]  # type: ignore[arg-type]
+    loop = [[float(x), float(y)] for x, y in hull(case.trajectory.vertices)]
     found = judge(case, loop)
     assert found.verdict is Verdict.CONSERVATIVE
     assert found.granted is not None
@@ -78,7 +78,7 @@ def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
     """Two notches at thirds are lost: by one or less each, in integers."""
     notched = [(0, 0), (3, 0), (3, 3), (2, 3), ("5/3", "8/3"), ("4/3", 3), (0, 3)]
     case = Case.of("notched", "", notched, [(0, 0), ("1/9", 0), (0, "1/9")])
-    box = [[round(x), round(y)] for x, y in hull(case.trajectory.vertices)]  # type: ignore[arg-type]
+    box = [[round(x), round(y)] for x, y in hull(case.trajectory.vertices)]
     assert judge(case, box, numbers="integer").verdict is Verdict.WITHIN
     assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
 
@@ -183,7 +183,7 @@ def answers() -> dict[str, list[Any]]:
         "exact for another scale: it is 10 times as large": [(10 * x, 10 * y) for x, y in t],
         "exact for the inner loop instead": list(CASE.inner.vertices),
         "exact for the outer loop instead": list(CASE.outer.vertices),
-        "the convex hull of the exact one": hull(t),  # type: ignore[arg-type]
+        "the convex hull of the exact one": hull(t),
         "D itself": D,
         "G itself": G,
     }

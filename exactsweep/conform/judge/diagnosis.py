@@ -64,7 +64,7 @@ def _other_loops(case: Case, name: str, theirs: Rings, rounding: Fraction) -> It
     for other, words in LOOP_NAMES.items():
         if other != name and _is_same(exact_rings(case, other), theirs, rounding):
             yield f"exact for the {words} instead"
-    whole = Polygon(hull(exact.vertices))  # type: ignore[arg-type]
+    whole = Polygon(hull(exact.vertices))
     low, high = exact.bounding_box
     box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
     named = {
