@@ -17,19 +17,22 @@ that have to be looked at are on the lattice, or halfway between two points of i
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from math import ceil, floor, lcm
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.geometry.point import Edge, Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings that have its interior on the left."""
 
 Places = defaultdict[tuple[int, int], set[Vertex]]
 """For the numbers of a ring and of an edge of it, points on the edge."""
+
+
+_COLUMNS = 512
 
 
 class _Side(NamedTuple):
@@ -52,6 +55,58 @@ class _Bounds(NamedTuple):
     high: Rational
 
 
+class _Shape:
+    """The edges of a shape, for finding those near a place: by columns of its x-range.
+
+    Args:
+        rings: with the interior on the left.
+        unbounded: whether the shape is what clockwise rings alone leave.
+    """
+
+    def __init__(self, rings: Rings, *, unbounded: bool = False) -> None:
+        self.rings = [list(ring) for ring in rings]
+        self.unbounded = unbounded
+        self.sides = sorted(_sides(rings))
+        self.bounds = _bounds(self.sides)
+        count = min(len(self.sides), _COLUMNS)
+        self._width = (self.bounds.right - self.bounds.left) // count + 1
+        self._columns: list[list[tuple[int, _Side]]] = [[] for _ in range(count)]
+        for side in self.sides:
+            first, last = self._column(side.left), self._column(side.right)
+            for column in self._columns[first : last + 1]:
+                column.append((first, side))
+
+    def _column(self, x: Rational) -> int:
+        return int((x - self.bounds.left) // self._width)
+
+    def near(self, bounds: _Bounds) -> list[_Side]:
+        """The edges whose bounds meet others, by their left ends column by column."""
+        first = max(self._column(bounds.left), 0)
+        last = min(self._column(bounds.right), len(self._columns) - 1)
+        return [
+            side
+            for k in range(first, last + 1)
+            for start, side in self._columns[k]
+            if (start == k or k == first)
+            and side.left <= bounds.right
+            and side.right >= bounds.left
+            and side.low <= bounds.high
+            and side.high >= bounds.low
+        ]
+
+    def holds(self, x: Rational, y: Rational, factor: int) -> bool:
+        """Whether a point, given times a factor, is inside and not on the boundary."""
+        # It lies in the column of its floor, or in the next one.
+        k = self._column(x // factor)
+        edges = [
+            (side.start, side.end)
+            for column in range(max(k, 0), min(k + 2, len(self._columns)))
+            for first, side in self._columns[column]
+            if first == column or column == k or k < 0
+        ]
+        return _is_between(edges, x, y, factor, self.unbounded)
+
+
 class Overlap:
     """Whether a shape overlaps another one when it is moved by t.
 
@@ -63,20 +118,16 @@ class Overlap:
     """
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
-        self._stationary = [list(ring) for ring in stationary]
-        self._orbiting = [list(ring) for ring in orbiting]
-        self._unbounded = unbounded
-        self._fixed = sorted(_sides(stationary))
-        self._moved = sorted(_sides(orbiting))
-        self._fixed_bounds = _bounds(self._fixed)
-        self._moved_bounds = _bounds(self._moved)
+        self._fixed = _Shape(stationary, unbounded=unbounded)
+        self._moved = _Shape(orbiting)
         # Where edges crossed last time they are likely to cross again.
         self._last: tuple[_Side, _Side] | None = None
 
     def at(self, t: Point) -> bool:
         """Whether the interiors of D and G + t meet.
 
-        Cost: O(m n) at worst, for the edges whose bounds meet.
+        Cost: O(m n) at worst, for the edges whose bounds meet, and O(m + n) for each place at which
+        the boundaries touch; far less where G + t is near few edges of D.
 
         >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> overlap = Overlap(square, square)
@@ -86,68 +137,57 @@ class Overlap:
         """
         x, y = t
         scale = lcm(x.denominator, y.denominator)
-        shift = int(x * scale), int(y * scale)
+        shift = dx, dy = int(x * scale), int(y * scale)
         if self._last is not None and _touch(*self._last, scale, shift) is None:
             return True
-        touching = self._meet(floor(x), ceil(x), floor(y), ceil(y), scale, shift)
+        around = self._moved.bounds
+        fixed = self._fixed.near(
+            _Bounds(
+                around.left + floor(x),
+                around.right + ceil(x),
+                around.low + floor(y),
+                around.high + ceil(y),
+            )
+        )
+        touching = self._meet(fixed, floor(x), ceil(x), floor(y), ceil(y), scale, shift)
         if touching is None:
             return True
         on_moved, on_fixed = touching
-        fixed = [[(px * scale, py * scale) for px, py in ring] for ring in self._stationary]
-        sx, sy = shift
-        moved = [[(px * scale + sx, py * scale + sy) for px, py in r] for r in self._orbiting]
+        moved_rings = {
+            k: [(px * scale + dx, py * scale + dy) for px, py in ring]
+            for k, ring in enumerate(self._moved.rings)
+        }
+        # A ring of D that G + t holds has all of its edges near.
+        fixed_rings = {
+            k: [(px * scale, py * scale) for px, py in self._fixed.rings[k]]
+            for k in {side.ring for side in fixed}
+        }
         return any(
-            is_inside(point, other, unbounded=unbounded)
-            for rings, places, other, unbounded in (
-                (moved, on_moved, fixed, self._unbounded),
-                (fixed, on_fixed, moved, False),
-            )
-            for point in points_between(rings, places)
+            self._fixed.holds(px, py, 2 * scale) for px, py in points_between(moved_rings, on_moved)
+        ) or any(
+            self._moved.holds(px - 2 * dx, py - 2 * dy, 2 * scale)
+            for px, py in points_between(fixed_rings, on_fixed)
         )
 
     def _meet(
-        self, left: int, right: int, low: int, high: int, scale: int, shift: tuple[int, int]
+        self,
+        fixed: Sequence[_Side],
+        left: int,
+        right: int,
+        low: int,
+        high: int,
+        scale: int,
+        shift: tuple[int, int],
     ) -> tuple[Places, Places] | None:
         """Where the boundaries touch, on edges of G and of D; None if they cross.
 
         G is moved by at least (left, low) and at most (right, high).
         """
-        a, b = self._fixed_bounds, self._moved_bounds
-        fixed = [
-            s
-            for s in self._fixed
-            if s.left <= b.right + right
-            and s.right >= b.left + left
-            and s.low <= b.high + high
-            and s.high >= b.low + low
-        ]
-        moved = [
-            s
-            for s in self._moved
-            if s.left + left <= a.right
-            and s.right + right >= a.left
-            and s.low + low <= a.high
-            and s.high + high >= a.low
-        ]
         on_moved: Places = defaultdict(set)
         on_fixed: Places = defaultdict(set)
-        begin = 0
-        widest = max((s.right - s.left for s in fixed), default=0)
-        for m in moved:
-            m_left, m_right, m_low, m_high = (
-                m.left + left,
-                m.right + right,
-                m.low + low,
-                m.high + high,
-            )
-            while begin < len(fixed) and fixed[begin].left < m_left - widest:
-                begin += 1
-            for k in range(begin, len(fixed)):
-                f = fixed[k]
-                if f.left > m_right:
-                    break
-                if f.right < m_left or f.low > m_high or f.high < m_low:
-                    continue
+        for f in fixed:
+            near = _Bounds(f.left - right, f.right - left, f.low - high, f.high - low)
+            for m in self._moved.near(near):
                 found = _touch(f, m, scale, shift)
                 if found is None:
                     self._last = f, m
@@ -228,9 +268,9 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
-def points_between(rings: Rings, places: Places) -> Iterator[Vertex]:
+def points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
     """A point, times two, of each piece of the rings between places; a vertex if there are none."""
-    for k, ring in enumerate(rings):
+    for k, ring in rings.items():
         found = False
         for i, p in enumerate(ring):
             on_edge = places.get((k, i))
@@ -252,21 +292,29 @@ def is_inside(doubled: Vertex, rings: Rings, *, unbounded: bool = False) -> bool
     >>> is_inside((1, 1), square), is_inside((4, 1), square)
     (True, False)
     """
-    x, y = doubled
-    inside = unbounded
-    for ring in rings:
-        ax, ay = ring[-1]
-        ax, ay = 2 * ax - x, 2 * ay - y
-        for bx, by in ring:
-            bx, by = 2 * bx - x, 2 * by - y
-            if (ay > 0) != (by > 0):
-                turn = ax * by - ay * bx
-                if turn == 0:
-                    return False
-                # The edge passes the point on the right, whichever way it runs.
-                if (turn > 0) == (by > ay):
-                    inside = not inside
-            elif (ay == 0 == by and (ax <= 0 <= bx or bx <= 0 <= ax)) or ax == ay == 0:
+    edges = (edge for ring in rings for edge in pairwise((*ring, ring[0])))
+    return _is_between(edges, *doubled, 2, unbounded)
+
+
+def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, inside: bool) -> bool:
+    """Whether an odd number of edges is above a point, given times a factor, and it is on none.
+
+    If not `inside`, which is what it is above all edges; else an even number.
+    """
+    for (px, py), (qx, qy) in edges:
+        ax, bx = px * factor - x, qx * factor - x
+        if (ax > 0) != (bx > 0):
+            ay, by = py * factor - y, qy * factor - y
+            turn = ax * by - ay * bx
+            if turn == 0:
                 return False
-            ax, ay = bx, by
+            if (turn < 0) == (bx > ax):
+                inside = not inside
+        elif ax == 0 or bx == 0:
+            ay, by = py * factor - y, qy * factor - y
+            if ax == bx:
+                if ay <= 0 <= by or by <= 0 <= ay:
+                    return False
+            elif (ax == 0 == ay) or (bx == 0 == by):
+                return False
     return inside

@@ -270,12 +270,12 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
             places[k][0, i].add(point)
             places[j][0, h].add(point)
     for k in range(1, len(rings)):
-        points = list(points_between([rings[k]], places[k]))
-        if not all(is_inside(point, rings[:1]) for point in points):
+        if not all(is_inside(p, rings[:1]) for p in points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-        for j in range(1, len(rings)):
-            if j != k and any(is_inside(point, [rings[j]]) for point in points):
-                raise PolygonError(f"{names[k]} is inside {names[j]}")
+    for k, j in _enclosed(rings):
+        points = points_between({0: rings[k]}, places[k])
+        if any(is_inside(point, [rings[j]]) for point in points):
+            raise PolygonError(f"{names[k]} is inside {names[j]}")
     _refuse_parted(len(rings), touching, names, scale)
 
 
@@ -294,6 +294,29 @@ def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], 
         for _, _, other_low, other_high, j, h in active:
             if j != k and other_low <= high and low <= other_high:
                 yield (k, i), (int(j), int(h))
+        active.append(box)
+
+
+def _enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
+    """The pairs of holes of which the bounds of the first lie in those of the second."""
+    boxes = []
+    for k, ring in enumerate(rings[1:], 1):
+        xs, ys = zip(*ring, strict=True)
+        boxes.append((min(xs), max(xs), min(ys), max(ys), k))
+    boxes.sort()
+    active: list[tuple[int | Fraction, ...]] = []
+    for box in boxes:
+        left, right, low, high, k = box
+        active = [other for other in active if other[1] >= left]
+        for other_left, other_right, other_low, other_high, j in active:
+            if right <= other_right and other_low <= low and high <= other_high:
+                yield k, int(j)
+            if (
+                other_left == left
+                and other_right <= right
+                and low <= other_low <= other_high <= high
+            ):
+                yield int(j), k
         active.append(box)
 
 

@@ -70,6 +70,15 @@ def test_indices_count_through_the_rings_as_given() -> None:
         ([SMALL, SMALL], "run along each other$"),
         ([[(1, 1), (5, 1), (5, 5), (1, 5)], [(2, 2), (3, 2), (2, 3)]], "^hole 1 is inside hole 0$"),
         ([[(2, 2), (3, 2), (2, 3)], [(1, 1), (5, 1), (5, 5), (1, 5)]], "^hole 0 is inside hole 1$"),
+        # Of equal bounds, touching in points only.
+        (
+            [[(3, 1), (5, 3), (3, 5), (1, 3)], [(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)]],
+            "hole",
+        ),
+        (
+            [[(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)], [(3, 2), (5, 3), (3, 4), (1, 3)]],
+            "hole",
+        ),
         ([[(0, 4), (4, 0), (9, 5)]], "^the interior falls apart: the exterior and hole 0 touch at"),
         (
             [[(1, 1), (4, 4), (1, 5)], [(1, 1), (5, 1), (4, 4)]],
