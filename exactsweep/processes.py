@@ -13,7 +13,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.synchronize import Barrier
 from pathlib import Path
 from threading import RLock, Thread
-from typing import NoReturn, TypeVar
+from typing import IO, Any, NoReturn, TypeVar
 from uuid import uuid4
 
 _MARK = "EXACTSWEEP_MARK"
@@ -97,6 +97,22 @@ def count_cores() -> int:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not Linux
         return os.cpu_count() or 1
+
+
+def lock(file: IO[Any]) -> bool:
+    """Keep other processes away from an open file; tell whether none had it already.
+
+    The system unlocks it when this process ends, however it ends.
+    """
+    try:
+        import fcntl
+    except ImportError:  # not Unix
+        return True
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True
 
 
 class Pool:

@@ -12,12 +12,13 @@ from collections.abc import Iterable
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Self
+from typing import Self
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.record import is_error, is_record
 from exactsweep.formats.files import file_name
+from exactsweep.processes import lock
 
 PARQUET = ".parquet"
 """What the name of a Parquet file ends with."""
@@ -56,7 +57,8 @@ class Output:
         with ExitStack() as opened:
             try:
                 self.lock = opened.enter_context(open(self.note, "a+", encoding="utf-8"))
-                _lock(self.lock, file_name(path))
+                if not lock(self.lock):
+                    raise BatchError(f"{file_name(path)}: a batch is writing it already")
                 self._agree(restart)
                 self.file = opened.enter_context(open(self.part, "r+b"))
                 self._resume()
@@ -144,15 +146,3 @@ class Output:
                 self.part.unlink()
                 self.note.unlink()
             self.opened.close()
-
-
-def _lock(file: IO[str], name: str) -> None:
-    """Keep a second run away; the system unlocks when the process ends, however it ends."""
-    try:
-        import fcntl
-    except ImportError:  # not Unix
-        return
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise BatchError(f"{name}: a batch is writing it already") from None

@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from command import EXACTSWEEP, eventually, processes, run
 from exactsweep import sweep
 from exactsweep.conform import Verdict
 from exactsweep.conform.run.cases import SelectionError
+from exactsweep.conform.run.journal import Journal, JournalError
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import (
@@ -29,6 +31,7 @@ from exactsweep.conform.run.protocol import (
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.runner import conduct, conform
 from exactsweep.corpus import Case, case_to_json, cases
+from exactsweep.processes import lock
 
 IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
 CORRECT = [sys.executable, str(IMPLEMENTATIONS / "correct.py")]
@@ -281,6 +284,33 @@ def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
     assert (tmp_path / "journal").read_text() == before
     assert journal_of(tmp_path, "--resume").exit_code == 0
     assert (tmp_path / "journal").read_text() == before
+
+
+def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
+    assert journal_of(tmp_path).exit_code == 0
+    with (tmp_path / "journal").open("rb") as file:
+        assert lock(file)
+        second = journal_of(tmp_path, "--resume")
+    assert (second.exit_code, second.stdout) == (1, "")
+    assert second.stderr.endswith("journal: another run is writing it\n")
+    assert journal_of(tmp_path, "--resume").exit_code == 0
+
+
+def test_a_full_disk_is_refused_once(tmp_path: Path) -> None:
+    """What could not be written is still in the buffer, and would fail again when it is closed."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1024, hard))
+    try:
+        with pytest.raises(JournalError, match="journal: File too large") as refused:
+            write_journal(tmp_path / "journal")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert refused.value.__cause__ is None
+
+
+def write_journal(path: Path) -> None:
+    with Journal(path, command=[], hello=Hello("mine"), seconds=1) as journal:
+        journal.add(Outcome("a", "CC", (), Verdict.WRONG, "why" * 1000))
 
 
 def test_the_journal_of_something_else_is_refused(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import MAX_BYTES
 from exactsweep.geometry.number import format_fraction
+from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"
 VERSION = 1
@@ -71,6 +72,7 @@ class Journal:
                 self._go_on(head)
                 return
             self._file = path.open("xb")
+            self._keep_others_away(self._file)
         except FileExistsError:
             raise JournalError(
                 f"{path} is there already; go on with it by --resume, or remove it"
@@ -98,6 +100,7 @@ class Journal:
     def _go_on(self, head: Mapping[str, Any]) -> None:
         file = self._path.open("r+b")
         try:
+            self._keep_others_away(file)
             whole = self._read(file, head)
             file.truncate(whole)
             file.seek(whole)
@@ -107,6 +110,10 @@ class Journal:
         self._file = file
         if whole == 0:
             self._write(head)
+
+    def _keep_others_away(self, file: BinaryIO) -> None:
+        if not lock(file):
+            raise JournalError(f"{self._path}: another run is writing it")
 
     def _read(self, file: BinaryIO, head: Mapping[str, Any]) -> int:
         """Read the outcomes of before; return where the last whole line ends."""
