@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from rich.table import Table
 
+from benchmarks.shapes import measure_shapes
 from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, tabulate
 from exactsweep.paper.growth import Growth
@@ -19,6 +20,7 @@ def measure_all(*, quick: bool = False) -> Iterator[Growth]:
     """All series; when it has to be quick, over fewer sizes, without seconds."""
     for cost in COSTS:
         yield from cost.measure(Effort(quick=quick))
+    yield from measure_shapes(quick=quick)
 
 
 def series_table(series: Growth) -> Table:

@@ -19,7 +19,7 @@ from exactsweep.geometry.direction import (
     require_monotone,
     shared_direction,
 )
-from exactsweep.geometry.polygon import read_point
+from exactsweep.geometry.polygon import Polygon, read_point
 from exactsweep.geometry.region import Region, Vertices
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ def sweep(
     Raises:
         PolygonError: a polygon is not simple.
         NumberError: a coordinate is not an exact number.
-        DirectionError: the polygons are monotone to no shared direction, or not to this one.
+        DirectionError: a polygon is not monotone to the direction asked for, or has a hole.
 
     Cost: O(m + n) for CC, O(m n) for CM; for MM O(m n log n) for the trajectory and
     O(m n^2 log n) for the loops (Corollaries 3.4, 4.5, 4.6, 5.7, 5.8).
@@ -130,29 +130,37 @@ def sweep(
         >>> print(s.trajectory)
         (-1, -1) (2, -1) (2, 0) (1, 2) (0, 2) (-1, 0)
     """
-    g, d = Region(generatrix), Region(directrix)
-    origin = read_point(reference, "reference")
-    if direction is None:
-        chosen = _shared(g, d)
-        if chosen is None:
-            return ShapeSweep(g, d, origin)
-    else:
+    g, d, origin = _read(generatrix), _read(directrix), read_point(reference, "reference")
+    if direction is not None:
         chosen = read_direction(direction)
         for shape, name in ((g, "generatrix"), (d, "directrix")):
-            if shape.holes:
+            if isinstance(shape, Region):
                 raise DirectionError(f"the {name} has a hole: it is monotone to no direction")
-            require_monotone(shape.exterior, chosen, name)
-    return Sweep(g.exterior, d.exterior, chosen, origin)
+            require_monotone(shape, chosen, name)
+    monotone = _share(g, d, None if direction is None else chosen)
+    if monotone is None:
+        return ShapeSweep(Region(g), Region(d), origin)
+    return Sweep(*monotone, origin)
 
 
-def _shared(generatrix: Region, directrix: Region) -> Vector | None:
-    """The shared direction in which the paper's procedures sweep, if there is one."""
-    if generatrix.holes or directrix.holes:
+def _read(shape: Region | Vertices) -> Polygon | Region:
+    """A shape with holes as a Region, any other as a Polygon."""
+    if isinstance(shape, Region):
+        return shape if shape.holes else shape.exterior
+    return Polygon(shape)
+
+
+def _share(
+    generatrix: Polygon | Region, directrix: Polygon | Region, direction: Vector | None = None
+) -> tuple[Polygon, Polygon, Vector] | None:
+    """G, D and the shared direction, if the paper's procedures can sweep them."""
+    if isinstance(generatrix, Region) or isinstance(directrix, Region):
         return None
     try:
-        return shared_direction(generatrix.exterior, directrix.exterior)
+        chosen = direction or shared_direction(generatrix, directrix)
     except DirectionError:
         return None
+    return generatrix, directrix, chosen
 
 
 def no_fit_polygon(
@@ -186,10 +194,10 @@ def no_fit_polygon(
         >>> print(no_fit_polygon(hollow, [(0, 0), (1, 0), (1, 1), (0, 1)]).holes[0])
         (1, 1) (3, 1) (3, 2) (1, 2)
     """
-    d, g = Region(stationary), Region(orbiting)
-    origin, direction = read_point(reference, "reference"), _shared(g, d)
-    swept = None if direction is None else Swept(g.exterior, d.exterior, direction, origin)
-    return NoFitPolygon(d, g, origin, swept)
+    d, g, origin = _read(stationary), _read(orbiting), read_point(reference, "reference")
+    monotone = _share(g, d)
+    swept = None if monotone is None else Swept(*monotone, origin)
+    return NoFitPolygon(Region(d), Region(g), origin, swept)
 
 
 def inner_fit_polygon(

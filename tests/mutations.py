@@ -412,7 +412,7 @@ MUTATIONS = (
         "complement: walked the same way",
         chain.complement,
         leave_as_it_is,
-        ("Definition 5.2", "Sweep_MM", "Lemma 5.3"),
+        ("Definition 5.2", "Sweep_MM", "A faster inner loop"),
     ),
     Mutation(
         "contacts: EE contacts lost",

@@ -70,8 +70,8 @@ def show_command(name: str, as_json: bool) -> None:
     The id is that of a shipped case, or gen-FAMILY-SEED-NUMBER: then it is made again.
     """
     from exactsweep.corpus import find_case
+    from exactsweep.corpus.case_json import case_to_line
     from exactsweep.corpus.describe import describe
-    from exactsweep.corpus.export import case_to_line
 
     write(case_to_line(find_case(name)) if as_json else describe(name), "-")
 
@@ -113,11 +113,12 @@ def export_command(
     svg: a sheet of small pictures.
     """
     from exactsweep.corpus import export
+    from exactsweep.corpus.case_json import case_to_line
 
     chosen = _chosen(names, flags, kind, max_size)
     match form:
         case "json":
-            parts: Iterable[str] = map(export.case_to_line, chosen)
+            parts: Iterable[str] = map(case_to_line, chosen)
         case "wkt":
             parts = export.cases_to_wkt(chosen)
         case "geojson":
@@ -139,7 +140,7 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
     first cases come first, then the second ones. 'exactsweep corpus list families' lists families.
     """
     from exactsweep.corpus import FAMILIES, generate
-    from exactsweep.corpus.export import case_to_line
+    from exactsweep.corpus.case_json import case_to_line
 
     streams = [generate(family, seed) for family in families or FAMILIES]
     for case in islice(chain.from_iterable(zip(*streams, strict=True)), count):

@@ -15,7 +15,7 @@ from exactsweep.formats import FormatError
 @click.option(
     "--quick",
     is_flag=True,
-    help="A thirtieth of the pairs, smaller counts, no seconds: some twenty seconds in all.",
+    help="A thirtieth of the pairs, smaller counts, no seconds.",
 )
 @click.option(
     "--out",
@@ -23,7 +23,12 @@ from exactsweep.formats import FormatError
     type=click.Path(file_okay=False, path_type=Path),
     help="Where files go; 'reproduced' if left out and no NAME is given.",
 )
-@click.option("--list", "only_list", is_flag=True, help="List the claims.")
+@click.option(
+    "--list",
+    "only_list",
+    is_flag=True,
+    help="List the claims, with verdicts and kinds of evidence.",
+)
 @click.option(
     "--cite", is_flag=True, help="Write CITATION.cff and references.bib, and nothing else."
 )
@@ -55,7 +60,7 @@ def reproduce_command(
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
         for claim in claims:
-            click.echo(f"{claim.name}: {claim.verdict.value}")
+            click.echo(f"{claim.name}: {claim.verdict.value} ({', '.join(claim.evidence)})")
         return
     effort = Effort(seed, quick)
     rows = []

@@ -15,7 +15,7 @@ from exactsweep.text.results import sweep_to_json, sweep_to_wkt
 def sweep_command(result: Sweep, form: str, output: str) -> None:
     """Sweep one polygon around another.
 
-    GENERATRIX goes round DIRECTRIX, in contact all the way, and never overlapping. Each is a file,
+    GENERATRIX goes around DIRECTRIX, always in contact and never overlapping. Each is a file,
     or - for standard input: JSON (a list of pairs or an object with such a list as "vertices"),
     GeoJSON, WKT, SVG or DXF. Of a file with several polygons, FILE#NAME chooses one by its name,
     its index from 0 or its layer. Decimals are read exactly; JSON may hold fractions, too, as

@@ -73,7 +73,7 @@ class Case:
             id: its name.
             title: one line for people.
             directrix: D, a Polygon or vertices as `Polygon` takes them; vertices are kept as they
-                are, but for a last one that repeats the first.
+                are, except for a last one that repeats the first.
             generatrix: G, likewise.
             reference: the point of G whose path the trajectory is.
             flags: what cannot be seen from the pair; `facts` adds what can.
@@ -166,7 +166,7 @@ class Case:
 
 
 def given_ring(vertices: Polygon | Iterable[Iterable[object]]) -> Ring:
-    """Read vertices as they are given, but for a last one that repeats the first.
+    """Read vertices as they are given, except for a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
     4

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
-from exactsweep.formats.exact_json import described
+from exactsweep.formats.exact_json import described, read_number, read_point, read_vertices
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, format_fraction, to_fraction
+from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-
-_RATIONAL = re.compile(r"0|-?[1-9][0-9]*(/[1-9][0-9]*)?")
 
 
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -68,8 +65,9 @@ def case_from_json(data: object) -> Case:
         The Case.
 
     Raises:
-        CaseError: anything else, and a case whose counts, number types, integer scale or loops
-            contradict the rest; the message starts with the path to what is wrong.
+        CaseError: anything else, and a case that `case_to_json` would write otherwise: with
+            numbers that are not reduced, loops that are not canonical, counts or number types that
+            contradict the rest. The message starts with the path to what is wrong.
 
     Cost: linear, and O(n log n) for each polygon.
 
@@ -79,57 +77,57 @@ def case_from_json(data: object) -> Case:
         >>> case_from_json(case_to_json(case)) == case
         True
     """
-    top = _object(data, "$")
-    expected = _object(_part(top, "expected", "$"), "$.expected")
-    fits = [
-        _read_fit(fit, f"$.expected.exact_fits[{k}]")
-        for k, fit in enumerate(_list(_part(expected, "exact_fits", "$.expected"), "$.expected"))
-    ]
-    kind = _text(top, "class", "$")
-    if kind not in KINDS:
-        raise CaseError(f"$.class is {described(kind)}, not one of {', '.join(KINDS)}")
-    case = Case(
-        id=_text(top, "id", "$"),
-        title=_text(top, "title", "$"),
-        directrix_ring=_read_points(_part(top, "directrix", "$"), "$.directrix"),
-        generatrix_ring=_read_points(_part(top, "generatrix", "$"), "$.generatrix"),
-        reference=_read_point(_part(top, "reference", "$"), "$.reference"),
-        kind=kind,
-        flags=_texts(top, "flags", "$"),
-        trajectory=_read_loop(expected, "trajectory"),
-        inner=_read_loop(expected, "inner"),
-        outer=_read_loop(expected, "outer"),
-        exact_fits=tuple(fits),
-        area=_read_number(_part(expected, "area", "$.expected"), "$.expected.area"),
-    )
-    _require_consistent(case, top, expected)
+    try:
+        case = _read(data)
+        _require_same(case_to_json(case), data, "$")
+    except ValueError as error:
+        raise CaseError(str(error)) from None
     return case
 
 
-def _require_consistent(
-    case: Case, top: Mapping[str, object], expected: Mapping[str, object]
-) -> None:
-    for ring, name in (case.directrix_ring, "directrix"), (case.generatrix_ring, "generatrix"):
-        try:
-            Polygon(ring)
-        except PolygonError as error:
-            raise CaseError(f"$.{name}: {error}") from None
-    for place, found, right in [
-        ("$.representable", _texts(top, "representable", "$"), _types(case.representable)),
-        (
-            "$.integer_scale",
-            _read_number(_part(top, "integer_scale", "$"), "$.integer_scale"),
-            case.integer_scale,
+def _read(data: object) -> Case:
+    expected = _member(data, "expected", "$")
+    kind = _text(_member(data, "class", "$"), "$.class")
+    if kind not in KINDS:
+        raise CaseError(f"$.class is {described(kind)}, not one of {', '.join(KINDS)}")
+    fits = []
+    for k, fit in enumerate(_list(expected, "exact_fits", "$.expected")):
+        ends = read_vertices(fit, f"$.expected.exact_fits[{k}]")
+        if len(ends) != 2:
+            raise CaseError(f"$.expected.exact_fits[{k}] has {len(ends)} ends, not 2")
+        fits.append((ends[0], ends[1]))
+    d, g = (_ring(data, name, "$")[0] for name in ("directrix", "generatrix"))
+    trajectory, inner, outer = (
+        _ring(expected, name, "$.expected")[1] for name in ("trajectory", "inner", "outer")
+    )
+    return Case(
+        id=_text(_member(data, "id", "$"), "$.id"),
+        title=_text(_member(data, "title", "$"), "$.title"),
+        directrix_ring=d,
+        generatrix_ring=g,
+        reference=read_point(_member(data, "reference", "$"), "$.reference"),
+        kind=kind,
+        flags=tuple(
+            _text(flag, f"$.flags[{k}]") for k, flag in enumerate(_list(data, "flags", "$"))
         ),
-        ("$.expected.counts", _part(expected, "counts", "$.expected"), _counts(case)),
-        (
-            "$.expected.representable",
-            _texts(expected, "representable", "$.expected"),
-            _types(case.answer_representable),
-        ),
-    ]:
-        if (list(found) if isinstance(found, tuple) else found) != right:
-            raise CaseError(f"{place} is not {right}")
+        trajectory=trajectory,
+        inner=inner,
+        outer=outer,
+        exact_fits=tuple(fits),
+        area=read_number(_member(expected, "area", "$.expected"), "$.expected.area"),
+    )
+
+
+def _require_same(right: Any, found: object, path: str) -> None:
+    """Refuse what is written otherwise than a case is: not reduced, not canonical, miscounted."""
+    if isinstance(right, dict):
+        for name, part in right.items():
+            _require_same(part, _member(found, name, path), f"{path}.{name}")
+    elif isinstance(right, list) and isinstance(found, list) and len(right) == len(found):
+        for k, (part, other) in enumerate(zip(right, found, strict=True)):
+            _require_same(part, other, f"{path}[{k}]")
+    elif found != right:
+        raise CaseError(f"{path} is not {quoted(right)}")
 
 
 def _counts(case: Case) -> dict[str, int]:
@@ -153,82 +151,33 @@ def _point(point: Point) -> list[str]:
     return [format_fraction(c) for c in point]
 
 
-def _object(value: object, path: str) -> Mapping[str, object]:
+def _member(value: object, name: str, path: str) -> object:
     if not isinstance(value, dict):
         raise CaseError(f"{path} is {described(value)}, not an object")
+    if name not in value:
+        raise CaseError(f"{path} has no {name!r}")
+    return value[name]
+
+
+def _list(value: object, name: str, path: str) -> list[object]:
+    found = _member(value, name, path)
+    if not isinstance(found, list):
+        raise CaseError(f"{path}.{name} is {described(found)}, not a list")
+    return found
+
+
+def _text(value: object, path: str) -> str:
+    if not isinstance(value, str):
+        raise CaseError(f"{path} is {described(value)}, not a string")
     return value
 
 
-def _part(value: Mapping[str, object], name: str, path: str) -> object:
+def _ring(value: object, name: str, path: str) -> tuple[tuple[Point, ...], Polygon]:
+    points = read_vertices(_member(value, name, path), f"{path}.{name}")
     try:
-        return value[name]
-    except KeyError:
-        raise CaseError(f"{path} has no {name!r}") from None
-
-
-def _list(value: object, path: str) -> list[object]:
-    if not isinstance(value, list):
-        raise CaseError(f"{path} is {described(value)}, not a list")
-    return value
-
-
-def _text(value: Mapping[str, object], name: str, path: str) -> str:
-    text = _part(value, name, path)
-    if not isinstance(text, str):
-        raise CaseError(f"{path}.{name} is {described(text)}, not a string")
-    return text
-
-
-def _texts(value: Mapping[str, object], name: str, path: str) -> tuple[str, ...]:
-    found = []
-    for k, text in enumerate(_list(_part(value, name, path), f"{path}.{name}")):
-        if not isinstance(text, str):
-            raise CaseError(f"{path}.{name}[{k}] is {described(text)}, not a string")
-        found.append(text)
-    return tuple(found)
-
-
-def _read_loop(expected: Mapping[str, object], name: str) -> Polygon:
-    path = f"$.expected.{name}"
-    points = _read_points(_part(expected, name, "$.expected"), path)
-    try:
-        loop = Polygon(points)
+        return tuple(points), Polygon(points)
     except PolygonError as error:
-        raise CaseError(f"{path}: {error}") from None
-    if loop.vertices != points:
-        raise CaseError(f"{path} is not in canonical form")
-    return loop
-
-
-def _read_fit(value: object, path: str) -> tuple[Point, Point]:
-    points = _read_points(value, path)
-    if len(points) != 2:
-        raise CaseError(f"{path} has {len(points)} ends, not 2")
-    return points[0], points[1]
-
-
-def _read_points(value: object, path: str) -> tuple[Point, ...]:
-    return tuple(_read_point(p, f"{path}[{k}]") for k, p in enumerate(_list(value, path)))
-
-
-def _read_point(value: object, path: str) -> Point:
-    pair = _list(value, path)
-    if len(pair) != 2:
-        raise CaseError(f"{path} has {len(pair)} coordinates, not 2")
-    x, y = (_read_number(c, f"{path}[{k}]") for k, c in enumerate(pair))
-    return Point(x, y)
-
-
-def _read_number(value: object, path: str) -> Fraction:
-    if not isinstance(value, str) or not _RATIONAL.fullmatch(value):
-        raise CaseError(f'{path} is {described(value)}, not a rational such as "-7/2"')
-    try:
-        number = to_fraction(value)
-    except NumberError as error:
-        raise CaseError(f"{path}: {error}") from None
-    if "/" in value and format_fraction(number) != value:
-        raise CaseError(f"{path} is {described(value)}, not reduced")
-    return number
+        raise CaseError(f"{path}.{name}: {error}") from None
 
 
 def case_to_line(case: Case) -> str:

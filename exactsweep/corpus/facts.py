@@ -45,7 +45,8 @@ def facts(directrix: Ring, generatrix: Ring, s: Sweep) -> set[str]:
     }
 
 
-def _clockwise(ring: Ring) -> bool:
+def is_clockwise(ring: Ring) -> bool:
+    """Whether a ring runs clockwise."""
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
@@ -59,7 +60,7 @@ def _collinear(ring: Ring) -> bool:
 
 
 _SPELLING: dict[str, Callable[[Ring], bool]] = {
-    "clockwise": _clockwise,
+    "clockwise": is_clockwise,
     "repeated-vertex": _repeated,
     "collinear-vertex": _collinear,
 }

@@ -56,8 +56,8 @@ def exact_fits(
             continue
         at = x, 1
         hanging = max(
-            point_on(trajectory.edges[trajectory.edge_before(at)], at)[1],
-            point_on(trajectory.edges[trajectory.edge_after(at)], at)[1],
+            trajectory.point(trajectory.edge_before(at), at)[1],
+            trajectory.point(trajectory.edge_after(at), at)[1],
         )
         limit = _least_gap(top, bottom, x)
         if limit > hanging:

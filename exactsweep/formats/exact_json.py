@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from fractions import Fraction
 from functools import partial
 
 from exactsweep.formats.error import FormatError
@@ -74,7 +75,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
     """
     if not isinstance(value, list):
         raise FormatError(f"{path} is {described(value)}, not a list of vertices")
-    return [_read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
+    return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
 def read_exact(document: object) -> list[Outline]:
@@ -183,20 +184,23 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     return found
 
 
-def _read_point(pair: object, path: str) -> Point:
+def read_point(pair: object, path: str) -> Point:
+    """Read a pair of numbers, as `read_vertices` does."""
     if not isinstance(pair, list):
         raise FormatError(f"{path} is {described(pair)}, not a pair of numbers")
     if len(pair) != 2:
         raise FormatError(f"{path} has {len(pair)} coordinates, not 2")
-    coordinates = []
-    for j, value in enumerate(pair):
-        if not isinstance(value, str):
-            raise FormatError(f"{path}[{j}] is {described(value)}, not a number")
-        try:
-            coordinates.append(to_fraction(value))
-        except NumberError as error:
-            raise FormatError(f"{path}[{j}]: {error}") from None
-    return Point(*coordinates)
+    return Point(*(read_number(value, f"{path}[{j}]") for j, value in enumerate(pair)))
+
+
+def read_number(value: object, path: str) -> Fraction:
+    """Read a number, which `parse_json` left as text; the path is for messages."""
+    if not isinstance(value, str):
+        raise FormatError(f"{path} is {described(value)}, not a number")
+    try:
+        return to_fraction(value)
+    except NumberError as error:
+        raise FormatError(f"{path}: {error}") from None
 
 
 def read_certificate(path: str) -> object:

@@ -43,12 +43,12 @@ class Region:
         Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
     """
 
-    __slots__ = ("_first_index", "_order", "exterior", "holes")
+    __slots__ = ("_given", "_order", "exterior", "holes")
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
     _order: tuple[int, ...]
-    _first_index: tuple[int, ...]
+    _given: tuple[Polygon, ...]
 
     def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
         inner: list[Polygon] = []
@@ -64,12 +64,11 @@ class Region:
         if inner:
             _check(outer, inner)
         order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
-        sizes = [1 + max(ring.edge_index(k) for k in range(len(ring))) for ring in [outer, *inner]]
-        starts = [sum(sizes[:k]) for k in range(len(sizes))]
         object.__setattr__(self, "exterior", outer)
         object.__setattr__(self, "holes", tuple(inner[k] for k in order))
+        # Places in the caller's input, which most never ask for.
         object.__setattr__(self, "_order", (0, *(k + 1 for k in order)))
-        object.__setattr__(self, "_first_index", tuple(starts))
+        object.__setattr__(self, "_given", (outer, *inner))
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Region is immutable: {name} cannot be set")
@@ -143,7 +142,7 @@ class Region:
         region = Region(rings[0])
         object.__setattr__(region, "holes", tuple(rings[k] for k in order))
         object.__setattr__(region, "_order", (0, *(self._order[k] for k in order)))
-        object.__setattr__(region, "_first_index", self._first_index)
+        object.__setattr__(region, "_given", self._given)
         return region
 
     def vertex_index(self, k: int) -> int:
@@ -152,7 +151,7 @@ class Region:
         The input is counted through, too: the exterior, then the holes in the order given.
         """
         ring, k = self._ring_of(k)
-        return self._first_index[self._order[ring]] + self._polygon(ring).vertex_index(k)
+        return self._first_index(self._order[ring]) + self._polygon(ring).vertex_index(k)
 
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
@@ -160,7 +159,12 @@ class Region:
         Counted as for `vertex_index`; of collinear edges the first, as for `Polygon`.
         """
         ring, k = self._ring_of(k)
-        return self._first_index[self._order[ring]] + self._polygon(ring).edge_index(k)
+        return self._first_index(self._order[ring]) + self._polygon(ring).edge_index(k)
+
+    def _first_index(self, ring: int) -> int:
+        """How many vertices the caller gave before those of a ring."""
+        before = self._given[:ring]
+        return sum(1 + max(map(given.edge_index, range(len(given)))) for given in before)
 
     def _polygon(self, ring: int) -> Polygon:
         return self.holes[ring - 1] if ring else self.exterior

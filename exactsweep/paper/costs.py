@@ -111,15 +111,18 @@ def _run_outer_cc(c: Chains) -> Iterable[Any]:
     return sweep_outer_cc(*c)
 
 
-def _run_trajectory_cm(c: Chains) -> Iterable[Any]:
+def run_trajectory_cm(c: Chains) -> Iterable[Any]:
+    """Trajectory_CM, for the chains of a pair."""
     return trajectory_cm(c.top, c.directrix)
 
 
-def _run_inner_cm(c: Chains) -> Iterable[Any]:
+def run_inner_cm(c: Chains) -> Iterable[Any]:
+    """SweepI_CM, for the chains of a pair."""
     return sweep_inner_cm(c.top, c.directrix)
 
 
-def _run_outer_cm(c: Chains) -> Iterable[Any]:
+def run_outer_cm(c: Chains) -> Iterable[Any]:
+    """SweepO_CM, for the chains of a pair."""
     return sweep_outer_cm(*c)
 
 
@@ -148,14 +151,14 @@ def _list_costs() -> Iterator[Cost]:
         for varied in ("mn", "m", "n"):
             yield Cost("Corollary 3.4", name, run, M_PLUS_N, cc, varied, 32, 1024)
     for row, name, run, family in (
-        ("Corollary 4.5", "Trajectory_CM", _run_trajectory_cm, cm_hard),
-        ("Corollary 4.5", "SweepO_CM", _run_outer_cm, cm_hard),
-        ("Corollary 4.6", "SweepI_CM", _run_inner_cm, cm_undercut),
+        ("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, cm_hard),
+        ("Corollary 4.5", "SweepO_CM", run_outer_cm, cm_hard),
+        ("Corollary 4.6", "SweepI_CM", run_inner_cm, cm_undercut),
     ):
         yield Cost(row, name, run, MN, family, "mn", 8, 16)
         yield Cost(row, name, run, MN, family, "m", 32, 128)
         yield Cost(row, name, run, MN, family, "n", 32, 128)
-    yield Cost("Corollary 4.5", "Trajectory_CM", _run_trajectory_cm, MN, wide, "m", 64, 128)
+    yield Cost("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, MN, wide, "m", 64, 128)
     row, name, run = "Corollary 5.7", "Trajectory_MM", _run_trajectory_mm
     yield Cost(row, name, run, MN_LOG, figure10, "mn", 8, 16, limit=STEPS)
     yield Cost(row, name, run, MN_LOG, figure10, "m", 32, 32, limit=STEPS)
@@ -164,10 +167,10 @@ def _list_costs() -> Iterator[Cost]:
     yield Cost(row, f"{name} to the letter", _run_literal_mm, MN_LOG, figure10, "m", 32, 32)
     row, name, run = "Corollary 5.8", "Sweep_MM, outer loop", _run_outer_mm
     yield Cost(row, name, run, MN2_LOG, figure10, "mn", 4, 4, limit=STEPS)
-    yield Cost(row, name, run, MN2_LOG, figure10, "m", 32, 32, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, figure10, "m", 32, 32, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, figure10, "n", 8, 8, 8, limit=STEPS)
     name, run = "Sweep_MM, inner loop", _run_inner_mm
-    yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 32, 8, limit=STEPS)
+    yield Cost(row, name, run, MN2_LOG, needles, "m", 16, 16, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, needles, "n", 8, 8, limit=STEPS)
     yield Cost(row, name, run, MN2_LOG, mm, "mn", 8, 8, limit=STEPS)
 
@@ -186,6 +189,8 @@ def tabulate(growth: Iterable[Growth]) -> Table:
     """
     lines: dict[tuple[str, str, str], dict[str, Growth]] = {}
     for series in growth:
+        if series.unit not in UNITS:
+            continue
         procedure = series.what.partition(" of ")[2]
         lines.setdefault((procedure, series.family, series.varied), {})[series.unit] = series
     rows = []

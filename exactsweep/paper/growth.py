@@ -20,7 +20,7 @@ MN_LOG: Bound = ("mn log n", lambda m, n: m * n * log2(n))
 MN2: Bound = ("mn²", lambda m, n: float(m * n * n))
 MN2_LOG: Bound = ("mn² log n", lambda m, n: m * n * n * log2(n))
 
-LIMITS = {"seconds": 0.45, "bytes": 0.5}
+LIMITS = {"seconds": 0.6, "bytes": 0.5}
 """By how much the exponent of a measured quantity may be above that of the bound.
 
 A factor m or n too many shows as 1. Seconds are judged by the three largest sizes, which outgrow

@@ -21,9 +21,17 @@ from typing import cast
 from exactsweep.geometry.number import sums
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
-from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
-from exactsweep.procedures.convex_part import ConvexPart, flatter, joined_parts
-from exactsweep.procedures.envelope import Break, Envelope, cross, height, point_on
+from exactsweep.procedures.chain import convex_chain, corners, inverse
+from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts
+from exactsweep.procedures.envelope import (
+    Break,
+    Envelope,
+    cross,
+    height,
+    line_of,
+    point_on,
+    point_on_line,
+)
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
 
@@ -47,7 +55,7 @@ def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
-    return sweep_parts(convex_chain(inverse(generatrix)), joined_parts(directrix))
+    return sweep_parts(convex_chain(inverse(generatrix)), split_parts(directrix))
 
 
 def sweep_outer_cm(
@@ -65,7 +73,7 @@ def sweep_outer_cm(
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
     """
     top, bottom = convex_chain(inverse(generatrix_top)), convex_chain(generatrix_bottom)
-    return sweep_parts(merge_by_slope(top, bottom), joined_parts(directrix))
+    return sweep_parts(merge_by_slope(top, bottom), split_parts(directrix))
 
 
 def sweep_parts(
@@ -75,8 +83,8 @@ def sweep_parts(
 
     The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
     """
-    chain = ConvexPart(list(edges), None, None)
-    pieces = (part.swept(chain, source) for source, part in enumerate(parts, first_source))
+    chain = ConvexPart.of(edges)
+    pieces = (part.sweep(chain, source) for source, part in enumerate(parts, first_source))
     return reduce(lower_envelope_cm, pieces)
 
 
@@ -107,10 +115,10 @@ def sweep_inner_cm(
     >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    reversed_edges, parts = convex_chain(inverse(generatrix)), convex_parts(directrix)
+    reversed_edges, parts = convex_chain(inverse(generatrix)), split_parts(directrix)
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
-    top = inverse(reversed_edges)
+    top, moving = inverse(reversed_edges), ConvexPart.of(reversed_edges)
     edges, sources = cast(list[Edge], trajectory.edges), trajectory.sources
     inner: list[Vertex] = []
     joints: set[int] = set()
@@ -120,31 +128,26 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
-        j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
-        step = height(edges[k - 1], edges[k], at)
+        i, left, in_left = _contact(moving, before, edges[k - 1], at, rightmost=True)
+        j, right, in_right = _contact(moving, after, edges[k], at, rightmost=False)
+        step = height(line_of(edges[k - 1]), line_of(edges[k]), at)
         # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
         plain = step == 0 and in_left and in_right
         higher = edges[k] if step < 0 else edges[k - 1]
-        inner += before[done : i + 1]
+        inner += before.points[done : i + 1]
         first = len(inner)
-        inner.append(point_on((before[i], before[i + 1]), left))
+        inner.append(point_on_line(before.lines[i], left))
         inner += _placed(top, at, higher, left, right, touching=not plain)
-        inner.append(point_on((after[j], after[j + 1]), right))
+        inner.append(point_on_line(after.lines[j], right))
         if not plain:
             joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
         done = j + 1
-    inner += parts[sources[-1]][done:]
+    inner += parts[sources[-1]].points[done:]
     return corners(inner, joints)
 
 
 def _contact(
-    reversed_edges: Sequence[Vertex],
-    part: Sequence[Vertex],
-    edge: Edge,
-    at: Break,
-    *,
-    rightmost: bool,
+    generatrix: ConvexPart, part: ConvexPart, edge: Edge, at: Break, *, rightmost: bool
 ) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
 
@@ -154,22 +157,22 @@ def _contact(
     Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
     Cost: O(log m + log n).
     """
-    k = flatter(part, edge)
-    h = flatter(reversed_edges, edge)
-    n, d = at
+    line, n, d = line_of(edge), *at
+    points, moving = part.points, generatrix.points
+    k, h = count_flatter(part.lines, line), count_flatter(generatrix.lines, line)
     travelled = n - edge[0][0] * d
     along: Rational
     inside = False
-    if k == len(part) - 1 or cross(part[k], part[k + 1], edge) > 0:
+    if k == len(points) - 1 or cross(points[k], points[k + 1], edge) > 0:
         along = 0
-    elif h == len(reversed_edges) - 1 or cross(reversed_edges[h], reversed_edges[h + 1], edge) > 0:
+    elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], edge) > 0:
         along = travelled
-        inside = 0 < along < (part[k + 1][0] - part[k][0]) * d
+        inside = 0 < along < (points[k + 1][0] - points[k][0]) * d
     elif rightmost:
-        along = min(travelled, (part[k + 1][0] - part[k][0]) * d)
+        along = min(travelled, (points[k + 1][0] - points[k][0]) * d)
     else:
-        along = max(0, travelled - (reversed_edges[h + 1][0] - reversed_edges[h][0]) * d)
-    return min(k, len(part) - 2), (part[k][0] * d + along, d), inside
+        along = max(0, travelled - (moving[h + 1][0] - moving[h][0]) * d)
+    return min(k, len(points) - 2), (points[k][0] * d + along, d), inside
 
 
 def _placed(

@@ -1,11 +1,29 @@
-"""LowerEnvelope_CM and LowerEnvelope_MM: lower envelopes of chains (Appendix, Section 5.1)."""
+"""LowerEnvelope_CM and LowerEnvelope_MM: lower envelopes of chains (Appendix, Section 5.1).
+
+Lemma A.3 allows the partial trajectory and the next sub-trajectory to meet in a point or in a
+segment. With vertical edges in D_b they may also pass each other without meeting, where one of
+them ends: the envelope then jumps, and its chain has a vertical edge there.
+
+Erratum. Section 5.1 has the envelope of N segments grow in proportion to N. It can have order
+N alpha(N) pieces, alpha the inverse Ackermann function: A. Wiernik and M. Sharir, "Planar
+realizations of nonlinear Davenport-Schinzel sequences by segments", Discrete & Computational
+Geometry 3 (1988). One merge is linear all the same; what it returns can be larger than its input.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from exactsweep.geometry.point import Rational
 from exactsweep.procedures.chain import ChainError
-from exactsweep.procedures.envelope import Envelope, crossing, height, joined, line_of, precedes
+from exactsweep.procedures.envelope import (
+    Break,
+    Envelope,
+    crossing,
+    height,
+    precedes,
+    shares_vertex,
+)
 
 
 def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
@@ -19,8 +37,8 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         partial: the envelope so far; it is changed in place.
         piece: one convex chain, starting over the partial trajectory, that crosses it at most
             once and is the lower one on the right (Lemma A.3); if it crosses more often, only the
-            last crossing counts (see `mm.sweep_pairs`). If it ends first, what is left of the
-            partial trajectory beyond is dropped: in a CM sweep the next piece is lower there.
+            last crossing counts (see `part_pairs.sweep_pairs`). If it ends first, what is left of
+            the partial trajectory beyond is dropped: in a CM sweep the next piece is lower there.
 
     Returns:
         The same envelope.
@@ -35,80 +53,94 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
-    partial._lines = None
-    breaks, edges, sources = partial.breaks, partial.edges, partial.sources
-    start, end = piece.breaks[0], breaks[-1]
-    if precedes(start, breaks[0]) or precedes(end, start):
+    start, end = piece.breaks[0], partial.breaks[-1]
+    if precedes(start, partial.breaks[0]) or precedes(end, start):
         raise ChainError("the piece does not start over the partial trajectory")
-    j = 0
+    i, j = len(partial.edges) - 1, 0
     if precedes(piece.breaks[-1], end):
         end = piece.breaks[-1]
-        k, j = partial.edge_before(end), len(piece.edges) - 1
-        if height(edges[k], piece.edges[j], end) <= 0:
+        i, j = partial.edge_before(end), len(piece.edges) - 1
+        if height(partial.line(i), piece.line(j), end) <= 0:
             return partial
-        del edges[k + 1 :], sources[k + 1 :], breaks[k + 2 :]
-        breaks[-1] = end
-        j = _trim(partial, piece, j)
-    elif precedes(start, end):
+        partial.replace_end(*_find_takeover(partial, i, piece, j))
+        return partial
+    if precedes(start, end):
         j = piece.edge_before(end)
-        if height(edges[-1], piece.edges[j], end) > 0:
-            j = _trim(partial, piece, j)
-        elif not precedes(end, piece.breaks[j + 1]):
+        if height(partial.line(i), piece.line(j), end) > 0:
+            partial.replace_end(*_find_takeover(partial, i, piece, j))
+            return partial
+        if not precedes(end, piece.breaks[j + 1]):
             j += 1
-    sources += piece.sources[j:]
-    edges += piece.edges[j:]
-    breaks += piece.breaks[j + 1 :]
+    partial.replace_end(i + 1, end, piece, j)
     return partial
 
 
-def _trim(partial: Envelope, piece: Envelope, j: int) -> int:
-    """Trim the partial trajectory to where the piece takes over; return the piece's edge there.
+# Where the piece takes over. P is the partial trajectory, Q the piece; the walk goes from right to
+# left, over edge i of P and edge j of Q. At the head of the loop, just left of x, which is the
+# lesser right end of the two edges,
+#
+#     (1)  P is above Q.
+#
+# Let x' be the greater left end of the two edges, and let the lines be P_i and Q_j.
+#
+#     (2)  P_i < Q_j at x': they cross between x' and x. Left of the crossing P is the lower one by
+#          Lemma A.3, right of it Q: the crossing is where Q takes over.
+#     (3)  P_i = Q_j at x': Q takes over at x', in a vertex of one of them.
+#     (4)  P_i > Q_j at x', and Q begins there: Q takes over at x', by a step down.
+#     (5)  P_i > Q_j at x', and P begins there: Q takes over at x', with nothing of P left.
+#     (6)  P_i > Q_j at x', an end of edge i: edge i is above Q throughout and is trimmed off. If
+#          edge i - 1 ends at or below Q_j there, which needs a step of P, Q takes over at x'. If
+#          not, (1) holds for edge i - 1.
+#     (7)  P_i > Q_j at x', an end of edge j alone: (1) holds for edge j - 1, Q being continuous.
+#
+# Each round ends the walk or takes one from i, from j or from both.
 
-    Invariant: just left of the last break, which lies on edge j of the piece or at its right end,
-    the partial trajectory is above the piece.
+
+def _find_takeover(
+    partial: Envelope, i: int, piece: Envelope, j: int
+) -> tuple[int, Break, Envelope, int]:
+    """Find where the piece takes over, (1) being given.
+
+    Returns what `Envelope.replace_end` takes: the number of edges of the partial trajectory that
+    are kept, the break, the piece, and its edge there.
     """
-    breaks, edges, sources = partial.breaks, partial.edges, partial.sources
-    top, (bdx, bdy, bc) = edges[-1], line_of(piece.edges[j])
-    adx, ady, ac = line_of(top)
+    adx, ady, ac = partial.line(i)
+    bdx, bdy, bc = piece.line(j)
     while True:
-        mine, others = breaks[-2], piece.breaks[j]
+        mine, others = partial.breaks[i], piece.breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
-        n, d = others if order > 0 else mine
+        n, d = at = others if order > 0 else mine
         u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
         above = u * n + v * d
-        if above < 0:
-            breaks[-1] = crossing(u, v)
-            return j
+        if above < 0:  # (2)
+            return i + 1, crossing(u, v), piece, j
         if order > 0:
-            if above == 0 or j == 0:
-                # They meet in a vertex; or the piece starts below: a step down.
-                breaks[-1] = others
-                return j
+            if above == 0 or j == 0:  # (3), (4)
+                return i + 1, at, piece, j
         else:
-            del edges[-1], sources[-1], breaks[-1]
-            if above == 0 or not edges:
-                return j
-            below, top = top, edges[-1]
-            # At a crossing the next edge ends as high as this one began; at a step up it may end
-            # on or below the piece, which then takes over right there.
-            if not joined(top, below) and height(top, piece.edges[j], mine) <= 0:
-                return j
-            adx, ady, ac = line_of(top)
-        if order >= 0:
+            if above == 0 or i == 0:  # (3), (5)
+                return i, at, piece, j
+            i -= 1  # (6)
+            adx, ady, ac = partial.line(i)
+            if (
+                not shares_vertex(partial.edges[i], partial.edges[i + 1])
+                and (ady * bdx - bdy * adx) * n + (ac * bdx - bc * adx) * d <= 0
+            ):
+                return i + 1, at, piece, j
+        if order >= 0:  # (7)
             if j == 0:
-                return j
+                return i + 1, at, piece, j
             j -= 1
-            bdx, bdy, bc = line_of(piece.edges[j])
+            bdx, bdy, bc = piece.line(j)
 
 
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     """Lower envelope of sub-trajectories, by divide and conquer (Section 5.1).
 
-    Procedure LowerEnvelope_MM. Between chains that do not overlap the envelope has a hole.
+    Procedure LowerEnvelope_MM. Between chains that do not overlap the envelope has a gap.
 
-    Cost: O(N log k) for k envelopes, N being the largest total size on a level of the recursion.
-    The paper takes N for the size of the input; the envelope of N segments can have more than a
-    constant times N pieces, so that the proved bound has a factor alpha(k) more.
+    Cost: O(N log k) for k envelopes, N being the largest total size on a level of the recursion,
+    which has a factor alpha(k) more than the size of the input at worst.
 
     Example:
         >>> a, b = Envelope.of([(0, 0), (4, 0)]), Envelope.of([(1, 1), (2, -1), (5, 2)])
@@ -121,76 +153,92 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
     return merge(lower_envelope_mm(envelopes[:half]), lower_envelope_mm(envelopes[half:]))
 
 
+# The merge of A and B walks both in vertical sync. Let x_0 < x_1 < ... be the breaks of either over
+# their common x-range; between two of them each is on one edge i or j, a line or a gap. "Own" is
+# the chain that the envelope is on, "other" the other one, and
+#
+#     (1)  f = own - other, linear between x_k and x_{k+1}.
+#
+# Before each round, the walk being at x_k with edges i and j to the right of it,
+#
+#     (2)  `changes` holds where the envelope changes chain left of x_k, with the edges i and j
+#          that begin or go on there; own is nowhere the higher one between these places.
+#
+# To keep (2) beyond x_{k+1}, let s = f just right of x_k and e = f just left of x_{k+1}.
+#
+#     (3)  s > 0, or s = 0 < e: own is the higher one right of x_k; change there, which turns the
+#          signs of s and e.
+#     (4)  Then s <= 0; and s < 0 if e > 0, by (3). So own becomes the higher one iff e > 0: change
+#          at the crossing, which lies between x_k and x_{k+1}.
+#     (5)  s <= 0 and e <= 0: own is the lower one or they are equal; no change. On one line, s = e
+#          = 0, the envelope stays on the chain that it is on.
+#     (6)  Over a gap of one chain, f has the sign of infinity: change at x_k if own is the gap, and
+#          not before the gap ends; all edges of the other one up to there are passed over at once.
+#
+# Where one chain ends the other one goes on alone, in its edge at that place.
+
+
 def merge(first: Envelope, second: Envelope) -> Envelope:
     """Lower envelope of two envelopes, both walked in vertical sync where they overlap.
 
     Cost: O(size of first + size of second).
     """
     a_breaks, b_breaks = first.breaks, second.breaks
-    # The envelope has been on the first or the second chain since edge number `since` of it.
-    on_first, since = not precedes(b_breaks[0], a_breaks[0]), 0
+    on_first = not precedes(b_breaks[0], a_breaks[0])
     left, right = (first, second) if on_first else (second, first)
     merged = Envelope([left.breaks[0]], [], [])
     n, d = right.breaks[0]
     if not precedes((n, d), left.breaks[-1]):
-        merged.extend(left)
-        merged.extend(right)
+        merged.take_all(left)
+        merged.take_all(right)
         return merged
     start = left.edge_after((n, d))
     i, j = (start, 0) if on_first else (0, start)
     a_lines, b_lines = first.lines(), second.lines()
-    last_a, last_b = len(a_lines) - 1, len(b_lines) - 1
-    a, b = a_lines[i], b_lines[j]
-    while True:
-        end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
-        order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
-        if a is None or b is None:
-            # Over a hole of one chain the other one is lower throughout.
+    size_a, size_b = len(a_lines), len(b_lines)
+    changes: list[tuple[Break, int, int]] = []
+    while i < size_a and j < size_b:
+        a, b = a_lines[i], b_lines[j]
+        begin = n, d
+        u: Rational = 0
+        v: Rational = 0
+        if a is None or b is None:  # (6)
             if on_first != (a is not None):
-                merged.take(*((first, since, i) if on_first else (second, since, j)), (n, d))
-                on_first, since = not on_first, j if on_first else i
-            if a is None and order > 0:
-                j = min(second.edge_before(end_a, j + 1), last_b)
-            elif a is not None and order < 0:
-                i = min(first.edge_before(end_b, i + 1), last_a)
-            a, b = a_lines[i], b_lines[j]
-            end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
-            order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
-            n, d = end_a if order <= 0 else end_b
+                changes.append((begin, i, j))
+                on_first = not on_first
+            if a is None:
+                j = min(second.edge_before(a_breaks[i + 1], j), size_b - 1)
+            else:
+                i = min(first.edge_before(b_breaks[j + 1], i), size_a - 1)
         else:
             adx, ady, ac = a
             bdx, bdy, bc = b
             u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-            at_start = u * n + v * d
-            begin = n, d
-            n, d = end_a if order <= 0 else end_b
-            at_end = u * n + v * d
-            # Where both lie on one line, the envelope stays on the chain that it is on.
-            if on_first:
-                if at_start > 0 or (at_start == 0 and at_end > 0):
-                    merged.take(first, since, i, begin)
-                    on_first, since = False, j
-            elif at_start < 0 or (at_start == 0 and at_end < 0):
-                merged.take(second, since, j, begin)
-                on_first, since = True, i
-            if (at_start < 0 < at_end) or (at_end < 0 < at_start):
-                at = crossing(u, v)
-                merged.take(*((first, since, i) if on_first else (second, since, j)), at)
-                on_first, since = not on_first, j if on_first else i
+        end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
+        order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
+        at_start = u * n + v * d
+        n, d = end_a if order <= 0 else end_b
+        at_end = u * n + v * d
+        if not on_first:
+            at_start, at_end = -at_start, -at_end
+        if at_start > 0 or (at_start == 0 and at_end > 0):  # (3)
+            changes.append((begin, i, j))
+            on_first = not on_first
+            at_end = -at_end
+        if at_end > 0:  # (4)
+            changes.append((crossing(u, v), i, j))
+            on_first = not on_first
         if order <= 0:
-            if i == last_a:
-                over, rest, following, on_over = first, second, j + (order == 0), on_first
-                break
             i += 1
-            a = a_lines[i]
         if order >= 0:
-            if j == last_b:
-                over, rest, following, on_over = second, first, i, not on_first
-                break
             j += 1
-            b = b_lines[j]
-    if on_over:
-        merged.take(over, since, len(over.edges), over.breaks[-1])
-        since = following
-    merged.take(rest, since, len(rest.edges), rest.breaks[-1])
+    # What has ended cannot be own any more.
+    if on_first == (i == size_a):
+        changes.append(((n, d), i, j))
+    own, other, since = left, right, 0
+    for at, i, j in changes:
+        last, following = (i, j) if own is first else (j, i)
+        merged.take(own, since, last, at)
+        own, other, since = other, own, following
+    merged.take(own, since, len(own.edges), own.breaks[-1])
     return merged

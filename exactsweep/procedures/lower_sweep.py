@@ -45,7 +45,7 @@ class LowerSweep:
     def trajectory(self) -> Envelope:
         """T(G_t, D_b)."""
         if self.kind == "CC":
-            return Envelope.of_own(self.path)
+            return Envelope.of_convex(self.path)
         if self.kind == "CM":
             return trajectory_cm(self.top, self.directrix)
         return trajectory_mm(self.top, self.directrix)

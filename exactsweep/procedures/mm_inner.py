@@ -19,18 +19,17 @@ touches D. So R has to be computed over the gaps between touched points only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import chain, pairwise
+from itertools import chain, pairwise, repeat
 from typing import cast
 
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import complement, corners, inverse
-from exactsweep.procedures.convex_part import ConvexPart, Run, flatter, joined_parts
+from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
+    Line,
     Span,
-    gap,
-    joined,
     line_of,
     precedes,
     value,
@@ -38,47 +37,18 @@ from exactsweep.procedures.envelope import (
 from exactsweep.procedures.part_pairs import sweep_pairs
 
 
-def inside_runs(trajectory: Envelope) -> list[Run]:
-    """The convex parts of the inverse of the complement of a lower trajectory, left to right.
-
-    Cost: O(t).
-    """
-    trajectory_edges = cast(list[Edge], trajectory.edges)
-    edges = [((-qx, -qy), (-px, -py)) for (px, py), (qx, qy) in reversed(trajectory_edges)]
-    lines = [line_of(edge) for edge in edges]
-    breaks = [(-n, d) for n, d in reversed(trajectory.breaks)]
-    sources = trajectory.sources[::-1]
-    size = len(edges)
-    runs: list[Run] = []
-    start, turns_left = 0, True
-    for k in range(1, size + 1):
-        turns_right = turns_next = True
-        if k < size:
-            if joined(trajectory_edges[size - k - 1], trajectory_edges[size - k]):
-                # A convex vertex of T, reflex here.
-                turns_right = turns_next = False
-            else:
-                n, d = breaks[k]
-                u, v = gap(lines[k - 1], lines[k])
-                above = u * n + v * d
-                if above == 0 and u < 0:
-                    continue
-                turns_right, turns_next = above < 0, above > 0
-        runs.append(
-            Run(
-                edges[start:k],
-                lines[start:k],
-                breaks[start : k + 1],
-                sources[start:k],
-                turns_left,
-                turns_right,
-            )
-        )
-        start, turns_left = k, turns_next
-    return runs
+def take_inside(trajectory: Envelope) -> Envelope:
+    """The inverse of the complement of a lower trajectory, its edges as lines. Cost: O(t)."""
+    size = len(trajectory.edges)
+    return Envelope(
+        [(-n, d) for n, d in reversed(trajectory.breaks)],
+        [None] * size,
+        trajectory.sources[::-1],
+        [(dx, dy, -c) for dx, dy, c in reversed(cast(list[Line], trajectory.lines()))],
+    )
 
 
-def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
+def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     """The x-ranges of D_b between points that G touches, left to right.
 
     Args:
@@ -91,10 +61,10 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     Cost: O(t log m + m) for t edges of T, and to sort what is touched of each edge of D_b.
 
     >>> from exactsweep.procedures.mm import trajectory_mm
-    >>> from exactsweep.procedures.convex_part import joined_parts
+    >>> from exactsweep.procedures.convex_part import split_parts
     >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
     >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
-    >>> (left, right), = gaps(trajectory, joined_parts(notch))
+    >>> (left, right), = find_gaps(trajectory, split_parts(notch))
     >>> value(left), value(right)
     (Fraction(5, 2), Fraction(7, 2))
     """
@@ -106,7 +76,7 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
         source = trajectory.sources[k]
         points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
         if source != last:
-            last, v = source, flatter(points, edge)
+            last, v = source, count_flatter(parts[source % len(parts)].lines, line_of(edge))
         # Edges from one source become steeper.
         while v < len(spans):
             (start, y), (end, z) = points[v], points[v + 1]
@@ -140,16 +110,15 @@ def gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     return found
 
 
-def pierced(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """An envelope with holes for its gaps, given from left to right. Cost: O(n log n)."""
+def open_gaps(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """An envelope without what it has over gaps, given from left to right. Cost: O(n log n)."""
     left_over = Envelope([envelope.breaks[0]], [], [])
     end = envelope.breaks[-1]
     for left, right in [*gaps, (end, end)]:
         since = left_over.breaks[-1]
         if precedes(since, left):
             left_over.take(envelope, envelope.edge_after(since), envelope.edge_before(left), left)
-        if precedes(left, right):
-            left_over.extend_hole(right)
+        left_over.take_gap(right)
     return left_over
 
 
@@ -160,23 +129,24 @@ def inner_mm(
 
     Turned by half a turn, that is G_t along the bottom chain of the inverse of T's complement.
     Where G touches D_b the boundary is D_b itself, so that only the gaps between are swept: the
-    faster way that the paper mentions after Corollary 5.8 (see `exactsweep.touched`).
+    faster way that the paper mentions after Corollary 5.8 (see `find_gaps`).
 
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
     """
-    parts = joined_parts(directrix)
-    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(gaps(trajectory, parts))]
+    parts = split_parts(directrix)
+    open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
         return corners(directrix)
-    chains = joined_parts(inverse(generatrix_top))
-    inside = inside_runs(trajectory)
+    chains = split_parts(inverse(generatrix_top))
+    inside = take_inside(trajectory)
+    slots = split_parts(inside)
     # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
     guess: list[set[int]] = [set() for _ in chains]
-    for k, run in enumerate(inside):
-        for source in run.sources:
-            guess[source // len(parts)].add(k)
+    owners = chain.from_iterable(repeat(k, len(slot.lines)) for k, slot in enumerate(slots))
+    for source, k in zip(inside.sources, owners, strict=True):
+        guess[source // len(parts)].add(k)
     floor = Envelope.of(inverse(complement(directrix)))
-    boundary = sweep_pairs(chains, inside, pierced(floor, open_spans), open_spans, guess)
-    boundary = boundary.restricted(-directrix[-1][0], -directrix[0][0])
+    boundary = sweep_pairs(chains, slots, open_gaps(floor, open_spans), open_spans, guess)
+    boundary = boundary.restrict(-directrix[-1][0], -directrix[0][0])
     return inverse(complement(list(boundary)))

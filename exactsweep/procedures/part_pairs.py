@@ -13,10 +13,10 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import inf
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from exactsweep.geometry.point import Rational
-from exactsweep.procedures.convex_part import Box, ConvexPart, Run
+from exactsweep.procedures.convex_part import Box, ConvexPart
 from exactsweep.procedures.envelope import Break, Envelope, Span, upper_bound
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
@@ -28,28 +28,15 @@ Guess = Sequence[Collection[int]]
 """For each part of G_t, numbers of parts of D_b."""
 
 
-class Boxed(Protocol):
-    """A chain with a box."""
-
-    @property
-    def box(self) -> Box:
-        """Its box."""
-
-
 class Boxes(NamedTuple):
-    """The boxes of consecutive parts, and their ends.
-
-    The first left end is the least, and the last right end the greatest. The ends of Runs ascend,
-    which `Ceiling.reached` needs where there are gaps; parts of an envelope, whose cut edges are
-    whole, may overlap.
-    """
+    """The boxes of consecutive parts, and their ends, both of which ascend."""
 
     boxes: list[Box]
     lefts: list[Rational]
     rights: list[Rational]
 
     @classmethod
-    def of(cls, parts: Iterable[Boxed]) -> Boxes:
+    def of(cls, parts: Iterable[ConvexPart]) -> Boxes:
         """Collect the boxes of parts, from left to right."""
         boxes = [part.box for part in parts]
         return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
@@ -65,7 +52,7 @@ class Boxes(NamedTuple):
 
 
 class Ceiling:
-    """Upper bounds of an envelope over strips of its x-range; of a hole, infinity.
+    """Upper bounds of an envelope over strips of its x-range; of a gap, infinity.
 
     Args:
         envelope: what is known of the envelope to be found.
@@ -140,7 +127,7 @@ class Ceiling:
 
 def sweep_pairs(
     chains: Sequence[ConvexPart],
-    parts: Sequence[ConvexPart] | Sequence[Run],
+    parts: Sequence[ConvexPart],
     known: Envelope | None = None,
     gaps: Sequence[Span] | None = None,
     guess: Guess | None = None,
@@ -163,7 +150,7 @@ def sweep_pairs(
     Args:
         chains: the convex parts of reversed G_t.
         parts: the convex parts of D_b.
-        known: the envelope outside the gaps, with holes in them.
+        known: the envelope outside the gaps, with gaps in it.
         gaps: the x-ranges that matter; all of it, if left out.
         guess: for each chain the numbers of the parts with which it is likely to be lowest;
             these pairs go first.
@@ -185,14 +172,14 @@ def sweep_pairs(
         ceiling = None
         if envelope is not None:
             runs.append(envelope)
-            ceiling = Ceiling(envelope.padded(start, end), len(chains) + len(parts), gaps)
+            ceiling = Ceiling(envelope.pad(start, end), len(chains) + len(parts), gaps)
         for i, numbers in batch.items():
             chain, first = chains[i], i * len(parts)
             if ceiling is not None:
                 numbers = ceiling.reached(chain_boxes[i], boxes, numbers)
             since = len(runs)
             for j in numbers:
-                piece = parts[j].swept(chain, first + j)
+                piece = parts[j].sweep(chain, first + j)
                 if len(runs) > since and piece.follows(runs[-1]):
                     lower_envelope_cm(runs[-1], piece)
                 elif piece.edges:

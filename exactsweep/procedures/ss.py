@@ -5,10 +5,6 @@ set, and the free positions are the rest. What bounds them is looked for where i
 contact segments of the pair (see `contact_lines`), and what is left there after their crossings is
 decided by exact questions whether two polygons overlap (see `free_positions`). No part of either
 polygon is made and no union, so that nothing of a partition has to be removed again.
-
-Errata to the plan of cutting D and G into monotone parts and joining O(m n) sweeps: none in its
-mathematics; the contact segments are fewer than the edges of those sweeps, and most end where they
-first cross another one.
 """
 
 from __future__ import annotations
@@ -16,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.geometry.point import ORIGIN, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
@@ -108,7 +105,24 @@ def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = F
         stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
     overlap = Overlap(stationary, orbiting, unbounded=unbounded)
-    return free_positions(stretches, overlap.at, scale)
+    links = [
+        (dx - gx, dy - gy)
+        for dx, dy in (_pinches(stationary) if len(orbiting) > 1 else ())
+        for gx, gy in _pinches(orbiting)
+    ]
+    return free_positions(stretches, overlap.at, scale, links)
+
+
+def _pinches(rings: Rings) -> set[Vertex]:
+    """The points in which rings of a shape touch each other. Cost: O(n^2)."""
+    if len(rings) == 1:
+        return set()
+    outline = Outline(rings)
+    return {
+        vertex
+        for k, vertex in enumerate(outline.vertices)
+        if outline.numbers[vertex] != k or any(True for _ in outline.edges_through(vertex))
+    }
 
 
 def _around(loop: Loop, exteriors: Sequence[Loop]) -> int:

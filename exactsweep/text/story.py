@@ -95,7 +95,7 @@ class _Teller:
         g, d = len(s.generatrix), len(s.directrix)
         yield f"Class {CLASSES[s.kind]}, of {g} and {d} vertices."
         yield (
-            "The generatrix, G, goes once round the directrix, D, which it keeps on its left, "
+            "The generatrix, G, goes once around the directrix, D, which it keeps on its left, "
             f"in {len(steps)} steps."
         )
         yield (

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from exactsweep.check import verify
 from exactsweep.corpus import FAMILIES, Case, case_to_json, find_case, generate, notes
-from exactsweep.corpus.export import case_to_line
+from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.sweep import sweep
 

@@ -11,7 +11,7 @@ from command import PATIENCE
 from exactsweep import sweep
 from exactsweep.check import verify
 from exactsweep.corpus import cases, themes
-from exactsweep.corpus.export import case_to_line
+from exactsweep.corpus.case_json import case_to_line
 from exactsweep.corpus.facts import facts
 
 # Flags that cannot be seen from a pair.

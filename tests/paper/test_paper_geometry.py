@@ -26,6 +26,7 @@ from exactsweep.paper.checks.planar import (
     swept_polygons,
 )
 from exactsweep.paper.checks.section2 import CAVE, sweep_pieces
+from exactsweep.paper.checks.section4 import labels_name_the_extremes
 from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
 from exactsweep.paper.checks.undercuts import lower_undercuts
@@ -152,6 +153,11 @@ def test_terraces_have_order_mn_undercuts(m: int, n: int, undercuts: int) -> Non
 @given(st.integers(0, 10**6), st.sampled_from(["CC", "CM", "MM"]))
 def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind: str) -> None:
     assert kernel_is_literal(draw_pair(Prng(str(seed)), kind)) == ""
+
+
+def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
+    directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
+    assert labels_name_the_extremes(Pair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
 
 
 def test_chains_are_evaluated_and_cut() -> None:

@@ -156,8 +156,8 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 
 def test_all_names_are_listed() -> None:
     lines = run("--list").output.splitlines()
-    assert lines == [f"{claim.name}: {claim.verdict.value}" for claim in CLAIMS]
-    assert run("--list", "Slope").output == "Slope: misprint\n"
+    assert lines == [f"{c.name}: {c.verdict.value} ({', '.join(c.evidence)})" for c in CLAIMS]
+    assert run("--list", "Slope").output == "Slope: misprint (sampled, exhaustive)\n"
 
 
 def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:

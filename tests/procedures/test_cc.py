@@ -11,6 +11,7 @@ from exactsweep import Polygon, sweep
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.convex_part import ConvexPart
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(deadline=None, max_examples=100)
@@ -78,7 +79,9 @@ def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
     one, other = (split(polygon.vertices)[0] for polygon in pair)
-    found = merge_by_slope(one, other, cut[:2], cut[2:])
+    chain = ConvexPart.of(one, not cut[0], not cut[1])
+    swept = ConvexPart.of(other, not cut[2], not cut[3]).sweep(chain, 0)
+    found = list(swept) if swept.lines() else []
     slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)

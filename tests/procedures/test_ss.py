@@ -106,6 +106,15 @@ def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
     assert hole.vertices[0] == Point(Fraction(0), Fraction(4))
 
 
+def test_links_hold_each_other_in_a_single_position() -> None:
+    """No edge of either can slide along the other: the defect and the wall touch in the origin."""
+    wall = [(-20, -20), (20, -20), (20, -5), (0, 0), (20, 5), (20, 20), (-20, 20)]
+    arms = [(-10, -10), (1, -10), (0, 0), (1, 10), (-10, 10)]
+    gap = [(0, 0), (-1, 5), (-8, 5), (-8, -5), (-1, -5)]
+    container = Region(wall, [[(0, 0), (-4, -1), (-4, 1)]])
+    assert fits((0, 0), (0, 0))[0] in inner_fit_polygon(container, Region(arms, [gap])).exact_fits
+
+
 def test_a_ring_goes_around_a_pin() -> None:
     n = no_fit_polygon(UNIT, Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)]))
     assert n.exterior == Polygon(box(-5, -5, 1, 1))

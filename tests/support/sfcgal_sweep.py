@@ -3,8 +3,9 @@
 The trajectory is the boundary of P = D + I(G), the outer loop that of P + G; the inner loop bounds
 the hole of (a large box without P) + G.
 
-`exactsweep corpus export | python tests/sfcgal_sweep.py` answers each case, a line each, with its
-id, and "differs" behind it where the loops do. It is a process of its own because it may crash.
+`exactsweep corpus export | python tests/support/sfcgal_sweep.py` answers each case, a line each,
+with its id, and "differs" behind it where the loops do. It is a process of its own because it may
+crash.
 """
 
 import json

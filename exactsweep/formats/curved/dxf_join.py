@@ -71,7 +71,7 @@ def _fault(piece: Piece, end: Point, count: int) -> str:
 
 
 def _walk(pieces: Sequence[Piece]) -> list[Point]:
-    """Go once round pieces each of whose ends meets one other."""
+    """Walk along pieces, each of whose ends meets one other, back to the start."""
     at: defaultdict[Point, list[Piece]] = defaultdict(list)
     for piece in pieces:
         for end in piece.ends:

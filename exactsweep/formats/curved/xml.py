@@ -1,4 +1,4 @@
-"""XML of strangers: no entities, nothing fetched, nothing nested too deeply."""
+"""Untrusted XML: no entities, nothing fetched, nothing nested too deeply."""
 
 from __future__ import annotations
 

@@ -162,7 +162,7 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
 
 
 def labels_name_the_extremes(pair: Pair) -> str:
-    """The contacts listed for the edges of T at a closing position touch both extreme points."""
+    """The contacts along the edges of T at a closing position, or there, name both extremes."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
@@ -172,6 +172,7 @@ def labels_name_the_extremes(pair: Pair) -> str:
     for undercut in s.undercuts:
         spots = set()
         for t in undercut.positions:
+            spots |= {spot for c in s.contacts_at(t) for spot in features.spot(c, t)}
             for k, end in enumerate(corners):
                 if point_on_edge(t, corners[k - 1], end):
                     spots |= {spot for c in s.contacts[k - 1] for spot in features.spot(c, t)}

@@ -13,6 +13,7 @@ from exactsweep.paper.claim import (
     Table,
     first_failure,
 )
+from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, exact, reference
 from exactsweep.paper.growth import MN, Growth, double
@@ -46,29 +47,16 @@ def sizes_are_bounded(pair: Pair) -> str:
 
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
+    sizes = _sizes(effort)
     return _attained(
-        grow_vertices(
-            "trajectory",
-            lambda c: trajectory_cm(c.top, c.directrix),
-            cm_hard,
-            MN,
-            _sizes(effort),
-        ),
-        grow_vertices("outer boundary", lambda c: sweep_outer_cm(*c), cm_hard, MN, _sizes(effort)),
+        grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
+        grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
     )
 
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    return _attained(
-        grow_vertices(
-            "inner boundary",
-            lambda c: sweep_inner_cm(c.top, c.directrix),
-            cm_undercut,
-            MN,
-            _sizes(effort),
-        )
-    )
+    return _attained(grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort)))
 
 
 def _attained(*growth: Growth) -> Evidence:

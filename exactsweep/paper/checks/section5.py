@@ -181,6 +181,8 @@ def find_missing_edge(effort: Effort) -> Evidence:
 def edges_are_near(pair: Pair) -> str:
     """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
     s = sweep(*pair)
+    if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
+        return ""
     loops = [[segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
     for p, q in _edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x

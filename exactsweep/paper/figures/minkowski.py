@@ -56,8 +56,8 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     lowest = trajectory_mm(inverse(i_bottom), complement(inverse(d_bottom)))
     highest = trajectory_mm(i_top, complement(d_top))
     left, right = d_bottom[0][0] - i_bottom[0][0], d_bottom[-1][0] - i_bottom[-1][0]
-    floor = complement(inverse(list(lowest.restricted(-right, -left))))
-    ceiling = highest.restricted(left, right)
+    floor = complement(inverse(list(lowest.restrict(-right, -left))))
+    ceiling = highest.restrict(left, right)
     ceilings = list(ceiling)
     lower = lower_envelope_mm([ceiling.of(floor), ceiling])
     holes = [(*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in pockets(list(lower), ceilings)]
