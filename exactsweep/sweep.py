@@ -118,7 +118,7 @@ def sweep(
     Raises:
         PolygonError: a polygon is not simple.
         NumberError: a coordinate is not an exact number.
-        DirectionError: the polygons are monotone to no shared direction, or not to this one.
+        DirectionError: a polygon is not monotone to the direction asked for, or has a hole.
 
     Cost: O(m + n) for CC, O(m n) for CM; for MM O(m n log n) for the trajectory and
     O(m n^2 log n) for the loops (Corollaries 3.4, 4.5, 4.6, 5.7, 5.8).

@@ -14,8 +14,9 @@ def view_command(result: Sweep, output: str) -> None:
     """Write a page on which the generatrix can be moved.
 
     The page is one HTML file that needs no network: open it in a browser. The generatrix goes
-    round the directrix by a slider, by dragging or by the keyboard; the contact is named all the
-    way, and vertices, undercuts and exact fits tell their exact coordinates.
+    around the directrix, around holes of the no-fit polygon and into exact fits, by a slider, by
+    dragging or by the keyboard; the contact is named all the way, and vertices, undercuts and exact
+    fits tell their exact coordinates.
 
     Files are read as by 'exactsweep sweep'; without files, its example is shown.
     """

@@ -43,7 +43,7 @@ def stretches(s: Swept, loop: Sequence[Point] | None = None) -> list[Stretch]:
         loop: of positions, as for `Sweep.contacts_along`; the trajectory if left out.
 
     Returns:
-        list of Stretch, once round from the first vertex of the loop.
+        list of Stretch, all the way around from the first vertex of the loop.
 
     Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
 

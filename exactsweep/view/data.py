@@ -56,12 +56,12 @@ def tracks(s: Swept) -> list[Track]:
 
 
 def stops(s: Swept) -> list[Stop]:
-    """Find all stops of the trajectory, once round from its first vertex; see `track_stops`."""
+    """Find all stops of the trajectory, as `track_stops` does."""
     return next(track_stops(s, tracks(s)[:1]))
 
 
 def track_stops(s: Swept, listed: Iterable[Track]) -> Iterator[list[Stop]]:
-    """Find all stops of tracks, each once round from its first vertex.
+    """Find all stops of tracks, each all the way around from its first vertex.
 
     Yields:
         For each track a list of Stop: its `vertex` is its number in the track, None inside an edge;
