@@ -8,24 +8,25 @@ from typing import TYPE_CHECKING
 from exactsweep.formats.error import FormatError, needs
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
     import numpy
     import shapely
 
 
-def from_shapely(geometry: shapely.Polygon) -> Polygon:
+def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
     """Read a polygon of shapely; its floats are taken as the binary values that they are.
 
     Args:
-        geometry: a shapely Polygon or LinearRing, in the plane and without holes.
+        geometry: a shapely Polygon or LinearRing, in the plane.
 
     Returns:
-        A Polygon.
+        A Polygon, or a Region if there are interiors.
 
     Raises:
-        FormatError: another geometry, holes, a third coordinate.
-        PolygonError: not simple.
+        FormatError: another geometry, a third coordinate.
+        PolygonError: not simple, or not a region.
         NumberError: nan or an infinity.
 
     Example:
@@ -41,7 +42,7 @@ def from_shapely(geometry: shapely.Polygon) -> Polygon:
     if geometry.has_z:
         raise FormatError("Z coordinates cannot be swept")
     if kind == "Polygon" and len(geometry.interiors):
-        raise FormatError("polygons with holes cannot be swept")
+        return Region(geometry.exterior.coords, [ring.coords for ring in geometry.interiors])
     return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
 
 

@@ -9,7 +9,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
-from exactsweep.formats.outline import NamedPolygon, Outline, choose
+from exactsweep.formats.outline import NamedPolygon, NamedRegion, Outline, choose
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -60,8 +60,9 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
         list of NamedPolygon, in order.
 
     Raises:
-        FormatError: none of these formats, or something in it that is no polygon; the message says
-            where, by line and column or by JSON path.
+        FormatError: none of these formats, or something in it that is no polygon, or one with
+            holes, for which there is `parse_regions`; the message says where, by line and column or
+            by JSON path.
         PolygonError: not a simple polygon; the message names vertices by their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
@@ -72,6 +73,57 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
         (0, 0) (2, 0) (0, 2)
     """
     return [outline.named_polygon() for outline in parse_outlines(text, tolerance)]
+
+
+def parse_region(text: str, choice: str | None = None, tolerance: object = None) -> Region:
+    """Read a polygon with its holes.
+
+    Args:
+        text: as `parse_regions` takes it.
+        choice: as for `parse_polygon`.
+        tolerance: as for `parse_polygons`.
+
+    Returns:
+        A Region, without holes where there are none.
+
+    Raises:
+        FormatError: as by `parse_regions`, or it is not clear which polygon is meant.
+        PolygonError: not a region; the message names rings, and vertices by their index.
+
+    Cost: linear in the length of the text, and that of `Region`.
+
+    Example:
+        >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
+        Fraction(15, 2)
+    """
+    return choose(parse_outlines(text, tolerance), choice).region()
+
+
+def parse_regions(text: str, tolerance: object = None) -> list[NamedRegion]:
+    """Read all polygons of a text with their holes.
+
+    Args:
+        text: as for `parse_polygons`, and with inner rings: in JSON, an object with a list of
+            vertices as "exterior" and a list of these as "holes"; a path of SVG with several closed
+            subpaths, of which its fill rule decides which are holes.
+        tolerance: as for `parse_polygons`.
+
+    Returns:
+        list of NamedRegion, in order.
+
+    Raises:
+        FormatError: as by `parse_polygons`, holes excepted, or a path that draws several regions.
+        PolygonError: not a region; the message names rings, and vertices by their index.
+
+    Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
+        that of `exactsweep.formats.nesting.nest`.
+
+    Example:
+        >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
+        >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
+        [Fraction(31, 2)]
+    """
+    return [outline.named_region() for outline in parse_outlines(text, tolerance)]
 
 
 def read_polygon(path: str, tolerance: object = None) -> Polygon:
@@ -97,19 +149,18 @@ def read_region(path: str, tolerance: object = None) -> Region:
     """Read a polygon with its holes from a file, or from standard input.
 
     Args:
-        path: as for `read_polygon`; JSON may also be an object with a list of vertices as
-            "exterior" and a list of these as "holes", and WKT may have inner rings.
+        path: as for `read_polygon`.
         tolerance: as for `parse_polygons`.
 
     Returns:
-        A Region, without holes where there are none.
+        A Region, as `parse_region` does.
 
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = _split(path)
     with _naming(file):
-        return choose(parse_outlines(read_text(file), tolerance), choice).region()
+        return parse_region(read_text(file), choice, tolerance)
 
 
 def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
@@ -128,6 +179,24 @@ def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
     outlines = read_outlines(path, tolerance)
     with _naming(_split(path)[0]):
         return [outline.named_polygon() for outline in outlines]
+
+
+def read_regions(path: str, tolerance: object = None) -> list[NamedRegion]:
+    """Read all polygons of a file, or of standard input, with their holes.
+
+    Args:
+        path: as for `read_polygon`; with a choice, only the polygon that it names.
+        tolerance: as for `parse_polygons`.
+
+    Returns:
+        list of NamedRegion, in order, as by `parse_regions`.
+
+    Raises:
+        FormatError: anything wrong with the file or in it; the message names the file.
+    """
+    outlines = read_outlines(path, tolerance)
+    with _naming(_split(path)[0]):
+        return [outline.named_region() for outline in outlines]
 
 
 def read_outlines(path: str, tolerance: object = None) -> Sequence[Outline]:
