@@ -12,7 +12,7 @@ from exactsweep.formats import (
     FormatError,
     file_name,
     format_polygons,
-    read_polygons,
+    read_regions,
     rounded_polygons,
 )
 from exactsweep.words import count
@@ -41,13 +41,14 @@ def convert_command(
     """Write the polygons of a file in another format.
 
     FILE is read as by 'exactsweep sweep', but with all its polygons, or just the one after a #,
-    their names and layers. What is written is exactly what was read, or nothing: WKT, GeoJSON, SVG
-    and DXF hold finite decimals only, and 1/3 is none. --round makes decimals of all coordinates.
+    their holes, names and layers. What is written is exactly what was read, or nothing: WKT,
+    GeoJSON, SVG and DXF hold finite decimals only, and 1/3 is none. --round makes decimals of all
+    coordinates. DXF has no holes: their rings become polylines like the exterior.
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
-    polygons = read_polygons(file, tolerance)
+    polygons = read_regions(file, tolerance)
     try:
         if places is not None:
             polygons, changed, largest = rounded_polygons(polygons, places)
