@@ -33,10 +33,21 @@ from exactsweep.words import count
     metavar="PLACES",
     help="Round to so many decimal places, and say on standard error what that changed.",
 )
+@click.option(
+    "--nested",
+    is_flag=True,
+    help="Closed outlines inside others of their layer are holes; in DXF, that is how they are "
+    "drawn.",
+)
 @takes_tolerance
 @takes_output
 def convert_command(
-    file: str, form: str | None, places: int | None, tolerance: Fraction | None, output: str
+    file: str,
+    form: str | None,
+    places: int | None,
+    nested: bool,
+    tolerance: Fraction | None,
+    output: str,
 ) -> None:
     """Write the polygons of a file in another format.
 
@@ -48,7 +59,7 @@ def convert_command(
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
-    polygons = read_regions(file, tolerance)
+    polygons = read_regions(file, tolerance, nested=nested)
     try:
         if places is not None:
             polygons, changed, largest = rounded_polygons(polygons, places)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
+from functools import partial
 from math import lcm
 
+from exactsweep.formats.outline import Outline
 from exactsweep.geometry.canonical import PolygonError, doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, LatticePoint, Point
@@ -100,6 +103,61 @@ def drawn(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[int]:
             "exteriors"
         )
     return exteriors + holes
+
+
+def nest_outlines(outlines: Sequence[Outline]) -> list[Outline]:
+    """Make holes of what lies inside other outlines of the same layer.
+
+    Args:
+        outlines: those of a file; where there are no layers, all are on one.
+
+    Returns:
+        list of Outline, one for each ring that an even number of others is around, in order; its
+        holes are the rings just inside. The outlines of a layer of which one cannot be read, or two
+        cross, all refuse to be read, for nobody knows what the holes are.
+
+    Cost: that of `nest` for each layer.
+
+    Example:
+        >>> from exactsweep.formats.wkt import parse_wkt
+        >>> text = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
+        >>> squares = "".join(text.format(k, 6 - k) for k in range(3))
+        >>> found = nest_outlines(parse_wkt(squares))
+        >>> [outline.shape().area for outline in found]
+        [Fraction(20, 1), Fraction(4, 1)]
+    """
+    layers: defaultdict[str | None, list[tuple[int, Outline]]] = defaultdict(list)
+    for place, outline in enumerate(outlines):
+        layers[outline.layer].append((place, outline))
+    found: list[tuple[int, Outline]] = []
+    for members in layers.values():
+        try:
+            found += _nested(members)
+        except ValueError as error:
+            reason = f"nested outlines are read with all of their layer: {error}"
+            found += [(k, Outline.refused(reason, o.name, o.layer)) for k, o in members]
+    return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
+
+
+def _nested(members: Sequence[tuple[int, Outline]]) -> list[tuple[int, Outline]]:
+    """Make holes of what lies inside other outlines, each given with its number."""
+    rings = [
+        (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))
+        for k, outline in members
+        for ring in (outline, *outline.holes())
+    ]
+    names = [ring.place or "the exterior" for _, ring in rings]
+    around = nest([ring.polygon() for _, ring in rings], names)
+    found = []
+    for i, (k, ring) in enumerate(rings):
+        if len(around[i]) % 2 == 0:
+            inner = [
+                hole
+                for (_, hole), others in zip(rings, around, strict=True)
+                if i in others and len(others) == len(around[i]) + 1
+            ]
+            found.append((k, ring._replace(holes=partial(tuple, inner))))
+    return found
 
 
 def _simple(ring: Sequence[Point], name: str) -> Polygon:
