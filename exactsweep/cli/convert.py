@@ -6,7 +6,7 @@ from pathlib import PurePath
 import click
 
 from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import PATH, takes_tolerance
+from exactsweep.cli.pair import PATH, takes_nested, takes_tolerance
 from exactsweep.formats import (
     FORMATS,
     FormatError,
@@ -33,12 +33,7 @@ from exactsweep.words import count
     metavar="PLACES",
     help="Round to so many decimal places, and say on standard error what that changed.",
 )
-@click.option(
-    "--nested",
-    is_flag=True,
-    help="Closed outlines inside others of their layer are holes; in DXF, that is how they are "
-    "drawn.",
-)
+@takes_nested
 @takes_tolerance
 @takes_output
 def convert_command(
@@ -68,6 +63,12 @@ def convert_command(
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
         raise FormatError(f"{file_name(file)}: {error}{hint}") from None
     write(text, output)
+    holes = sum(len(polygon.region.holes) for polygon in polygons)
+    if form == "dxf" and holes:
+        click.echo(
+            f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
+            err=True,
+        )
     if places is not None and changed:
         # rich takes longer to import than all the rest.
         from exactsweep.text.report import approximation

@@ -1,10 +1,11 @@
 """Closed outlines inside others become holes when that is asked for, and only then."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from cells import Cell, connected, shape_of
-from command import run
+from command import refusal, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -101,10 +102,28 @@ def test_names_are_those_of_the_exteriors() -> None:
     assert (part.name, len(part.region.holes)) == ("p", 1)
 
 
-def test_nested_outlines_are_converted(tmp_path: object) -> None:
-    path = f"{tmp_path}/plate.dxf"
-    with open(path, "w") as file:
-        file.write(format_polygons(drawn((0, 4), (1, 2)), "dxf"))
-    assert run("convert", path, "--to", "wkt").stdout.count("POLYGON") == 2
-    done = run("convert", path, "--to", "wkt", "--nested")
-    assert done.output == "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))\n"
+WKT = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))\n"
+
+
+def test_holes_are_converted_there_and_back(tmp_path: Path) -> None:
+    path = tmp_path / "plate.wkt"
+    path.write_text(WKT)
+    for form in ("geojson", "svg", "json", "wkt"):
+        onward = tmp_path / f"plate.{form}"
+        assert run("convert", str(path), "-o", str(onward)).output == ""
+        path = onward
+    assert path.read_text() == WKT
+
+
+def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
+    source, drawing, unit = (str(tmp_path / name) for name in ("p.wkt", "p.dxf", "unit.json"))
+    Path(source).write_text(WKT)
+    Path(unit).write_text("[[0, 0], [1, 0], [1, 1], [0, 1]]")
+    done = run("convert", source, "-o", drawing)
+    assert (done.exit_code, done.stdout) == (0, "")
+    assert done.stderr == "1 hole written as closed polylines, which --nested reads as holes\n"
+    assert run("convert", drawing, "--to", "wkt").stdout.count("POLYGON") == 2
+    assert run("convert", drawing, "--to", "wkt", "--nested").output == WKT
+    assert "holds 2 polygons" in refusal(run("nfp", drawing, unit))
+    assert run("nfp", drawing, unit, "--nested").output == run("nfp", source, unit).output
+    assert run("sweep", unit, drawing, "--nested").output == run("sweep", unit, source).output
