@@ -39,6 +39,6 @@ def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
 def _read(outline: Outline, index: str) -> Part:
     name = index if outline.name is None else outline.name
     try:
-        return Part(name, outline.region() if outline.holes else outline.polygon())
+        return Part(name, outline.shape())
     except ValueError as error:
         return Part(name, str(error))

@@ -6,13 +6,13 @@ from pathlib import PurePath
 import click
 
 from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import PATH, takes_tolerance
+from exactsweep.cli.pair import PATH, takes_nested, takes_tolerance
 from exactsweep.formats import (
     FORMATS,
     FormatError,
     file_name,
     format_polygons,
-    read_polygons,
+    read_regions,
     rounded_polygons,
 )
 from exactsweep.words import count
@@ -33,21 +33,28 @@ from exactsweep.words import count
     metavar="PLACES",
     help="Round to so many decimal places, and say on standard error what that changed.",
 )
+@takes_nested
 @takes_tolerance
 @takes_output
 def convert_command(
-    file: str, form: str | None, places: int | None, tolerance: Fraction | None, output: str
+    file: str,
+    form: str | None,
+    places: int | None,
+    nested: bool,
+    tolerance: Fraction | None,
+    output: str,
 ) -> None:
     """Write the polygons of a file in another format.
 
     FILE is read as by 'exactsweep sweep', but with all its polygons, or just the one after a #,
-    their names and layers. What is written is exactly what was read, or nothing: WKT, GeoJSON, SVG
-    and DXF hold finite decimals only, and 1/3 is none. --round makes decimals of all coordinates.
+    their holes, names and layers. What is written is exactly what was read, or nothing: WKT,
+    GeoJSON, SVG and DXF hold finite decimals only, and 1/3 is none. --round makes decimals of all
+    coordinates. DXF has no holes: their rings become polylines like the exterior.
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
-    polygons = read_polygons(file, tolerance)
+    polygons = read_regions(file, tolerance, nested=nested)
     try:
         if places is not None:
             polygons, changed, largest = rounded_polygons(polygons, places)
@@ -56,6 +63,12 @@ def convert_command(
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
         raise FormatError(f"{file_name(file)}: {error}{hint}") from None
     write(text, output)
+    holes = sum(len(polygon.region.holes) for polygon in polygons)
+    if form == "dxf" and holes:
+        click.echo(
+            f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
+            err=True,
+        )
     if places is not None and changed:
         # rich takes longer to import than all the rest.
         from exactsweep.text.report import approximation

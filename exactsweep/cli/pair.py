@@ -50,6 +50,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         metavar="X Y",
         help="The point of the generatrix whose path the trajectory is; 0 0 if left out.",
     )
+    @takes_nested
     @takes_tolerance
     @wraps(command)
     def with_pair(
@@ -57,6 +58,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         directrix: str | None,
         direction: Vector | None,
         reference: Point,
+        nested: bool,
         tolerance: Fraction | None,
         **options: Any,
     ) -> None:
@@ -65,7 +67,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         if generatrix is None or directrix is None:
             g, d = Region(GENERATRIX), Region(DIRECTRIX)
         else:
-            g, d = _read(generatrix, directrix, tolerance)
+            g, d = _read(generatrix, directrix, tolerance, nested)
         try:
             result = sweep(g, d, direction=direction, reference=reference)
         except DirectionError as error:
@@ -101,20 +103,26 @@ def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Cal
             metavar="X Y",
             help=f"The point of {second} whose positions are told; 0 0 if left out.",
         )
+        @takes_nested
         @takes_tolerance
         @wraps(command)
-        def with_shapes(stays: str, moves: str, tolerance: Fraction | None, **options: Any) -> None:
-            command(*_read(stays, moves, tolerance), **options)
+        def with_shapes(
+            stays: str, moves: str, nested: bool, tolerance: Fraction | None, **options: Any
+        ) -> None:
+            command(*_read(stays, moves, tolerance, nested), **options)
 
         return with_shapes
 
     return decorated
 
 
-def _read(first: str, second: str, tolerance: Fraction | None) -> tuple[Region, Region]:
+def _read(
+    first: str, second: str, tolerance: Fraction | None, nested: bool
+) -> tuple[Region, Region]:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
-    return read_region(first, tolerance), read_region(second, tolerance)
+    one, other = (read_region(path, tolerance, nested=nested) for path in (first, second))
+    return one, other
 
 
 def takes_tolerance(command: Callable[..., None]) -> Callable[..., None]:
@@ -126,6 +134,17 @@ def takes_tolerance(command: Callable[..., None]) -> Callable[..., None]:
         metavar="TOLERANCE",
         help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
         "left out.",
+    )
+    return option(command)
+
+
+def takes_nested(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the flag --nested, as `nested`."""
+    option = click.option(
+        "--nested",
+        is_flag=True,
+        help="Closed outlines inside others of their layer are holes, which DXF has no other way "
+        "to draw.",
     )
     return option(command)
 

@@ -4,13 +4,16 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import read_certificate
 from exactsweep.formats.files import MAX_BYTES, file_name, read_text
 from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
-from exactsweep.formats.outline import NamedPolygon
+from exactsweep.formats.outline import NamedPolygon, NamedRegion
 from exactsweep.formats.polygons import (
     parse_polygon,
     parse_polygons,
+    parse_region,
+    parse_regions,
     read_polygon,
     read_polygons,
     read_region,
+    read_regions,
 )
 from exactsweep.formats.writing import FORMATS, format_polygons, rounded_polygons
 
@@ -19,16 +22,20 @@ __all__ = [
     "MAX_BYTES",
     "FormatError",
     "NamedPolygon",
+    "NamedRegion",
     "file_name",
     "format_polygons",
     "from_numpy",
     "from_shapely",
     "parse_polygon",
     "parse_polygons",
+    "parse_region",
+    "parse_regions",
     "read_certificate",
     "read_polygon",
     "read_polygons",
     "read_region",
+    "read_regions",
     "read_text",
     "rounded_polygons",
     "to_numpy",

@@ -126,7 +126,7 @@ def _outline(value: object, path: str) -> Outline:
             *((f"{path}.holes[{k}]", hole) for k, hole in enumerate(holes)),
         ]
     )
-    return exterior._replace(place=path, name=name, holes=tuple(inner))
+    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
 
 
 def read_name(value: object, path: str) -> str | None:

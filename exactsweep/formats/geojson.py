@@ -1,4 +1,4 @@
-"""GeoJSON in (RFC 7946): Polygons with one ring, in all that holds them."""
+"""GeoJSON in (RFC 7946): Polygons, with holes or without, in all that holds them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def read_geojson(document: Mapping[str, object]) -> Iterator[Outline]:
 
     Yields:
         Outline, for each Polygon, the name being the id of its Feature. That of another geometry
-        refuses, and so does that of a Polygon with holes, more than two coordinates or a ring that
-        is not closed.
+        refuses, and so does that of a Polygon with more than two coordinates or a ring that is not
+        closed.
 
     Raises:
         FormatError: an id that is no string and no number, a collection without its list, nested
@@ -51,11 +51,11 @@ def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Ou
         yield from _read(value.get("geometry"), f"{path}.geometry", name, depth + 1)
     elif kind == "Polygon":
         place = f"{path}.coordinates"
-        yield Outline(place, partial(read_rings, value.get("coordinates"), place), name)
+        yield _outline(value.get("coordinates"), place, name)
     elif kind == "MultiPolygon":
         for k, rings in enumerate(_list(value, "coordinates", path)):
             place = f"{path}.coordinates[{k}]"
-            yield Outline(place, partial(read_rings, rings, place), name)
+            yield _outline(rings, place, name)
     elif kind in ("FeatureCollection", "GeometryCollection"):
         member = "features" if kind == "FeatureCollection" else "geometries"
         for k, part in enumerate(_list(value, member, path)):
@@ -71,17 +71,23 @@ def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
     return found
 
 
-def read_rings(rings: object, path: str) -> list[Point]:
-    """Read the one ring of a Polygon; raises FormatError for anything else."""
+def _outline(rings: object, path: str, name: str | None) -> Outline:
+    """Make the outline of the rings of a Polygon."""
     if not isinstance(rings, list):
-        raise FormatError(f"{path} is {described(rings)}, not a list of rings")
+        return Outline.refused(f"{path} is {described(rings)}, not a list of rings", name)
     if not rings:
-        raise FormatError(f"{path} is empty")
-    if len(rings) > 1:
-        raise FormatError(f"{path}[1] is an inner ring: polygons with holes cannot be swept")
-    ring = read_vertices(rings[0], f"{path}[0]")
+        return Outline.refused(f"{path} is empty", name)
+    exterior, *inner = (
+        Outline(place, partial(_ring, ring, place))
+        for place, ring in ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
+    )
+    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
+
+
+def _ring(value: object, path: str) -> list[Point]:
+    ring = read_vertices(value, path)
     if not ring:
-        raise FormatError(f"{path}[0] is empty")
+        raise FormatError(f"{path} is empty")
     if ring[0] != ring[-1]:
-        raise FormatError(f"{path}[0] is not closed: the last vertex must repeat the first")
+        raise FormatError(f"{path} is not closed: the last vertex must repeat the first")
     return ring

@@ -2,30 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError, needs
 from exactsweep.geometry.number import abridged
+from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
     import numpy
     import shapely
 
 
-def from_shapely(geometry: shapely.Polygon) -> Polygon:
+def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
     """Read a polygon of shapely; its floats are taken as the binary values that they are.
 
     Args:
-        geometry: a shapely Polygon or LinearRing, in the plane and without holes.
+        geometry: a shapely Polygon or LinearRing, in the plane.
 
     Returns:
-        A Polygon.
+        A Polygon, or a Region if there are interiors.
 
     Raises:
-        FormatError: another geometry, holes, a third coordinate.
-        PolygonError: not simple.
+        FormatError: another geometry, a third coordinate.
+        PolygonError: not simple, or not a region.
         NumberError: nan or an infinity.
 
     Example:
@@ -41,15 +44,15 @@ def from_shapely(geometry: shapely.Polygon) -> Polygon:
     if geometry.has_z:
         raise FormatError("Z coordinates cannot be swept")
     if kind == "Polygon" and len(geometry.interiors):
-        raise FormatError("polygons with holes cannot be swept")
+        return Region(geometry.exterior.coords, [ring.coords for ring in geometry.interiors])
     return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
 
 
-def to_shapely(polygon: Polygon, *, nearest: bool = False) -> shapely.Polygon:
+def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.Polygon:
     """Make a polygon of shapely, whose coordinates are floats.
 
     Args:
-        polygon: a Polygon.
+        polygon: a Polygon, or a Region, whose holes become interiors.
         nearest: whether a coordinate that no float can hold becomes the nearest float, which may
             make another polygon of it, and even one that crosses itself.
 
@@ -64,11 +67,13 @@ def to_shapely(polygon: Polygon, *, nearest: bool = False) -> shapely.Polygon:
         >>> print(to_shapely(Polygon([(0, 0), ("1/2", 0), (0, 1)])))
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
     """
-    rows = _floats(polygon, nearest)
+    shell, *holes = polygon.rings
+    rows = _floats(shell, nearest)
+    inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
     with needs("shapely", "arrays", "a polygon of shapely"):
         import shapely
 
-    return shapely.Polygon(rows)
+    return shapely.Polygon(rows, inner)
 
 
 def from_numpy(array: numpy.ndarray) -> Polygon:
@@ -119,7 +124,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     if dtype == "object":
         return numpy.array([list(vertex) for vertex in polygon.vertices], dtype=object)
     if dtype == "float64":
-        return numpy.array(_floats(polygon, nearest))
+        return numpy.array(_floats(polygon.vertices, nearest))
     if dtype != "int64":
         raise FormatError(f"dtype {dtype!r}: not 'object', 'int64' or 'float64'")
     for i, vertex in enumerate(polygon.vertices):
@@ -129,18 +134,19 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     return numpy.array([[int(x), int(y)] for x, y in polygon.vertices], dtype=numpy.int64)
 
 
-def _floats(polygon: Polygon, nearest: bool) -> list[tuple[float, float]]:
+def _floats(ring: Sequence[Point], nearest: bool, name: str = "") -> list[tuple[float, float]]:
     rows = []
-    for i, (x, y) in enumerate(polygon.vertices):
-        rows.append((_float(x, i, nearest), _float(y, i, nearest)))
+    for i, (x, y) in enumerate(ring):
+        vertex = f"{name}vertex {i}"
+        rows.append((_float(x, vertex, nearest), _float(y, vertex, nearest)))
     return rows
 
 
-def _float(value: Fraction, vertex: int, nearest: bool) -> float:
+def _float(value: Fraction, vertex: str, nearest: bool) -> float:
     try:
         found = value.numerator / value.denominator
     except OverflowError:
-        raise FormatError(f"vertex {vertex}: {abridged(value)} is beyond all floats") from None
+        raise FormatError(f"{vertex}: {abridged(value)} is beyond all floats") from None
     if found != value and not nearest:
-        raise FormatError(f"vertex {vertex}: {abridged(value)} is not a float; nearest=True rounds")
+        raise FormatError(f"{vertex}: {abridged(value)} is not a float; nearest=True rounds")
     return found

@@ -31,6 +31,20 @@ class NamedPolygon(NamedTuple):
     layer: str | None = None
 
 
+class NamedRegion(NamedTuple):
+    """A polygon with its holes, of a file that holds several.
+
+    Attributes:
+        region: the Region.
+        name: its id, or None.
+        layer: the layer of a DXF file that it is on, else None.
+    """
+
+    region: Region
+    name: str | None = None
+    layer: str | None = None
+
+
 class Outline(NamedTuple):
     """A polygon of a file, to be read when it is wanted, so that its faults concern no other.
 
@@ -39,14 +53,14 @@ class Outline(NamedTuple):
         vertices: reads them, or raises FormatError.
         name: its id, or None.
         layer: its layer, or None.
-        holes: its inner rings, in order.
+        holes: finds its inner rings, in order, or raises FormatError; read when they are wanted.
     """
 
     place: str
     vertices: Callable[[], Sequence[Point]]
     name: str | None = None
     layer: str | None = None
-    holes: tuple[Outline, ...] = ()
+    holes: Callable[[], Sequence[Outline]] = tuple
 
     @classmethod
     def refused(cls, reason: str, name: str | None = None, layer: str | None = None) -> Self:
@@ -59,15 +73,20 @@ class Outline(NamedTuple):
 
     def polygon(self) -> Polygon:
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
-        for hole in self.holes:
-            raise FormatError(f"{hole.place}: an inner ring: polygons with holes cannot be swept")
+        for hole in self.holes():
+            raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
         return self._read(lambda: Polygon(self.vertices()))
 
     def region(self) -> Region:
         """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
-        if not self.holes:
+        holes = self.holes()
+        if not holes:
             return Region(self.polygon())
-        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in self.holes]))
+        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in holes]))
+
+    def shape(self) -> Polygon | Region:
+        """Read it as the Region that it is if there are holes, else as a Polygon."""
+        return self.region() if self.holes() else self.polygon()
 
     def _read(self, shape: Callable[[], _Shape]) -> _Shape:
         try:
@@ -80,6 +99,10 @@ class Outline(NamedTuple):
     def named_polygon(self) -> NamedPolygon:
         """Read the polygon, as `polygon` does, with its name and layer."""
         return NamedPolygon(self.polygon(), self.name, self.layer)
+
+    def named_region(self) -> NamedRegion:
+        """Read the region, as `region` does, with its name and layer."""
+        return NamedRegion(self.region(), self.name, self.layer)
 
 
 def choose(outlines: Sequence[Outline], choice: str | None) -> Outline:

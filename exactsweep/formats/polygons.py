@@ -3,13 +3,15 @@
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from fractions import Fraction
 
 from exactsweep.formats.decimals import read_tolerance
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
-from exactsweep.formats.outline import NamedPolygon, Outline, choose
+from exactsweep.formats.nesting import nest_outlines
+from exactsweep.formats.outline import NamedPolygon, NamedRegion, Outline, choose
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -60,8 +62,9 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
         list of NamedPolygon, in order.
 
     Raises:
-        FormatError: none of these formats, or something in it that is no polygon; the message says
-            where, by line and column or by JSON path.
+        FormatError: none of these formats, or something in it that is no polygon, or one with
+            holes, for which there is `parse_regions`; the message says where, by line and column or
+            by JSON path.
         PolygonError: not a simple polygon; the message names vertices by their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
@@ -72,6 +75,66 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
         (0, 0) (2, 0) (0, 2)
     """
     return [outline.named_polygon() for outline in parse_outlines(text, tolerance)]
+
+
+def parse_region(
+    text: str, choice: str | None = None, tolerance: object = None, *, nested: bool = False
+) -> Region:
+    """Read a polygon with its holes.
+
+    Args:
+        text: as `parse_regions` takes it.
+        choice: as for `parse_polygon`.
+        tolerance: as for `parse_polygons`.
+        nested: as for `parse_regions`.
+
+    Returns:
+        A Region, without holes where there are none.
+
+    Raises:
+        FormatError: as by `parse_regions`, or it is not clear which polygon is meant.
+        PolygonError: not a region; the message names rings, and vertices by their index.
+
+    Cost: linear in the length of the text, and that of `Region`.
+
+    Example:
+        >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
+        Fraction(15, 2)
+    """
+    return choose(parse_outlines(text, tolerance, nested=nested), choice).region()
+
+
+def parse_regions(
+    text: str, tolerance: object = None, *, nested: bool = False
+) -> list[NamedRegion]:
+    """Read all polygons of a text with their holes.
+
+    Args:
+        text: as for `parse_polygons`, and with inner rings: in JSON, an object with a list of
+            vertices as "exterior" and a list of these as "holes"; a path of SVG with several closed
+            subpaths, of which its fill rule decides which are holes.
+        tolerance: as for `parse_polygons`.
+        nested: whether closed outlines of one layer that lie inside others are their holes, and
+            those inside a hole polygons again, and so on; all are on one layer where there are no
+            layers, as there are in DXF.
+
+    Returns:
+        list of NamedRegion, in order.
+
+    Raises:
+        FormatError: as by `parse_polygons`, holes excepted, or a path that draws several regions.
+        PolygonError: not a region; the message names rings, and vertices by their index.
+
+    Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
+        and with `nested`
+        that of `exactsweep.formats.nesting.nest`.
+
+    Example:
+        >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
+        >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
+        [Fraction(31, 2)]
+    """
+    return [o.named_region() for o in parse_outlines(text, tolerance, nested=nested)]
 
 
 def read_polygon(path: str, tolerance: object = None) -> Polygon:
@@ -93,23 +156,23 @@ def read_polygon(path: str, tolerance: object = None) -> Polygon:
         return parse_polygon(read_text(file), choice, tolerance)
 
 
-def read_region(path: str, tolerance: object = None) -> Region:
+def read_region(path: str, tolerance: object = None, *, nested: bool = False) -> Region:
     """Read a polygon with its holes from a file, or from standard input.
 
     Args:
-        path: as for `read_polygon`; JSON may also be an object with a list of vertices as
-            "exterior" and a list of these as "holes", and WKT may have inner rings.
+        path: as for `read_polygon`.
         tolerance: as for `parse_polygons`.
+        nested: as for `parse_regions`.
 
     Returns:
-        A Region, without holes where there are none.
+        A Region, as `parse_region` does.
 
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = _split(path)
     with _naming(file):
-        return choose(parse_outlines(read_text(file), tolerance), choice).region()
+        return parse_region(read_text(file), choice, tolerance, nested=nested)
 
 
 def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
@@ -130,17 +193,44 @@ def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
         return [outline.named_polygon() for outline in outlines]
 
 
-def read_outlines(path: str, tolerance: object = None) -> Sequence[Outline]:
+def read_regions(path: str, tolerance: object = None, *, nested: bool = False) -> list[NamedRegion]:
+    """Read all polygons of a file, or of standard input, with their holes.
+
+    Args:
+        path: as for `read_polygon`; with a choice, only the polygon that it names.
+        tolerance: as for `parse_polygons`.
+        nested: as for `parse_regions`.
+
+    Returns:
+        list of NamedRegion, in order, as by `parse_regions`.
+
+    Raises:
+        FormatError: anything wrong with the file or in it; the message names the file.
+    """
+    outlines = read_outlines(path, tolerance, nested=nested)
+    with _naming(_split(path)[0]):
+        return [outline.named_region() for outline in outlines]
+
+
+def read_outlines(
+    path: str, tolerance: object = None, *, nested: bool = False
+) -> Sequence[Outline]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = _split(path)
     with _naming(file):
-        outlines = parse_outlines(read_text(file), tolerance)
+        outlines = parse_outlines(read_text(file), tolerance, nested=nested)
         return outlines if choice is None else [choose(outlines, choice)]
 
 
-def parse_outlines(text: str, tolerance: object = None) -> Sequence[Outline]:
-    """Find the polygons of a text as `parse_polygons` does, but read none of them yet."""
-    allowed = read_tolerance(tolerance)
+def parse_outlines(
+    text: str, tolerance: object = None, *, nested: bool = False
+) -> Sequence[Outline]:
+    """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
+    found = _parse(text, read_tolerance(tolerance))
+    return nest_outlines(found) if nested else found
+
+
+def _parse(text: str, allowed: Fraction | None) -> Sequence[Outline]:
     first = text.lstrip()[:1]
     if not first:
         raise FormatError("empty")

@@ -91,7 +91,7 @@ class _Reader:
             self._advance()
             holes.append(self._ring(place))
         self._expect(")")
-        return exterior._replace(holes=tuple(holes))
+        return exterior._replace(holes=partial(tuple, holes))
 
     def _ring(self, place: str) -> Outline:
         self._expect("(")

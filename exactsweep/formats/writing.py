@@ -1,27 +1,34 @@
 """Polygons out: exactly, or not at all."""
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from html import escape
 from itertools import chain
+from typing import TypeVar
 
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.outline import NamedPolygon
+from exactsweep.formats.outline import NamedPolygon, NamedRegion
 from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
+_Named = TypeVar("_Named", NamedPolygon, NamedRegion)
 _Row = list[tuple[str, str]]
 
 
-def format_polygons(polygons: Iterable[Polygon | NamedPolygon], form: str) -> str:
-    """Write polygons as text that `parse_polygons` reads back as the same polygons.
+def format_polygons(
+    polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion], form: str
+) -> str:
+    """Write polygons as text that `parse_regions` reads back as the same polygons.
+
+    DXF has no holes: each of their rings is a closed polyline there, like the exterior.
 
     Args:
-        polygons: Polygons, or NamedPolygons, whose names are written where the format has names,
-            and which are on the layer of that name, or "0", in DXF.
+        polygons: Polygons and Regions, or NamedPolygons and NamedRegions, whose names are written
+            where the format has names, and which are on the layer of that name, or "0", in DXF.
         form: one of FORMATS.
 
     Returns:
@@ -36,59 +43,69 @@ def format_polygons(polygons: Iterable[Polygon | NamedPolygon], form: str) -> st
     Example:
         >>> print(format_polygons([Polygon([(0, 0), ("1/2", 0), (0, 1)])], "wkt"), end="")
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
+        >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+        >>> print(format_polygons([plate], "svg"), end="")
+        <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">
+          <path fill-rule="evenodd" d="M0,0 4,0 0,4z M1,2 2,1 1,1z"/>
+        </svg>
     """
     if form not in FORMATS:
         raise FormatError(f"{quoted(form)} is none of the formats {', '.join(FORMATS)}")
-    named = [p if isinstance(p, NamedPolygon) else NamedPolygon(p) for p in polygons]
+    named = [_named(polygon) for polygon in polygons]
     if not named:
         raise FormatError("no polygon to be written")
     return _WRITERS[form](named)
 
 
-def rounded_polygons(
-    polygons: Iterable[NamedPolygon], places: int
-) -> tuple[list[NamedPolygon], int, Fraction]:
+def rounded_polygons(polygons: Iterable[_Named], places: int) -> tuple[list[_Named], int, Fraction]:
     """Round polygons to decimals, for formats that hold no other numbers.
 
     Args:
-        polygons: NamedPolygons.
+        polygons: NamedPolygons or NamedRegions.
         places: how many decimal places.
 
     Returns:
-        (list of NamedPolygon, how many coordinates are changed, the largest change).
+        (list of the same kind, how many coordinates are changed, the largest change).
 
     Raises:
-        PolygonError: what comes out is not a simple polygon.
+        PolygonError: what comes out is not a simple polygon, or not a region.
 
     Example:
         >>> third = NamedPolygon(Polygon([(0, 0), ("1/3", 0), (0, 1)]))
         >>> rounded_polygons([third], 2)[1:]
         (1, Fraction(1, 300))
     """
-    found, changes = [], []
-    for polygon, name, layer in polygons:
-        points = [Point(round(v.x, places), round(v.y, places)) for v in polygon.vertices]
-        pairs = zip(chain(*polygon.vertices), chain(*points), strict=True)
+    found: list[_Named] = []
+    changes: list[Fraction] = []
+    for named in polygons:
+        given = named[0].rings
+        rings = [[Point(round(x, places), round(y, places)) for x, y in ring] for ring in given]
+        pairs = zip(chain(*chain(*given)), chain(*chain(*rings)), strict=True)
         changes += [abs(old - new) for old, new in pairs if old != new]
-        found.append(NamedPolygon(Polygon(points), name, layer))
+        exterior = Polygon(rings[0])
+        if isinstance(named, NamedPolygon):
+            found.append(named._replace(polygon=exterior))
+        else:
+            found.append(named._replace(region=Region(exterior, rings[1:])))
     return found, len(changes), max(changes, default=Fraction(0))
 
 
-def _json(polygons: Sequence[NamedPolygon]) -> str:
-    if len(polygons) == 1 and polygons[0].name is None:
-        return json.dumps(polygons[0].polygon.vertices, default=format_fraction) + "\n"
+def _json(regions: Sequence[NamedRegion]) -> str:
+    if len(regions) == 1 and regions[0].name is None and not regions[0].region.holes:
+        return json.dumps(regions[0].region.vertices, default=format_fraction) + "\n"
     lines = []
-    for polygon, name, _ in polygons:
-        document = ({} if name is None else {"id": name}) | {"vertices": polygon.vertices}
+    for region, name, _ in regions:
+        exterior, *holes = region.rings
+        rings = {"exterior": exterior, "holes": holes} if holes else {"vertices": exterior}
+        document = ({} if name is None else {"id": name}) | rings
         lines.append(json.dumps(document, default=format_fraction))
+    if len(lines) == 1 and regions[0].name is None:
+        return lines[0] + "\n"
     return '{"polygons": [\n  ' + ",\n  ".join(lines) + "\n]}\n"
 
 
-def _wkt(polygons: Sequence[NamedPolygon]) -> str:
-    names = (_called(k, polygon) for k, polygon in enumerate(polygons))
-    return "".join(
-        wkt_polygon({name: p.polygon.vertices}) for name, p in zip(names, polygons, strict=True)
-    )
+def _wkt(regions: Sequence[NamedRegion]) -> str:
+    return "".join(wkt_polygon(_named_rings(k, region)) for k, region in enumerate(regions))
 
 
 def wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
@@ -113,14 +130,15 @@ def wkt_points(name: str, points: Sequence[Point]) -> str:
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
-def _geojson(polygons: Sequence[NamedPolygon]) -> str:
+def _geojson(regions: Sequence[NamedRegion]) -> str:
     features = []
-    for row, (_, name, _) in zip(_rows(polygons, "GeoJSON"), polygons, strict=True):
-        ring = ", ".join(f"[{x}, {y}]" for x, y in [*row, row[0]])
+    for rows, (_, name, _) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
+        rings = (", ".join(f"[{x}, {y}]" for x, y in [*row, row[0]]) for row in rows)
+        listed = ", ".join(f"[{ring}]" for ring in rings)
         identity = "" if name is None else f'"id": {json.dumps(name)}, '
         features.append(
             f'{{"type": "Feature", {identity}"properties": {{}}, '
-            f'"geometry": {{"type": "Polygon", "coordinates": [[{ring}]]}}}}'
+            f'"geometry": {{"type": "Polygon", "coordinates": [{listed}]}}}}'
         )
     if len(features) == 1:
         return f"{features[0]}\n"
@@ -128,13 +146,17 @@ def _geojson(polygons: Sequence[NamedPolygon]) -> str:
     return f'{{"type": "FeatureCollection", "features": [\n  {listed}\n]}}\n'
 
 
-def _svg(polygons: Sequence[NamedPolygon]) -> str:
+def _svg(regions: Sequence[NamedRegion]) -> str:
     lines = []
-    for row, (_, name, _) in zip(_rows(polygons, "SVG"), polygons, strict=True):
+    for rows, (_, name, _) in zip(_rows(regions, "SVG"), regions, strict=True):
         identity = "" if name is None else f'id="{escape(_printable(name, "SVG"))}" '
-        points = " ".join(f"{x},{y}" for x, y in row)
-        lines.append(f'  <polygon {identity}points="{points}"/>\n')
-    corners = [corner for p in polygons for corner in p.polygon.bounding_box]
+        points = [" ".join(f"{x},{y}" for x, y in row) for row in rows]
+        if len(points) == 1:
+            lines.append(f'  <polygon {identity}points="{points[0]}"/>\n')
+        else:
+            data = " ".join(f"M{ring}z" for ring in points)
+            lines.append(f'  <path {identity}fill-rule="evenodd" d="{data}"/>\n')
+    corners = [corner for r in regions for corner in r.region.bounding_box]
     low = [min(corner[axis] for corner in corners) for axis in (0, 1)]
     size = [max(corner[axis] for corner in corners) - low[axis] for axis in (0, 1)]
     box = " ".join(map(format_decimal, low + size))
@@ -142,25 +164,39 @@ def _svg(polygons: Sequence[NamedPolygon]) -> str:
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">\n{body}</svg>\n'
 
 
-def _dxf(polygons: Sequence[NamedPolygon]) -> str:
+def _dxf(regions: Sequence[NamedRegion]) -> str:
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "ENTITIES")]
-    for row, (_, name, layer) in zip(_rows(polygons, "DXF"), polygons, strict=True):
+    for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
-        tags += [(0, "POLYLINE"), on, (66, 1), (10, 0), (20, 0), (30, 0), (70, 1)]
-        for x, y in row:
-            tags += [(0, "VERTEX"), on, (10, x), (20, y), (30, 0)]
-        tags += [(0, "SEQEND"), on]
+        for row in rows:
+            tags += [(0, "POLYLINE"), on, (66, 1), (10, 0), (20, 0), (30, 0), (70, 1)]
+            for x, y in row:
+                tags += [(0, "VERTEX"), on, (10, x), (20, y), (30, 0)]
+            tags += [(0, "SEQEND"), on]
     tags += [(0, "ENDSEC"), (0, "EOF")]
     return "".join(f"{code:>3}\n{value}\n" for code, value in tags)
 
 
-def _rows(polygons: Sequence[NamedPolygon], form: str) -> list[_Row]:
-    """The vertices of each polygon as decimals."""
-    return [_row(_called(k, p), p.polygon.vertices, form) for k, p in enumerate(polygons)]
+def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Row]]:
+    """The vertices of the rings of each region as decimals, those of the holes clockwise."""
+    for k, region in enumerate(regions):
+        exterior, *holes = [_row(*ring, form) for ring in _named_rings(k, region).items()]
+        yield [exterior, *(row[::-1] for row in holes)]
 
 
-def _called(k: int, polygon: NamedPolygon) -> str:
-    return f"polygon {k}" if polygon.name is None else ascii(polygon.name)[1:-1]
+def _named(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
+    if isinstance(polygon, NamedRegion):
+        return polygon
+    if isinstance(polygon, NamedPolygon):
+        return NamedRegion(Region(polygon.polygon), polygon.name, polygon.layer)
+    return NamedRegion(Region(polygon))
+
+
+def _named_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
+    """The rings of the region of index k, by the names that refusals give them."""
+    name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
+    exterior, *holes = region.region.rings
+    return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}
 
 
 def _row(name: str, points: Sequence[Point], form: str) -> _Row:
@@ -181,7 +217,7 @@ def _printable(name: str, form: str) -> str:
     return name
 
 
-_WRITERS: dict[str, Callable[[Sequence[NamedPolygon]], str]] = {
+_WRITERS: dict[str, Callable[[Sequence[NamedRegion]], str]] = {
     "json": _json,
     "wkt": _wkt,
     "geojson": _geojson,

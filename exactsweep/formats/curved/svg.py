@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
@@ -14,6 +14,7 @@ from exactsweep.formats.curved.svg_transform import composed, read_transform
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import read_decimal, read_decimals, required_tolerance
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.nesting import drawn
 from exactsweep.formats.outline import Outline
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import ORIGIN, Point
@@ -77,6 +78,22 @@ class _Placed:
         except ValueError as error:
             raise FormatError(f"{self.place}: {error}") from None
 
+    @property
+    def is_even_odd(self) -> bool:
+        """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
+        attributes = self.element.attrib
+        rule = attributes.get("fill-rule", "inherit")
+        for declaration in attributes.get("style", "").split(";"):
+            name, _, value = declaration.partition(":")
+            if name.strip() == "fill-rule":
+                rule = value.removesuffix("!important")
+        rule = rule.strip()
+        if rule == "inherit":
+            return self.parent is not None and self.parent.is_even_odd
+        if rule not in ("evenodd", "nonzero"):
+            raise FormatError(f"the fill rule {quoted(rule)} is neither nonzero nor evenodd")
+        return rule == "evenodd"
+
     def length(self, name: str, default: str | None = "0") -> Fraction:
         text = self.element.get(name, default)
         if text is None:
@@ -104,17 +121,33 @@ def _outlines(
             continue
         if kind in _GROUPS:
             yield from _outlines(child, placed, tolerance)
-        elif kind in _SHAPES:
-            shape = _Placed(child, placed)
-            yield Outline(shape.place, partial(_vertices, shape, tolerance), child.get("id"))
+        elif kind == "path" or kind in _SHAPES:
+            yield _outline(_Placed(child, placed), tolerance)
 
 
-def _vertices(shape: _Placed, tolerance: Fraction | None) -> list[Point]:
+def _outline(shape: _Placed, tolerance: Fraction | None) -> Outline:
+    rings = cache(partial(_rings, shape, tolerance))
+    return Outline(
+        shape.place,
+        lambda: rings()[0].vertices(),
+        shape.element.get("id"),
+        holes=lambda: rings()[1:],
+    )
+
+
+def _rings(shape: _Placed, tolerance: Fraction | None) -> list[Outline]:
+    """The exterior and the holes that a shape draws."""
     matrix = shape.matrix
     try:
-        return _SHAPES[_kind(shape.element)](shape, matrix, tolerance)
+        if _kind(shape.element) != "path":
+            found = [_SHAPES[_kind(shape.element)](shape, matrix, tolerance)]
+        else:
+            found = read_path(shape.element.get("d", ""), matrix, tolerance)
+        # What a single subpath is, is told when it is made a polygon.
+        order = drawn(found, even_odd=shape.is_even_odd) if len(found) > 1 else [0]
     except ValueError as error:
         raise FormatError(f"{shape.place}: {error}") from None
+    return [Outline(f"{shape.place}: subpath {k}", partial(list, found[k])) for k in order]
 
 
 def _kind(element: Element) -> str:
@@ -130,10 +163,6 @@ def _polygon(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list
     if _kind(shape.element) == "polyline" and (not points or points[0] != points[-1]):
         raise FormatError("the line is not closed: its last point must repeat the first")
     return [matrix.point(*point) for point in points]
-
-
-def _path(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
-    return read_path(shape.element.get("d", ""), matrix, tolerance)
 
 
 def _rectangle(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
@@ -185,7 +214,6 @@ def _no_outline(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> N
 _SHAPES: dict[str, Callable[[_Placed, Affine, Fraction | None], list[Point]]] = {
     "polygon": _polygon,
     "polyline": _polygon,
-    "path": _path,
     "rect": _rectangle,
     "circle": _ellipse,
     "ellipse": _ellipse,

@@ -1,4 +1,4 @@
-"""The path data of SVG (SVG 1.1, 8.3): one closed outline of lines, and of curves on request."""
+"""The path data of SVG (SVG 1.1, 8.3): closed outlines of lines, and of curves on request."""
 
 import re
 from collections.abc import Callable
@@ -23,25 +23,25 @@ _NUMBER = re.compile(DECIMAL)
 _FLAG = re.compile("[01]")
 
 
-def read_path(data: str, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
-    """Read the outline that a path draws.
+def read_path(data: str, matrix: Affine, tolerance: Fraction | None) -> list[list[Point]]:
+    """Read the outlines that a path draws.
 
     Args:
-        data: the `d` attribute of a path with one closed subpath.
+        data: the `d` attribute of a path with closed subpaths.
         matrix: the transformation of the path.
         tolerance: how far the lines may be from the curves that they replace; None to refuse
             curves.
 
     Returns:
-        list of Point, the corners in the order of the path.
+        For each subpath, a list of Point, the corners in the order of the path.
 
     Raises:
-        FormatError: not path data, curves without a tolerance, several subpaths, an open one;
+        FormatError: not path data, curves without a tolerance, an open subpath;
             the message says at which character.
 
     Cost: linear in the length of the data and the number of the vertices.
     """
-    return _Path(data, matrix, tolerance).outline()
+    return _Path(data, matrix, tolerance).outlines()
 
 
 class _Path:
@@ -54,9 +54,12 @@ class _Path:
         self.current = ORIGIN
         # The control point that a smooth curve mirrors, with the command that set it.
         self.control: tuple[str, Point] = ("", ORIGIN)
+        # The subpath that is being read: where it starts, before the matrix, and its corners.
+        self.start = ORIGIN
         self.points: list[Point] = []
 
-    def outline(self) -> list[Point]:
+    def outlines(self) -> list[list[Point]]:
+        found: list[list[Point]] = []
         closed = False
         while not self._at_end():
             start = self.place
@@ -68,21 +71,31 @@ class _Path:
                     self._refuse(f"{quoted(letter)} is no command", start)
             elif not self.command or self.command in "Zz":
                 self._refuse(f"{quoted(self.data[start : start + 20])} instead of a command", start)
-            if (closed or self.points) and self.command in "Mm":
-                self._refuse("a second subpath: one path is one polygon", start)
-            if not self.points and self.command not in "Mm":
+            begins = self.command in "Mm"
+            if not self.points and not begins:
                 self._refuse("the path does not begin with M", start)
-            if closed:
+            if closed and not begins:
                 self._refuse("the path goes on after Z", start)
-            if self.command in "Zz":
+            if begins:
+                if self.points:
+                    found.append(self._subpath(closed, start))
+                self._segment(start)
+                closed = False
+            elif self.command in "Zz":
                 closed = True
+                self.current, self.control = self.start, ("", self.start)
             else:
                 self._segment(start)
         if not self.points:
             self._refuse("the path is empty", 0)
-        if not closed and self.points[0] != self.points[-1]:
-            self._refuse("the path is not closed by Z or by its last vertex", len(self.data))
-        return self.points
+        return [*found, self._subpath(closed, len(self.data))]
+
+    def _subpath(self, closed: bool, end: int) -> list[Point]:
+        """Take the subpath that ends here."""
+        found, self.points = self.points, []
+        if not closed and found[0] != found[-1]:
+            self._refuse("the path is not closed by Z or by its last vertex", end)
+        return found
 
     def _segment(self, start: int) -> None:
         kind = self.command.upper()
@@ -91,6 +104,8 @@ class _Path:
         self.control = ("", before)
         if kind in "ML":
             self._line(self._point(base))
+            if kind == "M":
+                self.start = self.current
             # Further pairs after M are lines.
             self.command = self.command.replace("M", "L").replace("m", "l")
         elif kind == "H":
