@@ -89,6 +89,7 @@ FAMILIES: dict[str, Family] = {
     "mm": mm,
     "stair": stair,
     "figure10": figure10,
-    "radial": radial,
-    "tangled": tangled,
 }
+
+# Monotone to no shared direction: what the paper's procedures are not for.
+ANY_SHAPE: dict[str, Family] = {"radial": radial, "tangled": tangled}

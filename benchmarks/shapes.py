@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from benchmarks.clock import milliseconds
-from benchmarks.families import FAMILIES
+from benchmarks.families import ANY_SHAPE
 from exactsweep import Polygon, no_fit_polygon
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import Point
@@ -34,7 +34,7 @@ _RISE = 0.3
 
 def count_steps(family: str, size: int) -> tuple[int, ...]:
     """What the STEPS come to on the pair of a family with m = n = size."""
-    generatrix, directrix = FAMILIES[family](size, size, 0)
+    generatrix, directrix = ANY_SHAPE[family](size, size, 0)
     moving = [inverse(generatrix)]
     stretches = contact_stretches([directrix], moving)
     left = leave_out_covered(stretches, [directrix], moving)
@@ -66,6 +66,6 @@ def measure_shapes(*, quick: bool = False) -> Iterator[Growth]:
 
 
 def _seconds(family: str, size: int) -> float:
-    generatrix, directrix = map(Polygon, FAMILIES[family](size, size, 0))
+    generatrix, directrix = map(Polygon, ANY_SHAPE[family](size, size, 0))
     times = milliseconds(lambda: no_fit_polygon(directrix, generatrix).exact_fits, 0.2)
     return min(times) / 1000

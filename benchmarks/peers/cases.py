@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from benchmarks.families import FAMILIES
+from benchmarks import families
 from exactsweep.corpus.generator.shapes import Ring
 
 TRAJECTORY, LOOPS = "trajectory", "three loops"
@@ -28,7 +28,7 @@ class Case(NamedTuple):
 
     def pair(self) -> tuple[Ring, Ring]:
         """Generatrix and directrix."""
-        return FAMILIES[self.family](self.m, self.n, 0)
+        return (families.FAMILIES | families.ANY_SHAPE)[self.family](self.m, self.n, 0)
 
     def bar(self, operation: str) -> float | None:
         """The least ratio of CGAL's time to the kernel's that is asked for."""
