@@ -159,7 +159,7 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
 
 
 @given(st.lists(strategies.monotone_polygons(), min_size=1, max_size=3), st.integers(1, 9))
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int) -> None:
     named = [NamedPolygon(p) for p in polygons]
     job = all_pairs(named, named)

@@ -25,7 +25,7 @@ SPIRAL = [(0, 0), (5, 0), (5, 1), (1, 1), (1, 4), (3, 4), (3, 3), (2, 3), (2, 2)
 SPIRAL += [(0, 5)]
 Edge = tuple[Point, Point]
 # The slabs are slow by design.
-patient = settings(deadline=None)
+patient = settings()
 Case = tuple[Polygon, Polygon, tuple[Fraction, Fraction]]
 
 

@@ -20,7 +20,7 @@ Pair = tuple[Polygon, Polygon]
 Loop = list[tuple[Any, Any]]
 half = Fraction(1, 2)
 # The reference is slow by design.
-patient = settings(deadline=None, max_examples=50)
+patient = settings(max_examples=50)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #   #.#   a slot exactly as wide as UNIT

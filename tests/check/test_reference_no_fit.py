@@ -23,7 +23,7 @@ from exactsweep.check import (
 )
 from exactsweep.geometry.point import ORIGIN
 
-patient = settings(deadline=None, max_examples=60)
+patient = settings(max_examples=60)
 Written = Sequence[tuple[str, str]]
 
 

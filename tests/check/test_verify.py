@@ -38,7 +38,7 @@ from exactsweep.geometry.direction import is_monotone
 
 
 @pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_certificate_of_a_sweep_is_proved(kind: Kind, data: st.DataObject) -> None:
     generatrix, directrix = data.draw(pairs(kind))
@@ -53,7 +53,7 @@ def test_certificate_is_proved_in_every_shared_direction() -> None:
         assert verify(s.certificate()) == (True, "proved", None), number
 
 
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 @given(pairs("CM") | pairs("MM"))
 def test_certificate_from_the_definition_is_proved(pair: tuple[Polygon, Polygon]) -> None:
     """Its lists of drawings are complete; those of `sweep` may be shorter."""
@@ -102,7 +102,7 @@ def test_tampering_is_caught() -> None:
     assert len(tried) > 50
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.integers(0, 10**6))
 def test_false_trajectory_of_true_segments_is_refused(seed: int) -> None:
     """Any walk along sums of features has contacts all along; only the lowest one is right."""
@@ -228,7 +228,7 @@ def test_place_that_is_reached_is_outside_the_inner_loop() -> None:
     assert verify(certificate).reason.startswith("inner")
 
 
-@settings(deadline=None, max_examples=80)
+@settings(max_examples=80)
 @given(st.data())
 def test_sum_within_agrees_with_the_definition(data: st.DataObject) -> None:
     """The lemma: of Q, which is A + B with a vertex moved, dropped, or a notch cut in."""
@@ -275,7 +275,7 @@ def _loop(vertices: Vertices) -> Loop:
     return Loop(FRAME.enter(vertices, Point(Fraction(0), Fraction(0))), "loop", FRAME)
 
 
-@settings(deadline=None, max_examples=80)
+@settings(max_examples=80)
 @given(monotone_rings(), monotone_rings())
 def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None:
     a, b = Polygon(first), Polygon(second)
@@ -287,7 +287,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
                 assert min(height for height, _ in heights(of_a, of_b, node, side)) == 0
 
 
-@settings(deadline=None, max_examples=500)
+@settings(max_examples=500)
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
 @example([(0, 0), (1, 0), (1, 2), (2, 2), (2, 4), (1, 4), (1, 1), (0, 1)])

@@ -23,7 +23,7 @@ from exactsweep.check import classify, verify
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.geometry.direction import DirectionError, shared_direction
 
-patient = settings(deadline=None, max_examples=40)
+patient = settings(max_examples=40)
 UNIT = grid("#")
 C = grid("####", "#..#", "#...", "#..#", "####")
 RING = grid("####", "#..#", "#..#", "####")

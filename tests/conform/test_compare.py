@@ -79,7 +79,7 @@ def check_witnesses(case: Case, name: str, loop: Loop, found: PartComparison) ->
         assert is_inside(place, [points(*((x, y) for x, y in loop))]) is not inside
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(drawn_cases(), st.integers(0, 99))
 def test_the_exact_answer_is_exact_from_any_vertex(case: Case, k: int) -> None:
     result = answer(case)
@@ -91,7 +91,7 @@ def test_the_exact_answer_is_exact_from_any_vertex(case: Case, k: int) -> None:
     assert {p.verdict for p in compare(case, result).parts} == {Verdict.EXACT}
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(drawn_cases(), st.integers(0, 99))
 def test_another_way_to_give_the_set_is_equivalent(case: Case, k: int) -> None:
     result = answer(case)
@@ -107,7 +107,7 @@ def test_another_way_to_give_the_set_is_equivalent(case: Case, k: int) -> None:
         assert part(case, respelled, name).verdict is Verdict.EQUIVALENT
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(drawn_cases(), st.sampled_from(LOOPS), st.data())
 def test_a_changed_loop_is_judged_by_the_sets(case: Case, name: str, data: st.DataObject) -> None:
     loop: list[Any] = list(getattr(case, name).vertices)
@@ -135,7 +135,7 @@ def test_a_changed_loop_is_judged_by_the_sets(case: Case, name: str, data: st.Da
     check_witnesses(case, name, loop, found)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(drawn_cases(), st.sampled_from(LOOPS))
 def test_a_rounded_loop_is_within(case: Case, name: str) -> None:
     exact = getattr(case, name).vertices

@@ -19,7 +19,7 @@ from exactsweep.conform.judge.region import RegionError, area, differences, simp
 Ring = Sequence[Point]
 
 SQUARE = points((0, 0), (4, 0), (4, 4), (0, 4))
-patient = settings(deadline=None, max_examples=25)
+patient = settings(max_examples=25)
 
 
 def any_rings() -> st.SearchStrategy[Ring]:

@@ -119,7 +119,7 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
         assert broken >= 4
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.sampled_from([case for case in ALL_CASES if case.size <= 20]), st.data())
 def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
     loop: list[Any] = list(case.trajectory.vertices)

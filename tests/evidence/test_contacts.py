@@ -15,7 +15,7 @@ Pair = tuple[Polygon, Polygon]
 Found = set[tuple[str, int, int]]
 Edge = tuple[Point, Point]
 
-usually = settings(deadline=None, max_examples=40)
+usually = settings(max_examples=40)
 
 
 def numbered(polygon: Polygon) -> Polygon:
@@ -168,7 +168,7 @@ def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None
 
 
 @given(own.pairs("CC") | own.pairs("CM"))
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pair) -> None:
     """Lemma A.1, for contacts that last, vertical edges of the frame included.
 

@@ -16,7 +16,7 @@ from exactsweep.check import classify, point_in_polygon, reference_exact_fits
 
 Pair = tuple[Polygon, Polygon]
 
-often = settings(deadline=None, max_examples=100)
+often = settings(max_examples=100)
 
 
 @st.composite

@@ -19,7 +19,7 @@ SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
 # A step that is short against every feature.
 SHORT = Fraction(1, 10**60)
 
-patient = settings(deadline=None, max_examples=60)
+patient = settings(max_examples=60)
 
 
 def pairs() -> st.SearchStrategy[tuple[Polygon, Polygon]]:

@@ -29,8 +29,8 @@ from exactsweep.procedures.chain import convex_parts, graph_edges, inverse, spli
 Pair = tuple[Polygon, Polygon]
 Loops = tuple[Polygon, Polygon, Polygon]
 
-often = settings(deadline=None, max_examples=100)
-seldom = settings(deadline=None, max_examples=40)
+often = settings(max_examples=100)
+seldom = settings(max_examples=40)
 each_kind = pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
 any_pair = own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
 

@@ -44,7 +44,7 @@ def feature(shape: Region, k: int, event: str) -> tuple[Point, ...]:
 
 
 @given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_contacts_touch_where_they_are_said_to(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int]
 ) -> None:
@@ -80,14 +80,14 @@ def test_contacts_touch_where_they_are_said_to(
 
 
 @given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 def test_certificates_are_proved(d: Cells, g: Cells, matrix: tuple[int, int, int, int]) -> None:
     s = sweep(region(g, matrix), region(d, matrix))
     assert verify(json.loads(json.dumps(s.certificate()))).reason == "proved"
 
 
 @given(polyominoes(12, 5), polyominoes(7, 4))
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 def test_undercuts_holes_and_the_directrix_fill_the_inner_loop(d: Cells, g: Cells) -> None:
     s = shape_sweep(region(g), region(d))
     undercuts = sum((u.polygon.area for u in s.undercuts), Fraction(0))
@@ -150,7 +150,7 @@ def test_the_numbers_of_features_are_those_of_the_input() -> None:
 
 
 @given(polyominoes(10, 4), polyominoes(5, 3))
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_steps_go_round_the_trajectory(d: Cells, g: Cells) -> None:
     s = shape_sweep(region(g), region(d))
     steps = explain(s)
@@ -161,7 +161,7 @@ def test_steps_go_round_the_trajectory(d: Cells, g: Cells) -> None:
 
 
 @given(polyominoes(6, 3))
-@settings(deadline=None, max_examples=20)
+@settings(max_examples=20)
 def test_a_mould_around_its_part(g: Cells) -> None:
     mould = frame(g, 2)
     assume(len(region(g).holes) == 0)

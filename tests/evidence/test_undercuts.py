@@ -17,7 +17,7 @@ from exactsweep.evidence.undercut import Undercut
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
 
-often = settings(deadline=None, max_examples=100)
+often = settings(max_examples=100)
 walled_pairs = st.integers(0, 10**9).map(
     lambda seed: families.random_pair(random.Random(seed), ["same", "mould", "walls"])
 )
@@ -150,13 +150,13 @@ def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
 
 
 @given(own.pairs("CC"))
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_convex_polygons_have_no_undercuts(pair: Pair) -> None:
     assert sweep(*pair).undercuts == ()
 
 
 @given(any_pair, own.translations())
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fraction]) -> None:
     generatrix, directrix = pair
     s, moved = sweep(generatrix, directrix), sweep(generatrix, directrix.translated(by))
@@ -167,7 +167,7 @@ def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fract
 
 
 @given(own.turned_pairs("MM"), st.booleans())
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 def test_undercuts_do_not_depend_on_the_frame(
     pair: tuple[Polygon, Polygon, Any], exchanged: bool
 ) -> None:

@@ -158,7 +158,7 @@ def have_common_edges(found: list[Box]) -> bool:
     return len(set(seen)) < len(seen)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(boxes, st.booleans())
 def test_the_fill_rules_are_those_of_counting(found: list[Box], even_odd: bool) -> None:
     rule = "evenodd" if even_odd else "nonzero"

@@ -46,7 +46,7 @@ def test_layers_are_nested_apart() -> None:
     assert parse_region(text, "cut", nested=True) == Region(square(0, 9), [square(1, 2)])
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(
     st.sets(st.tuples(st.integers(0, 6), st.integers(0, 6)), min_size=1),
     st.randoms(use_true_random=False),

@@ -21,7 +21,7 @@ from exactsweep.geometry.direction import (
 
 Vector = tuple[int, int]
 
-often = settings(deadline=None, max_examples=100)
+often = settings(max_examples=100)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #  ____     a notch from the left: vertical lines
@@ -116,7 +116,7 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
 
 
 @given(own.convex_polygons())
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
     found = monotone_directions(polygon)
     assert str(found) == "all directions"
@@ -224,7 +224,7 @@ def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector)
 
 
 @given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
-@settings(deadline=None, max_examples=30)
+@settings(max_examples=30)
 def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
     a, b, c = map(monotone_directions, polygons)
 

@@ -4,7 +4,7 @@ import pickle
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region, rings
 
@@ -122,7 +122,6 @@ def test_a_hole_between_touching_points_may_lie_outside() -> None:
 
 
 @given(polyominoes(14, 5))
-@settings(deadline=None)
 def test_polyominoes_with_holes(cells: Cells) -> None:
     made = region(cells)
     assert made.area == len(cells)
@@ -132,7 +131,6 @@ def test_polyominoes_with_holes(cells: Cells) -> None:
 
 
 @given(st.integers(0, 8), st.integers(0, 8), polyominoes(10, 4))
-@settings(deadline=None)
 def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells) -> None:
     loops = rings(cells)
     moved = [(u + x, v + y) for u, v in loops[0]]

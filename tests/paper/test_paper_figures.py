@@ -210,7 +210,7 @@ def test_the_same_figure_gives_the_same_bytes(figure: PaperFigure, tmp_path: Pat
     assert b"<image" not in svg
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.lists(st.tuples(st.integers(1, 40), st.integers(1, 40)), min_size=1, max_size=4))
 def test_panels_of_any_size_share_one_unit(sizes: list[tuple[int, int]]) -> None:
     boxes = [sheet.Box((0, 0), size, "title") for size in sizes]

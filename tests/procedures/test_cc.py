@@ -15,7 +15,7 @@ from exactsweep.procedures.convex_part import CrossingPart, take_whole
 from exactsweep.procedures.envelope import line_of
 
 Pair = tuple[Polygon, Polygon]
-usually = settings(deadline=None, max_examples=100)
+usually = settings(max_examples=100)
 
 
 def steps(*chains: list[Vertex]) -> list[Vertex]:

@@ -24,7 +24,7 @@ from exactsweep.procedures.chain import (
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
-usually = settings(deadline=None, max_examples=100)
+usually = settings(max_examples=100)
 
 steps = st.lists(st.tuples(own.tiny(0, 2), own.tiny(-2, 2)), min_size=1, max_size=9)
 

@@ -14,7 +14,7 @@ from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 Pair = tuple[Polygon, Polygon]
-usually = settings(deadline=None, max_examples=100)
+usually = settings(max_examples=100)
 
 
 @given(own.pairs("CC"))

@@ -23,7 +23,7 @@ def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_each_corner_of_a_square_that_is_covered_is_overlapped(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
 ) -> None:
@@ -40,7 +40,7 @@ def test_each_corner_of_a_square_that_is_covered_is_overlapped(
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 def test_what_is_covered_does_not_matter(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
 ) -> None:

@@ -18,7 +18,7 @@ from exactsweep.procedures.envelope import Envelope, point_on, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 Chain = list[Vertex]
-usually = settings(deadline=None, max_examples=100)
+usually = settings(max_examples=100)
 half, third = Fraction(1, 2), Fraction(1, 3)
 
 

@@ -20,7 +20,7 @@ from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
 Pair = tuple[Polygon, Polygon]
-usually = settings(deadline=None, max_examples=100)
+usually = settings(max_examples=100)
 
 
 @given(own.pairs("CC"))

@@ -5,15 +5,14 @@ edge or a unit square of positions, if they do so at one of its corners' neighbo
 lies over two squares of D, or four.
 """
 
-from collections import defaultdict
 from collections.abc import Iterator
 from itertools import product
 
+from cells import Cell, shape_of
 from hypothesis import strategies as st
 
 from exactsweep import Region
 
-Cell = tuple[int, int]
 Cells = frozenset[Cell]
 Matrix = tuple[int, int, int, int]
 
@@ -55,31 +54,8 @@ def region(cells: Cells, matrix: Matrix = (1, 0, 0, 1)) -> Region:
 
 def rings(cells: Cells) -> list[list[Cell]]:
     """The boundary, the exterior first. Where squares touch in a point, rings touch there."""
-    leaving: defaultdict[Cell, list[Cell]] = defaultdict(list)
-    for x, y in cells:
-        corners = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
-        for k, (dx, dy) in enumerate(((0, -1), (1, 0), (0, 1), (-1, 0))):
-            if (x + dx, y + dy) not in cells:
-                leaving[corners[k]].append(corners[(k + 1) % 4])
-    found = []
-    while leaving:
-        start = at = min(leaving)
-        loop: list[Cell] = []
-        before = (0, 0)
-        while True:
-            loop.append(at)
-            # To the right where there is a choice, away from the square on the left.
-            right = (at[0] + before[1], at[1] - before[0])
-            to = right if right in leaving[at] else leaving[at][0]
-            leaving[at].remove(to)
-            if not leaving[at]:
-                del leaving[at]
-            before = to[0] - at[0], to[1] - at[1]
-            at = to
-            if at == start:
-                break
-        found.append(loop)
-    return found
+    exterior, holes = shape_of(cells)
+    return [[(int(x), int(y)) for x, y in ring.vertices] for ring in (exterior, *holes)]
 
 
 def free_cells(stationary: Cells, orbiting: Cells) -> tuple[set[Cell], set[Cell], set[Cell]]:
