@@ -22,8 +22,8 @@ from exactsweep.check.cone import Pair, common_direction, direction_inside, dot
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import cones_of, meetings, split_where_touching
 from exactsweep.check.shape import Shape, on_one_lattice, polygons_of
-from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import read_point
 
 Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
 
@@ -58,7 +58,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     >>> [classify(square, square, t).verdict for t in [(3, 0), (2, 1), (1, 1)]]
     ['FREE', 'CONTACT', 'OVERLAP']
     """
-    x, y = map(to_fraction, t)
+    x, y = read_point(t, "the position")
     polygons = [polygons_of(directrix), polygons_of(generatrix)]
     scale, (d, g) = on_one_lattice(polygons, (x.denominator, y.denominator))
     dx, dy = int(x * scale), int(y * scale)

@@ -108,7 +108,10 @@ def to_fraction(value: object) -> Fraction:
         except TypeError:
             raise NumberError(f"{quoted(value)} is not a number") from None
     if isinstance(value, Rational):
-        return Fraction(int(value.numerator), int(value.denominator))
+        numerator, denominator = int(value.numerator), int(value.denominator)
+        if denominator == 0:
+            raise NumberError(f"{quoted(value)} has the denominator 0")
+        return Fraction(numerator, denominator)
     if isinstance(value, Real):
         return _from_real(value)
     raise NumberError(f"{quoted(value)} is not a rational number")

@@ -265,3 +265,10 @@ def test_verdict_with_holes_is_as_counted(d: Cells, g: Cells, twice: tuple[int, 
     found = classify(shape, other, t)
     assert found.verdict == verdict_by_counting(doubled(d), moved(doubled(g), twice))
     check_witness(shape, other, t, found)
+
+
+@pytest.mark.parametrize("position", [5, (1,), "ab", None, (1, 2, 3)])
+def test_a_position_that_is_no_pair_is_refused(position: object) -> None:
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    with pytest.raises(PolygonError, match=r"^the position is "):
+        classify(square, square, position)  # type: ignore[arg-type]

@@ -189,3 +189,15 @@ def test_limits_are_positive(name: str) -> None:
 
 def test_any_digit_count_is_written() -> None:
     assert format_fraction(Fraction(-(10**5000 - 1), 10**5000)) == f"-{NINES}/1{'0' * 5000}"
+
+
+def test_a_rational_with_the_denominator_zero_is_refused() -> None:
+    class Broken(Fraction):
+        """What a library with a fault of its own could hand over."""
+
+        @property
+        def denominator(self) -> int:
+            return 0
+
+    with pytest.raises(NumberError, match=r"has the denominator 0$"):
+        to_fraction(Broken(1, 2))
