@@ -10,9 +10,9 @@ other whose direction has its place between those of the two edges at the vertex
     convex are parted by the line through an edge of one of them; and the vertex on the other side
     of that line is convex, since its cone lies in a half-plane. The ends of a shared piece of two
     edges are vertices for which this holds, too.
-    A shape that touches itself in a point has several cones there; those of the other one lie in
-    one gap between them, and the ring around that gap stands for all, unless the other one touches
-    itself there, too, and they hold each other: see (7) of `free_positions`.
+    A shape that touches itself in a point has several cones there, with gaps between them. Those
+    of the other one lie in one gap, since interiors that are connected cannot pass each other
+    there; so the corner of the ring around that gap stands for all.
 (2) Left of a contact segment, near each inner point of it, there is overlap: the vertex has gone
     through the edge there, and the interior next to it with it.
 

@@ -12,8 +12,6 @@ See `contact_lines` for (1) and (2). What follows from them, step by step:
     overlapped, and one position of a loop that closes decides all of it.
 (6) A single free position has overlap in all directions, and so contact segments through it that
     have every direction on their left: more than two, or two that run both ways each.
-(7) Where both shapes touch themselves in one point, they can hold each other like the links of a
-    chain. No contact segment need pass there; these positions, which are single, are asked about.
 """
 
 from __future__ import annotations
@@ -27,7 +25,6 @@ from typing import NamedTuple
 
 from exactsweep.geometry.number import quotient
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.point import Vertex as Corner
 from exactsweep.procedures.contact_lines import Stretch, Vertex
 from exactsweep.procedures.envelope import Break
 
@@ -60,7 +57,6 @@ def free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
     scale: int = 1,
-    links: Iterable[Corner] = (),
 ) -> Free:
     """Find the loops and the exact fits among stretches that have been cut at their crossings.
 
@@ -68,14 +64,13 @@ def free_positions(
         stretches: of contact segments, with their cuts.
         overlap: whether there is overlap at a position.
         scale: what the positions found are divided by, when they leave the lattice.
-        links: positions at which both shapes touch themselves in one point, (7).
 
     Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
     but the free ones, each piece with segments both ways, and each position that (6) leaves.
     """
     pieces: list[_Piece] = []
     both_ways: list[tuple[Stretch, Vertex, Vertex]] = []
-    suspects = {(*x.as_integer_ratio(), *y.as_integer_ratio()) for x, y in links}
+    suspects: set[Vertex] = set()
     for stretch in stretches:
         for low, high in _left_over(stretch, suspects):
             p, q = stretch.vertex(low), stretch.vertex(high)

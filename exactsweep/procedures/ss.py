@@ -12,9 +12,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import ORIGIN, Vertex
+from exactsweep.geometry.point import ORIGIN
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
@@ -105,24 +104,7 @@ def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = F
         stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
     overlap = Overlap(stationary, orbiting, unbounded=unbounded)
-    links = [
-        (dx - gx, dy - gy)
-        for dx, dy in (_pinches(stationary) if len(orbiting) > 1 else ())
-        for gx, gy in _pinches(orbiting)
-    ]
-    return free_positions(stretches, overlap.at, scale, links)
-
-
-def _pinches(rings: Rings) -> set[Vertex]:
-    """The points in which rings of a shape touch each other. Cost: O(n^2)."""
-    if len(rings) == 1:
-        return set()
-    outline = Outline(rings)
-    return {
-        vertex
-        for k, vertex in enumerate(outline.vertices)
-        if outline.numbers[vertex] != k or any(True for _ in outline.edges_through(vertex))
-    }
+    return free_positions(stretches, overlap.at, scale)
 
 
 def _around(loop: Loop, exteriors: Sequence[Loop]) -> int:

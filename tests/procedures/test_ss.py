@@ -107,6 +107,21 @@ def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
     assert hole.vertices[0] == Point(Fraction(0), Fraction(4))
 
 
+def test_a_fit_that_passes_by_the_corner_of_a_room_is_cut_there() -> None:
+    """A triangle on its tip fills a corridor, and goes up where there is a funnel above it."""
+    funnel = [(0, 0), (10, 0), (10, 1), (6, 1), (8, 3), (2, 3), (4, 1), (0, 1)]
+    n = no_fit_polygon(Region(box(-1, -1, 11, 4), [funnel]), [(1, 0), (2, 1), (0, 1)])
+    assert n.holes == (Polygon([(4, 0), (6, 2), (2, 2)]),)
+    assert n.exact_fits == fits((4, 0), (0, 0), (4, 0), (8, 0))
+
+
+def test_fits_that_cross_are_whole() -> None:
+    """Through an opening as wide as G, which can be entered from the corridor at (4, 0) alone."""
+    corridor = [(0, 0), (10, 0), (10, 1), (5, 1), (6, 3), (3, 3), (4, 1), (0, 1)]
+    n = no_fit_polygon(Region(box(-2, -2, 12, 5), [corridor]), UNIT)
+    assert n.exact_fits == fits((0, 0), (9, 0), (4, 1), (4, 0))
+
+
 def test_links_hold_each_other_in_a_single_position() -> None:
     """No edge of either can slide along the other: the defect and the wall touch in the origin."""
     wall = [(-20, -20), (20, -20), (20, -5), (0, 0), (20, 5), (20, 20), (-20, 20)]
