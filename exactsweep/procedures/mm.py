@@ -7,8 +7,10 @@ generatrix along the two sides of the first trajectory (Lemma 5.3).
 Errata. Lemma 5.3: along the inner side, I(G) must stay inside T, so that its x-range stays within
 T's; the boundary lives on D's x-range, and what Trajectory_MM adds at either end, where I(G) only
 partly overlaps, is cut off. Lemma 5.2: the size is O(m n alpha(min(m, n))), alpha the inverse
-Ackermann function, since an envelope of segments can have more pieces than segments. Lemma 5.5:
-the inner boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
+Ackermann function (E. Oks and M. Sharir, "Minkowski sums of monotone and general simple polygons",
+Discrete & Computational Geometry 35, 2006), since the envelope of N segments can have more than a
+constant times N pieces (A. Wiernik and M. Sharir 1988, see `lower_envelope`). Lemma 5.5: the inner
+boundary can have order m n^2 edges, not O(m n): near a needle of D_b it has a corner for
 every pair of a peak and a valley of G_t.
 """
 

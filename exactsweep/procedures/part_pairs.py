@@ -41,7 +41,7 @@ class Boxes(NamedTuple):
         boxes = [part.box for part in parts]
         return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
 
-    def facing(self, part: Box) -> list[int]:
+    def find_facing(self, part: Box) -> list[int]:
         """The numbers of the boxes that may have slopes in common with a part. Cost: O(m)."""
         _, _, _, flattest, steepest = part
         return [
@@ -98,7 +98,7 @@ class Ceiling:
         n, d = at
         return int((n // d - self.start) // self.width)
 
-    def reached(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
+    def find_reaching(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
         """Which boxes give a sum with that of a part that comes below the ceiling.
 
         Args:
@@ -125,6 +125,31 @@ class Ceiling:
         return reached
 
 
+# How the sub-trajectories of a batch become few envelopes. Let c be a part of G_t, p_1, p_2, ...
+# the parts of D_b from left to right, s_j the whole sub-trajectory of c along p_j, and s'_j what
+# matters of it, s_j cut at its ends (see `convex_part`). E is the envelope of all pairs.
+#
+#     (1)  For j < k, wherever p_j and p_k lie, s_j - s_k never decreases along x: they cross once
+#          at most, and on the right it is s_k that is lower (Lemma A.3; `cm` has the reason).
+#     (2)  At each x some s'_j is on E; and s_j >= E everywhere.
+#
+# A run R joins s'_j for ascending j by LowerEnvelope_CM, as long as s'_k starts over R and does not
+# end before it; else a new run begins. It keeps
+#
+#     (3)  where s'_j, of those that R has taken in, is on E, so is R.
+#
+# For (3) let s'_k be taken in, over x >= w from then on.
+#
+#     (4)  Right of w, R is lost: there it is not below s'_k, so that s'_k is on E where R was.
+#     (5)  Left of w, s'_k is left out: just left of w, R is on some s'_j, and s_j <= s_k; further
+#          left as well, by (1). If s'_k is on E at some x there, so is s_j, by (2). Either s'_j is
+#          there too, and R is on E by (3); or s_j is cut off there, where it is above E but for
+#          single points.
+#
+# So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
+# what it has taken in.
+
+
 def sweep_pairs(
     chains: Sequence[ConvexPart],
     parts: Sequence[ConvexPart] | Sequence[CrossingPart],
@@ -138,14 +163,6 @@ def sweep_pairs(
     `convex_part`); a pair without slopes in common gives nothing. The others are swept in
     batches, each three times the last, those parts of G_t first that reach highest. What a batch
     gives is a ceiling over the next, and pairs that do not come below it need not be swept.
-
-    Lemma A.3 holds for any two whole sub-trajectories of one part of G_t, neighbours or not: on
-    the right it is the later one that is lower. So LowerEnvelope_CM joins them, as long as the
-    later one starts over the partial trajectory and does not end before it; else a new run begins.
-    Since they are cut, a run may leave out a stretch of one that is lower than the run there.
-    Invariant: where a sub-trajectory lies on the final envelope, so does its run. For what is left
-    out is nowhere below the whole sub-trajectory that the run is on just before the later one takes
-    over; and where that is cut off, it is above the final envelope.
 
     Args:
         chains: the convex parts of reversed G_t.
@@ -167,7 +184,7 @@ def sweep_pairs(
     start: Break = (min(box.left for box in chain_boxes) + boxes.lefts[0], 1)
     end: Break = (max(box.right for box in chain_boxes) + boxes.rights[-1], 1)
 
-    def lowered(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
+    def sweep_batch(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
         runs: list[Envelope] = []
         ceiling = None
         if envelope is not None:
@@ -176,7 +193,7 @@ def sweep_pairs(
         for i, numbers in batch.items():
             chain, first = chains[i], i * len(parts)
             if ceiling is not None:
-                numbers = ceiling.reached(chain_boxes[i], boxes, numbers)
+                numbers = ceiling.find_reaching(chain_boxes[i], boxes, numbers)
             since = len(runs)
             for j in numbers:
                 piece = parts[j].sweep(chain, first + j)
@@ -189,16 +206,16 @@ def sweep_pairs(
     envelope = known
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        envelope = lowered(envelope, {i: sorted(guess[i]) for i in order})
+        envelope = sweep_batch(envelope, {i: sorted(guess[i]) for i in order})
     size, pairs = len(chains) + len(parts), 0
     batch: dict[int, list[int]] = {}
     for i in order:
-        facing = boxes.facing(chain_boxes[i])
+        facing = boxes.find_facing(chain_boxes[i])
         if batch and pairs + len(facing) > size:
-            envelope = lowered(envelope, batch)
+            envelope = sweep_batch(envelope, batch)
             batch, size, pairs = {}, 3 * size, 0
         batch[i] = facing
         pairs += len(facing)
-    envelope = lowered(envelope, batch)
+    envelope = sweep_batch(envelope, batch)
     assert envelope is not None, "some pair draws the trajectory"
     return envelope
