@@ -26,7 +26,8 @@ from exactsweep.geometry.region import Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.procedures.free_positions import Fit
 
 
 class Positions(NamedTuple):

@@ -15,8 +15,9 @@ from exactsweep.geometry.point import Point
 from exactsweep.words import CLASSES, pair, size
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
     from exactsweep.evidence.swept import Swept
+    from exactsweep.procedures.free_positions import Fit
 
 
 def sweep_svg(s: Swept) -> str:

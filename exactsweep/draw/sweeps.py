@@ -20,9 +20,9 @@ from exactsweep.geometry.region import Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import Fit
     from exactsweep.evidence.swept import Swept
     from exactsweep.evidence.undercut import Undercut
+    from exactsweep.procedures.free_positions import Fit
 
 _MOST_SHOWN = 4
 _MANY = 60

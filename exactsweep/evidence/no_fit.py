@@ -14,9 +14,8 @@ from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.procedures import ss
+from exactsweep.procedures.free_positions import Fit
 from exactsweep.words import pair
-
-Fit = tuple[Point, Point]
 
 
 class Pair:
@@ -90,24 +89,25 @@ class NoFitPolygon:
         self._swept = swept
 
     @cached_property
-    def _pair(self) -> Pair:
+    def pair(self) -> Pair:
+        """The two shapes on their common lattice."""
         return Pair(self.stationary, self.orbiting, self.reference)
 
     @cached_property
     def _found(self) -> ss.NoFit:
-        return self._pair.no_fit()
+        return self.pair.no_fit()
 
     @cached_property
     def exterior(self) -> Polygon:
         """The loop around all positions of overlap: the trajectory."""
         if self._swept is not None:
             return self._swept.trajectory
-        return self._pair.polygon(self._found.exterior)
+        return self.pair.polygon(self._found.exterior)
 
     @cached_property
     def holes(self) -> tuple[Polygon, ...]:
         """The loops around free positions inside, in a cave or a hole, sorted."""
-        return () if self._swept is not None else self._pair.polygons(self._found.holes)
+        return () if self._swept is not None else self.pair.polygons(self._found.holes)
 
     @cached_property
     def exact_fits(self) -> tuple[Fit, ...]:
@@ -118,7 +118,7 @@ class NoFitPolygon:
         """
         if self._swept is not None:
             return self._swept.exact_fits
-        return self._pair.fits(self._found.exact_fits)
+        return self.pair.fits(self._found.exact_fits)
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the answer, told in translations of G.

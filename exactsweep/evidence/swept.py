@@ -222,23 +222,23 @@ class Swept:
             for pocket in pockets(half.inner, half.directrix):
                 chains = (inverse(chain) if turned else chain for chain in pocket)
                 bottom, top = (frame.leave(chain, ORIGIN) for chain in chains)
-                intersection, positions = closing_positions(
-                    frame.raised(bottom, ORIGIN), self._tracer
-                )
-                scale, (dx, dy) = frame.scale, self.reference
-                found.append(
-                    Undercut(
-                        Polygon(bottom + top[-2:0:-1]),
-                        (bottom[0], bottom[-1]),
-                        tuple(bottom),
-                        intersection,
-                        tuple(
-                            Point(Fraction(x) / scale + dx, Fraction(y) / scale + dy)
-                            for x, y in positions
-                        ),
-                    )
-                )
+                found.append(self._undercut(bottom, top[-2:0:-1]))
         return tuple(found)
+
+    def _undercut(self, bottom: list[Point], back: Sequence[Point]) -> Undercut:
+        """The undercut above a bottom chain, with the vertices of D on the way back."""
+        frame, (dx, dy) = self._frame, self.reference
+        intersection, positions = closing_positions(frame.raised(bottom, ORIGIN), self._tracer)
+        return Undercut(
+            Polygon([*bottom, *back]),
+            (bottom[0], bottom[-1]),
+            tuple(bottom),
+            intersection,
+            tuple(
+                Point(Fraction(x) / frame.scale + dx, Fraction(y) / frame.scale + dy)
+                for x, y in positions
+            ),
+        )
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the sweep: see `evidence.certificate`."""

@@ -8,25 +8,26 @@ So the two sides of S are one question each of those that `ss` answers.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
 from typing import Any
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import Fit, NoFitPolygon, Pair
+from exactsweep.evidence.no_fit import NoFitPolygon, Pair
 from exactsweep.evidence.shape_certificate import write_points
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.swept import Swept
-from exactsweep.evidence.undercut import Undercut, closing_positions
+from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.free_positions import Fit
 
 
 class SweptShape(Swept):
@@ -103,17 +104,13 @@ class SweptShape(Swept):
 
     @cached_property
     def _frame(self) -> Frame:
-        return Frame(X_AXIS, lcm(self.generatrix.lattice()[0], self.directrix.lattice()[0]))
+        return Frame(X_AXIS, self._no_fit.pair.scale)
 
     @cached_property
     def _outlines(self) -> tuple[Outline, Outline]:
         """The features of G and of D on the lattice."""
-        found = []
-        for shape in (self.generatrix, self.directrix):
-            scale, rings = shape.lattice()
-            factor = self._frame.scale // scale
-            found.append(Outline([[(x * factor, y * factor) for x, y in r] for r in rings]))
-        return found[0], found[1]
+        pair = self._no_fit.pair
+        return Outline(pair.moved), Outline(pair.fixed)
 
     @property
     def _boundaries(self) -> tuple[Outline, Outline]:
@@ -131,24 +128,14 @@ class SweptShape(Swept):
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:
         """The regions between D and the inner loop, along the inner loop; no holes of D."""
-        frame, (dx, dy) = self._frame, self.reference
-        found = []
-        for bottom, top in find_mouths(self.inner.vertices, self.directrix.exterior.vertices):
-            chain = [Point(Fraction(x), Fraction(y)) for x, y in bottom]
-            kind, positions = closing_positions(frame.raised(chain, ORIGIN), self._tracer)
-            found.append(
-                Undercut(
-                    Polygon(bottom + top[1:-1]),
-                    (chain[0], chain[-1]),
-                    tuple(chain),
-                    kind,
-                    tuple(
-                        Point(Fraction(x) / frame.scale + dx, Fraction(y) / frame.scale + dy)
-                        for x, y in positions
-                    ),
-                )
-            )
-        return tuple(found)
+
+        def points(chain: Sequence[Vertex]) -> list[Point]:
+            return [Point(Fraction(x), Fraction(y)) for x, y in chain]
+
+        return tuple(
+            self._undercut(points(bottom), points(top[1:-1]))
+            for bottom, top in find_mouths(self.inner.vertices, self.directrix.exterior.vertices)
+        )
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the sweep, positions told of G's origin."""

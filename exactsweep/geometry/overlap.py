@@ -285,7 +285,7 @@ def points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Ite
             yield 2 * x, 2 * y
 
 
-def is_inside(doubled: Vertex, rings: Rings, *, unbounded: bool = False) -> bool:
+def is_inside(doubled: Vertex, rings: Rings) -> bool:
     """Whether a point, given times two, is inside a shape, not on its boundary. Cost: O(n).
 
     >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
@@ -293,7 +293,7 @@ def is_inside(doubled: Vertex, rings: Rings, *, unbounded: bool = False) -> bool
     (True, False)
     """
     edges = (edge for ring in rings for edge in pairwise((*ring, ring[0])))
-    return _is_between(edges, *doubled, 2, unbounded)
+    return _is_between(edges, *doubled, 2, False)
 
 
 def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, inside: bool) -> bool:

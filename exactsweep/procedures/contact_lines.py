@@ -29,7 +29,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd
@@ -154,8 +154,9 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
 
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
     """
-    directions, ranks = _ranked((stationary, moving))
-    sides = [_features(rings, ranks, len(directions)) for rings in (stationary, moving)]
+    shapes = [[_Ring(ring) for ring in rings] for rings in (stationary, moving)]
+    directions, ranks = _ranked(u for rings in shapes for ring in rings for u in ring.directions)
+    sides = [_features(rings, ranks, len(directions)) for rings in shapes]
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
     )
@@ -179,14 +180,18 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     ]
 
 
-def _ranked(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int]]:
-    """All directions of edges, either way round, in order of slope, and their places there."""
-    found = {
-        primitive((q[0] - p[0], q[1] - p[1]))
-        for rings in shapes
-        for ring in rings
-        for p, q in _edges(ring)
-    }
+class _Ring:
+    """A ring, its edges, of which edge i ends at vertex i, and their directions, either way."""
+
+    def __init__(self, ring: Sequence[Corner]) -> None:
+        self.vertices = ring
+        self.edges = list(zip((ring[-1], *ring[:-1]), ring, strict=True))
+        self.directions = [primitive((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
+
+
+def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
+    """Directions of edges, either way round, in order of slope, and their places there."""
+    found = set(given)
     vertical = {(0, 1)} & found
     order = sorted((v * _UNITS // u, u, v) for u, v in found - vertical)
     if any(a[0] == b[0] for a, b in pairwise(order)):
@@ -196,15 +201,8 @@ def _ranked(shapes: Sequence[Rings]) -> tuple[list[Vector], dict[Vector, int]]:
     return directions, {u: k for k, u in enumerate(directions)}
 
 
-def _edges(ring: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
-    p = ring[-1]
-    for q in ring:
-        yield p, q
-        p = q
-
-
 def _features(
-    rings: Rings, ranks: dict[Vector, int], half: int
+    rings: Sequence[_Ring], ranks: dict[Vector, int], half: int
 ) -> tuple[list[_Edge], list[_Convex]]:
     """The edges and the convex vertices of a shape, with the ranks of their directions.
 
@@ -214,17 +212,15 @@ def _features(
     corners: list[_Convex] = []
     for ring in rings:
         of_ring: list[_Edge] = []
-        for p, q in _edges(ring):
+        for (p, q), u in zip(ring.edges, ring.directions, strict=True):
             (px, py), (qx, qy) = p, q
-            u = primitive((qx - px, qy - py))
             k, (dx, dy) = ranks[u], u
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
             of_ring.append(_Edge(rank, k, ahead, dx * py - dy * px, low, high))
-        # Edge i ends at vertex i.
-        for i, point in enumerate(ring):
-            first, last = of_ring[i].rank, of_ring[(i + 1) % len(ring)].rank
+        for i, point in enumerate(ring.vertices):
+            first, last = of_ring[i].rank, of_ring[(i + 1) % len(of_ring)].rank
             if last < first:
                 last += 2 * half
             if last - first < half:

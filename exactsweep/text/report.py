@@ -8,11 +8,12 @@ from io import StringIO
 from rich.console import Console
 from rich.table import Table
 
-from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.free_positions import Fit
 from exactsweep.words import CLASSES, pair
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import Fit, InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
@@ -16,6 +16,7 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.free_positions import Fit
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification
