@@ -9,6 +9,7 @@ from itertools import pairwise
 from math import lcm
 from typing import NamedTuple
 
+from exactsweep.check.cone import ratio
 from exactsweep.geometry.point import Rational
 
 
@@ -44,14 +45,6 @@ class _Line(NamedTuple):
     def at(self, x: Rational) -> Rational:
         """The value at x."""
         return self.slope * x + self.constant
-
-
-def ratio(n: Rational, d: Rational) -> Rational:
-    """Divide, by an int without going through Fractions where an int comes out."""
-    if type(n) is int and type(d) is int:
-        quotient, rest = divmod(n, d)
-        return Fraction(n, d) if rest else quotient
-    return Fraction(n) / d
 
 
 def mirror(function: Iterable[Piece]) -> Function:
