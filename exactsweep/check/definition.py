@@ -20,6 +20,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror, piece_over
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -114,7 +115,7 @@ class _Frame:
     def __init__(self, direction: tuple[Any, Any]) -> None:
         self._ux, self._uy = map(to_fraction, direction)
         if self._ux == self._uy == 0:
-            raise ValueError("the direction (0, 0) is no direction")
+            raise ExactSweepError("the direction (0, 0) is no direction")
         self._norm = self._ux**2 + self._uy**2
 
     def halves(self, vertices: Any, name: str) -> tuple[Function, Function]:
@@ -132,7 +133,7 @@ class _Frame:
         top.sort()
         # Monotone is: bottom and top each cover the range of x once.
         if any(p.x1 != q.x0 for half in (bottom, top) for p, q in pairwise(half)):
-            raise ValueError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
+            raise ExactSweepError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
         return tuple(bottom), tuple(top)
 
     def back(self, x: Fraction, y: Fraction) -> Point:
