@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 
@@ -25,7 +26,7 @@ Judge = Callable[[Case], Verdict]
 Ring = tuple[Point, ...]
 
 
-class ShrinkError(ValueError):
+class ShrinkError(ExactSweepError):
     """A case that does not fail."""
 
 

@@ -12,6 +12,7 @@ from typing import Any, BinaryIO, Self
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import MAX_BYTES
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import format_fraction
 from exactsweep.processes import lock
 
@@ -20,7 +21,7 @@ VERSION = 1
 _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
-class JournalError(ValueError):
+class JournalError(ExactSweepError):
     """A journal that cannot be begun, gone on with or read; the message says why."""
 
 

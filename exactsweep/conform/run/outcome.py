@@ -17,6 +17,7 @@ from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, format_fraction, limits, quoted, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
@@ -76,7 +77,7 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
             parts[name] = tuple(data.get(name, ()))
         return Outcome(**parts)
     except (KeyError, TypeError) as error:
-        raise ValueError(f"no outcome: {error}") from None
+        raise ExactSweepError(f"no outcome: {error}") from None
 
 
 def read_exact(text: str) -> Fraction:

@@ -13,6 +13,7 @@ from exactsweep.conform.run.peer import SECONDS
 from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 from exactsweep.processes import Pool
 
@@ -22,7 +23,7 @@ _ENDED = "the process that judges has ended"
 _Job = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
-class JudgeError(ValueError):
+class JudgeError(ExactSweepError):
     """What could not be judged, by no fault of the implementation; the message says why."""
 
 
