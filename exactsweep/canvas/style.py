@@ -71,6 +71,21 @@ DARK = {
 JUDGED = {"theirs": "#e7298a", "witness": "#4daf4a"}
 """The colours of another program's answer and of a witness against it, beside those of LIGHT."""
 
+
+def style_sheet() -> str:
+    """Write all colours as variables of CSS, those for a dark ground where the reader has one.
+
+    >>> style_sheet().splitlines()[0][:24]
+    ':root { --directrix: #5f'
+    """
+    light, dark = (
+        " ".join(f"--{name}: {color};" for name, color in (palette | JUDGED).items())
+        for palette in (LIGHT, DARK)
+    )
+    scheme = "@media (prefers-color-scheme: dark)"
+    return f":root {{ {light} }}\n{scheme} {{ :root {{ {dark} }} }}\n"
+
+
 _SETTINGS: Any = {
     "axes.edgecolor": GREY,
     "axes.labelsize": 9,

@@ -37,6 +37,7 @@ class Journal:
         hello: what the implementation says of itself, likewise.
         seconds: that an answer may take, likewise.
         rounding: by how much less a coordinate may be off, likewise.
+        most: bytes of memory that the program may hold, or None, likewise.
         resume: whether the file may be there and is gone on with.
 
     Attributes:
@@ -55,6 +56,7 @@ class Journal:
         hello: Hello,
         seconds: float,
         rounding: Fraction | None = None,
+        most: int | None = None,
         resume: bool = False,
     ) -> None:
         self._path = path
@@ -67,6 +69,7 @@ class Journal:
             "hello": hello.to_json(),
             "seconds": seconds,
             "rounding": rounding and format_fraction(rounding),
+            "memory": most,
         }
         try:
             if resume and path.exists():
