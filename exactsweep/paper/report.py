@@ -200,9 +200,11 @@ def miss(sampled: int) -> str:
 
     >>> miss(300)
     '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'
+    >>> miss(3)
+    '3 pairs a law, as examples.'
     """
-    if not sampled:
-        return ""
+    if sampled < 10:
+        return f"{sampled} pairs a law, as examples." if sampled else ""
     return (
         f"{sampled:,} pairs a law: a fault of more than one pair in {max(1, sampled // 3):,} is "
         "missed with a chance below 5%."
