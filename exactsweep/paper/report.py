@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -20,9 +20,11 @@ from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
 from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
+from exactsweep.paper.ledger import ABSTRACT, OPEN
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
@@ -94,9 +96,29 @@ def render(
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
             bibtex=bibtex(),
+            contents=_list_contents(sections),
+            abstract=ABSTRACT,
+            open=OPEN,
+            bounds=tabulate(g for row in rows for g in row.evidence.growth),
         )
     )
     return f"{text.rstrip()}\n"
+
+
+def title_section(section: str) -> str:
+    """The heading of a section of the paper.
+
+    >>> title_section("5.1"), title_section("Appendix")
+    ('Section 5.1', 'Appendix')
+    """
+    return f"Section {section}" if section[0].isdigit() else section
+
+
+def _list_contents(sections: Iterable[str]) -> list[tuple[str, str]]:
+    """The anchors and the names of the parts of the HTML report."""
+    own = [(slug(title), title) for title in map(title_section, sections)]
+    before = [("errata", "What is wrong"), ("bounds", "Bounds"), ("evidence", "Evidence")]
+    return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
 def totals(rows: Sequence[Row]) -> str:
@@ -144,6 +166,7 @@ def _environment(*, html: bool) -> Environment:
         "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
+        "section_title": title_section,
         "slug": slug,
     }
     environment.filters.update(filters)
@@ -240,9 +263,9 @@ def write_citation(folder: Path) -> list[Path]:
 def cite(key: str) -> str:
     """A work of references.bib in one line.
 
-    >>> cite("hershberger1989finding")
-    'Hershberger 1989, Finding the upper envelope of n line segments in O(n log n) time, \
-doi:10.1016/0020-0190(89)90136-1'
+    >>> cite("oks2006minkowski")
+    'Oks and Sharir 2006, Minkowski sums of monotone and general simple polygons, \
+doi:10.1007/s00454-005-1206-y'
     """
     (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", bibtex(), re.S)
     fields = dict(re.findall(r"^  (\w+) *= \{(.*)\},?$", entry, re.M))

@@ -237,7 +237,8 @@ def count_gaps(effort: Effort) -> Evidence:
     last, beside = written.points[-1], gaps.points[len(few) - 1]
     return Evidence(
         "Operations counted where most of D_b is touched: "
-        f"{beside.count:,} in place of {again.points[-1].count:,} at m = n = {beside.m}. A family of needles, vertices counted.",
+        f"{beside.count:,} in place of {again.points[-1].count:,} at m = n = {beside.m}. "
+        "A family of needles, vertices counted.",
         gaps.failure
         or ("" if written.is_attained else "the inner boundary falls behind mn²")
         or ("" if _outgrows(again, gaps) else "calling Trajectory_MM again is as good, or nearly"),
