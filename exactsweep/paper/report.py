@@ -31,10 +31,7 @@ SIZE, MARGIN = 200, 6
 
 XY = Sequence[tuple[float, float]]
 
-GROWTH = (
-    *("what", "family", "doubled", "m", "n", "divided by"),
-    *("first", "last", "exponent", "of the bound", "found"),
-)
+GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
 WEIGHTS = {
     1: "False claims",
@@ -206,16 +203,21 @@ def growth_row(series: Growth) -> list[str]:
     """
     first, end = series.points[0], series.points[-1]
     last = 3 if series.unit == "seconds" else 0
+    ratios = (f"{point.ratio:.3g}" for point in (first, end))
     return [
         series.what,
         series.family,
-        series.varied,
-        *(f"{a} to {b}" if a != b else str(a) for a, b in ((first.m, end.m), (first.n, end.n))),
+        *(_span(*map(str, sizes)) for sizes in ((first.m, end.m), (first.n, end.n))),
         series.bound,
-        *(f"{point.ratio:.3g}" for point in (first, end)),
+        _span(*ratios),
         *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
         series.verdict,
     ]
+
+
+def _span(first: str, last: str) -> str:
+    """From the first to the last, or both at once."""
+    return first if first == last else f"{first} to {last}"
 
 
 def miss(sampled: int) -> str:

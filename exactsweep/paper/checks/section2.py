@@ -181,7 +181,8 @@ def vertices_belong_to_events(pair: Pair) -> str:
         lasting = {*edges[k - 1], *edges[k]}
         for contact in at:
             if contact.event == "VV" and not any(_shares(s, contact, c) for c in lasting):
-                return f"at vertex {k} of the trajectory, {contact} belongs to no other event"
+                _, i, j = contact
+                return f"at vertex {k} of the trajectory, the VV of {i} and {j} ends no other event"
     return ""
 
 
