@@ -24,6 +24,7 @@ from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror
 from exactsweep.check.shape import Ring, on_integers, to_points
 from exactsweep.check.uncovered import Segment
 from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import LatticePoint, Point, Rational
 from exactsweep.geometry.polygon import Polygon
@@ -121,7 +122,7 @@ class _Frame:
     def __init__(self, direction: tuple[Any, Any], generatrix: Polygon, directrix: Polygon) -> None:
         ux, uy = map(to_fraction, direction)
         if ux == uy == 0:
-            raise ValueError("the direction (0, 0) is no direction")
+            raise ExactSweepError("the direction (0, 0) is no direction")
         unit = lcm(ux.denominator, uy.denominator)
         self._ux, self._uy = int(ux * unit), int(uy * unit)
         self._scale, ((g,), (d,)) = on_integers([[generatrix], [directrix]])
@@ -137,7 +138,7 @@ class _Frame:
         top = sorted(Piece(*q, *p) for p, q in edges if p[0] > q[0])
         # Monotone is: bottom and top each cover the range of x once.
         if any(p.x1 != q.x0 for half in (bottom, top) for p, q in pairwise(half)):
-            raise ValueError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
+            raise ExactSweepError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
         return tuple(bottom), tuple(top)
 
     def _back(self, x: Rational, y: Rational) -> LatticePoint:
