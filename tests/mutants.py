@@ -182,7 +182,12 @@ def _copy(source: Path, target: Path) -> None:
 @click.option("--sample", default=500, show_default=True, help="How many mutants.")
 @click.option("--seed", default=1, show_default=True)
 @click.option("--first", default=0, show_default=True, help="Leave out so many of the sample.")
-@click.option("--under", default="exactsweep", show_default=True, help="Only modules there.")
+@click.option(
+    "--under",
+    default="exactsweep",
+    show_default=True,
+    help="Only there: a folder, a module, or MODULE:LINE.",
+)
 @click.option("--wider", is_flag=True, help="Not only the tests of the room.")
 @click.option("--results", type=click.File("a"), help="A file to add results to, as JSON lines.")
 def main(
@@ -195,7 +200,12 @@ def main(
 ) -> None:
     """Try a sample of mutants; exit code 1 if one survives."""
     console = Console(stderr=True)
-    chosen = [pair for pair in every_mutant() if pair[0].path.startswith(under)]
+    path, _, line = under.partition(":")
+    chosen = [
+        (mutant, text)
+        for mutant, text in every_mutant()
+        if mutant.path.startswith(path) and line in ("", f"{mutant.line}")
+    ]
     drawn = Random(seed).sample(chosen, min(sample, len(chosen)))[first:]
     texts = dict(drawn)
     counts: Counter[str] = Counter()
