@@ -61,11 +61,11 @@ def lay_end_to_end(right: Procedure) -> Procedure:
 
 
 def compare_all_edges(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any, *cuts: Any) -> Any:
+    def merge_by_slope(first: Any, second: Any) -> Any:
         for x, _ in first:
             for other, _ in second:
                 x < other  # noqa: B015
-        return right(first, second, *cuts)
+        return right(first, second)
 
     return merge_by_slope
 
@@ -108,14 +108,12 @@ def return_directrix(right: Procedure) -> Procedure:
 
 def always_take_over(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        k = partial.edge_before(piece.breaks[0]) if len(partial.edges) > 1 else 0
+        k = partial.edge_before(piece.breaks[0]) if len(partial.pieces) > 1 else 0
         cut = Envelope(
             [*partial.breaks[: k + 1], piece.breaks[0]],
-            partial.edges[: k + 1],
-            partial.sources[: k + 1],
+            partial.pieces[: k + 1],
         )
-        cut.edges += piece.edges
-        cut.sources += piece.sources
+        cut.pieces += piece.pieces
         cut.breaks += piece.breaks[1:]
         return cut
 
@@ -164,7 +162,7 @@ def find_none(right: Procedure) -> Procedure:
 
 def copy_each_time(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        whole = Envelope(partial.breaks[:], partial.edges[:], partial.sources[:])
+        whole = Envelope(partial.breaks[:], partial.pieces[:])
         return right(whole, piece)
 
     return lower_envelope_cm
@@ -178,16 +176,16 @@ def keep_each(right: Procedure) -> Procedure:
     kept: list[Any] = []
 
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        kept.append((partial.breaks[:], partial.edges[:]))
+        kept.append((partial.breaks[:], partial.pieces[:]))
         return right(partial, piece)
 
     return lower_envelope_cm
 
 
 def concatenate(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any, *cuts: Any) -> Any:
+    def merge_by_slope(first: Any, second: Any) -> Any:
         chain: list[Any] = []
-        for point in right(first, second, *cuts):
+        for point in right(first, second):
             chain = [*chain, point]
         return chain
 

@@ -15,6 +15,8 @@ from typing import NamedTuple
 
 _ECHO = 40
 
+_new = object.__new__
+
 # The names of the slots: the properties of a Fraction, written in Python, take four times as long.
 _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
@@ -132,7 +134,7 @@ def _reduced(numerator: int, denominator: int) -> Fraction:
 
     Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
     """
-    fraction = object.__new__(Fraction)
+    fraction = _new(Fraction)
     fraction._numerator = numerator  # type: ignore[attr-defined]
     fraction._denominator = denominator  # type: ignore[attr-defined]
     return fraction
@@ -155,9 +157,14 @@ def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
         >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
         (Fraction(3, 2), Fraction(1, 6))
     """
-    if type(value) is int and type(divisor) is int:
-        common = gcd(value, divisor)
-        return _reduced(value // common, divisor // common)
+    if type(divisor) is int:
+        if type(value) is int:
+            common = gcd(value, divisor)
+            return _reduced(value // common, divisor // common)
+        if type(value) is Fraction:
+            n, d = value.as_integer_ratio()
+            common = gcd(n, divisor)
+            return _reduced(n // common, d * (divisor // common))
     return Fraction(value, divisor)
 
 
@@ -170,7 +177,17 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """
     if divisor != 1:
         return [quotient(v, divisor) for v in values]
-    return [_reduced(v, 1) if type(v) is int else v for v in values]  # type: ignore[misc]
+    found: list[Fraction] = []
+    for v in values:
+        if type(v) is int:
+            # As `_reduced` does, without the call.
+            fraction = _new(Fraction)
+            fraction._numerator = v  # type: ignore[attr-defined]
+            fraction._denominator = 1  # type: ignore[attr-defined]
+            found.append(fraction)
+        else:
+            found.append(v)  # type: ignore[arg-type]
+    return found
 
 
 def negative(value: int | Fraction) -> int | Fraction:
