@@ -52,6 +52,13 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     metavar="N",
     help="Processes of the command side by side.",
 )
+@click.option(
+    "--memory",
+    "most_memory",
+    type=click.IntRange(min=1),
+    metavar="MIB",
+    help="MiB that a process of the command may hold, with what it starts; any if left out.",
+)
 @click.option("--journal", type=PATH, metavar="FILE", help="Keep the outcomes as they come.")
 @click.option("--resume", is_flag=True, help="Go on with the journal where it ends.")
 @click.option(
@@ -59,7 +66,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     type=click.IntRange(min=0),
     default=1,
     metavar="N",
-    help="Make N failures of each verdict smaller, for --html and --json; 1 if left out.",
+    help="Make N failures of each fault smaller, for --html and --json; 1 if left out.",
 )
 @takes_rounding
 @takes_reports
@@ -69,6 +76,7 @@ def conform_command(
     path: str | None,
     timeout: float,
     workers: int,
+    most_memory: int | None,
     journal: str | None,
     resume: bool,
     shrink: int,
@@ -81,20 +89,19 @@ def conform_command(
     answers with a JSON result a line on its standard output. The README.md of exactsweep/conform
     has the protocol, on a page. Write -- before COMMAND.
 
-    Prints how many cases of each class and flag got which verdict. The exit code is 0 if no
-    verdict is worse than --accept, the program ended well, and some case could be judged; and 1
-    otherwise.
+    Prints how many cases of each class and flag got which verdict, and each fault with its smallest
+    case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and
+    enough cases could be judged; and 1 otherwise.
     """
-    from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import progress
     from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
     from exactsweep.conform.run.journal import Journal
     from exactsweep.conform.run.pool import Judges
-    from exactsweep.conform.run.run import Run
     from exactsweep.conform.run.runner import conduct
 
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
+    most = None if most_memory is None else most_memory * 2**20
     selection = Selection.of(filters)
     total = None
     if path is None and sys.stderr is not None and sys.stderr.isatty():
@@ -103,7 +110,7 @@ def conform_command(
     with ExitStack() as stack:
         stack.enter_context(_terminated_as_interrupted())
         judges = stack.enter_context(
-            Judges(command, seconds=timeout, workers=workers, rounding=rounding)
+            Judges(command, seconds=timeout, workers=workers, rounding=rounding, most=most)
         )
         kept = journal and stack.enter_context(
             Journal(
@@ -112,10 +119,11 @@ def conform_command(
                 hello=judges.hello,
                 seconds=timeout,
                 rounding=rounding,
+                most=most,
                 resume=resume,
             )
         )
-        run = Run(judges.hello, command, Verdict(reports.accept))
+        run = reports.begin(judges.hello, command)
         tell = stack.enter_context(progress(run, total))
         smaller = shrink if reports.html or reports.json else 0
         conduct(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)

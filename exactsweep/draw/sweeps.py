@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import pairwise
 from typing import TYPE_CHECKING, Protocol
 
 from exactsweep.canvas import style
@@ -14,7 +13,9 @@ from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import stretches
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.point_set import is_on
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
@@ -225,7 +226,7 @@ def draw_exact_fits(
         hanging = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
-            if any(is_on(p, loop) for loop in loops)
+            if any(is_on(p, loop.vertices) for loop in loops)
         ]
         picture.lines([_moved(end, s) for end in hanging], style.HANGING_END)
     if points:
@@ -236,20 +237,6 @@ def parted(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
     """Part exact fits into segments and single positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
-
-
-def is_on(p: Point, loop: Polygon) -> bool:
-    """Whether a point is on a loop. Cost: O(n).
-
-    >>> square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
-    >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)
-    (True, False)
-    """
-    ring = loop.vertices
-    return any(
-        (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and min(a, b) <= p <= max(a, b)
-        for a, b in pairwise((*ring, ring[0]))
-    )
 
 
 def _moved(points: Iterable[Point], s: Moving) -> list[Point]:

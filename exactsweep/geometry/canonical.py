@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import LatticePoint
 from exactsweep.geometry.simplicity import find_conflict
 
 
-class PolygonError(ValueError):
+class PolygonError(ExactSweepError):
     """Vertices that do not bound a simple polygon; the message names indices in the input."""
 
 

@@ -11,6 +11,8 @@ from math import gcd
 from numbers import Rational, Real
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
+
 _ECHO = 40
 
 # JSON's grammar of numbers, and fractions.
@@ -23,7 +25,7 @@ _NUMBER = re.compile(
 _SHOWN_DIGITS = 24
 
 
-class NumberError(ValueError):
+class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
@@ -47,7 +49,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
             (`d.ddd * 10**exponent`); 4000 unless changed.
 
     Raises:
-        ValueError: a limit below one.
+        NumberError: a limit below one.
 
     Example:
         >>> with limits(max_exponent=10_000):
@@ -61,7 +63,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
     )
     for name, value in zip(new._fields, new, strict=True):
         if value < 1:
-            raise ValueError(f"{name} must be at least 1")
+            raise NumberError(f"{name} must be at least 1")
     token = _limits.set(new)
     try:
         yield

@@ -14,13 +14,14 @@ from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict, first_failure
 from exactsweep.paper.laws import Trial
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
-class UnknownClaimError(ValueError):
+class UnknownClaimError(ExactSweepError):
     """A name that no row of the ledger has."""
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from click.testing import CliRunner, Result
-from mutations import MUTATIONS, mutated
+from sabotage import MUTATIONS, mutated
 
 from exactsweep import __version__
 from exactsweep.cli import main

@@ -12,10 +12,11 @@ from exactsweep.conform.run.protocol import read_object
 from exactsweep.corpus import Case, case_from_json, cases, find_case
 from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json, read_vertices
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 
 
-class SelectionError(ValueError):
+class SelectionError(ExactSweepError):
     """A filter that is none, or cases that cannot be told apart."""
 
 

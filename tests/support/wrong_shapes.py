@@ -1,0 +1,1 @@
+"""Sabotages of the procedures for polygons of any shape."""
