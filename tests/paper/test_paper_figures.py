@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
-from sabotage import MUTATIONS, mutated
+from mutations import MUTATIONS, mutated
 
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
