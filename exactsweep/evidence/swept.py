@@ -24,6 +24,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep
+from exactsweep.words import vector
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -269,14 +270,14 @@ class Swept:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
         return "\n".join(
-            [f"{self.kind} sweep, monotone to {self.direction}, area {abridged(self.area)}"]
+            [f"{self.kind} sweep, monotone to {vector(self.direction)}, area {abridged(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
         )
 
     def __repr__(self) -> str:
         return (
             f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
-            f"direction {self.direction}: trajectory {len(self.trajectory)}, "
+            f"direction {vector(self.direction)}: trajectory {len(self.trajectory)}, "
             f"inner {len(self.inner)}, outer {len(self.outer)} vertices>"
         )
 
