@@ -378,13 +378,13 @@ MUTATIONS = (
     ),
     Mutation(
         "undercuts: all forgotten but the first of each half",
-        undercut.pockets,
+        undercut.find_pockets,
         keep_first,
         ("Number of undercuts, MM", "Lemma 5.5"),
     ),
     Mutation(
         "exact fits: cut in half",
-        exact_fit.exact_fits,
+        exact_fit.find_exact_fits,
         halve_fits,
         ("Definition 1.1",),
     ),
@@ -414,19 +414,19 @@ MUTATIONS = (
     ),
     Mutation(
         "contacts: EE contacts lost",
-        contact.edge_contacts,
+        contact.find_edge_contacts,
         lose_parallel,
         ("Every edge of D is touched", "Table 1", "Lemma A.1", "Labels of events"),
     ),
     Mutation(
         "undercuts: the first one forgotten",
-        undercut.pockets,
+        undercut.find_pockets,
         lose_first,
         ("Two forms of a bottom chain",),
     ),
     Mutation(
         "exact fits: none found",
-        exact_fit.exact_fits,
+        exact_fit.find_exact_fits,
         find_none,
         ("Definition 1.1",),
     ),
