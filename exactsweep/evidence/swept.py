@@ -85,7 +85,12 @@ class Swept:
             loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
             points = self._frame.leave(loop, shift)
             if self.direction != X_AXIS:
-                first = points.index(min(points))
+                # Ints are compared in a fraction of the time.
+                floors = [x.numerator // x.denominator for x, _ in points]
+                least = min(floors)
+                first = min(
+                    (k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__
+                )
                 loop, points = loop[first:] + loop[:first], points[first:] + points[:first]
             return loop, Polygon._from_canonical(points)
 

@@ -46,9 +46,12 @@ class Frame(NamedTuple):
         else:
             xs, ys = [], []
             for x, y in points:
-                (a, b), (c, d) = x.as_integer_ratio(), y.as_integer_ratio()
-                xs.append(quotient(p * a * d - q * c * b, b * d * scale))
-                ys.append(quotient(q * a * d + p * c * b, b * d * scale))
+                unit = scale
+                if type(x) is not int or type(y) is not int:
+                    (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
+                    x, y, unit = x * d, y * b, scale * b * d
+                xs.append(quotient(p * x - q * y, unit))
+                ys.append(quotient(q * x + p * y, unit))
         if shift != ORIGIN:
             dx, dy = shift
             xs, ys = [x + dx for x in xs], [y + dy for y in ys]
