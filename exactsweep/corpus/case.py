@@ -11,8 +11,10 @@ from typing import Literal, get_args
 
 from exactsweep.corpus.facts import facts
 from exactsweep.corpus.representable import types_holding
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.sweep import sweep
 
 Kind = Literal["CC", "CM", "MM", "SS"]
@@ -20,7 +22,7 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 Ring = tuple[Point, ...]
 
 
-class CaseError(ValueError):
+class CaseError(ExactSweepError):
     """A case that cannot be read, or that contradicts itself; the message says where."""
 
 

@@ -5,11 +5,12 @@ from fractions import Fraction
 from operator import eq
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import LatticePoint
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
-class PolygonError(ValueError):
+class PolygonError(ExactSweepError):
     """Vertices that do not bound a simple polygon; the message names indices in the input."""
 
 

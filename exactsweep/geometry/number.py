@@ -13,6 +13,8 @@ from numbers import Rational, Real
 from operator import attrgetter
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
+
 _ECHO = 40
 
 _new = object.__new__
@@ -33,7 +35,7 @@ _SHOWN_DIGITS = 24
 _SHORT = sys.int_info.str_digits_check_threshold
 
 
-class NumberError(ValueError):
+class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
@@ -57,7 +59,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
             (`d.ddd * 10**exponent`); 4000 unless changed.
 
     Raises:
-        ValueError: a limit below one.
+        NumberError: a limit below one.
 
     Example:
         >>> with limits(max_exponent=10_000):
@@ -71,7 +73,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
     )
     for name, value in zip(new._fields, new, strict=True):
         if value < 1:
-            raise ValueError(f"{name} must be at least 1")
+            raise NumberError(f"{name} must be at least 1")
     token = _limits.set(new)
     try:
         yield

@@ -8,7 +8,7 @@ from typing import Any
 from builders.entry import Entry
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.corpus.case import given_ring
-from exactsweep.geometry.polygon import read_point
+from exactsweep.geometry.reading import read_point
 
 _NAMES = (
     "directions",

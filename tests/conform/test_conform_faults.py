@@ -1,11 +1,10 @@
 """Implementations with one known fault each get the verdict that belongs to it."""
 
 import subprocess
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
+from judged import CORRECT, FAULTY, SLOT, SQUARE
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
@@ -13,11 +12,6 @@ from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.corpus import Case, cases
 
-IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
-FAULTY = [sys.executable, str(IMPLEMENTATIONS / "faulty.py")]
-
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
 CASES = {
     # An undercut, crossings that are no integers, and a reference point off the origin.
     "notch": Case.of("notch", "", DIRECTRIX, GENERATRIX, ("1/2", 1)),
@@ -113,7 +107,10 @@ def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: Proces
 @pytest.mark.parametrize("peer", ["crash"], indirect=True)
 def test_what_it_said_last_is_kept(peer: ProcessPeer) -> None:
     outcome = judge_case(peer, CASES["notch"])
-    assert (outcome.reason, outcome.stderr) == ("exited with code 3", "about to fail\n")
+    assert (outcome.reason, outcome.stderr) == (
+        "exited with code 3; it says: about to fail",
+        "about to fail\n",
+    )
 
 
 @pytest.mark.parametrize("peer", ["unsupported"], indirect=True)
@@ -122,7 +119,7 @@ def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
 
 
 def test_the_correct_one_is_exact_everywhere() -> None:
-    peer = ProcessPeer([sys.executable, str(IMPLEMENTATIONS / "correct.py")])
+    peer = ProcessPeer(CORRECT)
     try:
         outcomes = [judge_case(peer, case) for case in [*CASES.values(), *cases()]]
         assert peer.close() is None

@@ -38,6 +38,16 @@ def test_vertices_are_canonical(polygon: Polygon) -> None:
     assert len(polygon) == len(v)
 
 
+@pytest.mark.parametrize("scale", [1, 3, Fraction(1, 2), Fraction(1, 2**9000)])
+def test_the_least_triangles_are_turned_counter_clockwise(scale: Fraction) -> None:
+    """Twice their area is one unit of the lattice, so that a sign is all there is to go by."""
+    corners = [(0, 0), (scale, 0), (0, scale)]
+    for k in range(3):
+        spelled = corners[k:] + corners[:k]
+        for ring in (spelled, spelled[::-1]):
+            assert Polygon(ring).vertices == strategies.points(*corners)
+
+
 @given(strategies.simple_polygons(), st.data())
 def test_spelling_does_not_matter(polygon: Polygon, data: st.DataObject) -> None:
     spelled = Polygon(data.draw(strategies.spellings(polygon)))

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.conform.run.protocol import Hello, Numbers
 from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
@@ -14,7 +15,7 @@ Number = Any
 Ring = list[tuple[Number, Number]]
 
 
-class MissingError(ValueError):
+class MissingError(ExactSweepError):
     """A program that is not installed here; the message says how to get it."""
 
 

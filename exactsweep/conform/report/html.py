@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from importlib.resources import files
+from itertools import count, islice
 from typing import Any, NamedTuple
 
 from exactsweep import __version__
@@ -21,7 +22,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import path_data
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import root, witness_lines
+from exactsweep.conform.report.text import root, tell_costs, witness_lines
 from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
 from exactsweep.conform.run.run import SHOWN, Run, fails
 from exactsweep.geometry.number import NumberError, to_fraction
@@ -76,8 +77,10 @@ def html(run: Run) -> str:
     template = (
         files("exactsweep.conform.report").joinpath("report.html.j2").read_text(encoding="utf-8")
     )
-    failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
+    failed = (outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted))
     summary = run.summary
+    failures = summary.failures(run.accepted)
+    numbers = count(1)
     return environment.from_string(template).render(
         run=run,
         summary=summary,
@@ -94,14 +97,23 @@ def html(run: Run) -> str:
             ]
             for name, worst in summary.worst.items()
         },
-        judged=summary.total() - summary.total(Verdict.UNSUPPORTED),
-        failed=failed[:_MOST_LISTED],
-        more=len(failed[_MOST_LISTED:]),
-        failures=[_failure(outcome, run.shrunk.get(outcome.id)) for outcome in run.shown()],
+        costs=tell_costs(summary),
+        objections=run.find_objections(),
+        diagnosis=summary.diagnosis(),
+        failures=failures,
+        failed=islice(failed, _MOST_LISTED),
+        more=max(0, failures - _MOST_LISTED),
+        faults=[
+            (
+                fault,
+                [(next(numbers), _show(o, run.shrunk.get(o.id))) for o in fault.kept],
+            )
+            for fault in run.list_faults()
+        ],
     )
 
 
-def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
+def _show(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
     case = outcome.case
     return Failure(
         outcome,
@@ -110,7 +122,7 @@ def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
         [_part(part) for part in outcome.parts],
         json.dumps(case, indent=1) if case else "",
         json.dumps(outcome.result, indent=1) if outcome.result else "",
-        _failure(smaller) if smaller else None,
+        _show(smaller) if smaller else None,
     )
 
 
@@ -132,6 +144,8 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
         "distance": _about(root(read_exact(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
+        "granted": _about(read_exact(part["granted"])) if part["granted"] else "",
+        "diagnosis": part["diagnosis"],
         "said": said or [part["reason"]],
     }
 
