@@ -158,7 +158,7 @@ def test_wkt_is_refused_where_it_cannot_be_exact() -> None:
     message = refusal(run("sweep", "--wkt", HOUSE, "-", stdin=third))
     assert message == (
         "trajectory, vertex 2: -2/3 is not a finite decimal, which is all that WKT can hold; "
-        "use --json"
+        "use --json, or --round"
     )
 
 
