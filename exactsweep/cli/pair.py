@@ -83,6 +83,32 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
     return with_pair
 
 
+def files_of_pair() -> tuple[str, str] | None:
+    """The files of G and of D of the command that runs; None for the built-in example."""
+    named = click.get_current_context().params
+    generatrix, directrix = named.get("generatrix"), named.get("directrix")
+    return None if generatrix is None or directrix is None else (generatrix, directrix)
+
+
+def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the flag --y-down or --y-up, as `y_down`."""
+
+    @click.option(
+        "--y-down/--y-up",
+        default=None,
+        help="Whether Y points down, as viewers of SVG have it; if left out, it does where the "
+        "directrix is from a file that ends in .svg.",
+    )
+    @wraps(command)
+    def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
+        if y_down is None:
+            files = files_of_pair()
+            y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
+        command(*arguments, y_down=y_down, **options)
+
+    return with_way_up
+
+
 def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command two polygons, of which the second one moves, as positional arguments.
 
