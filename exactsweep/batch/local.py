@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import pickle
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.processes import Pool, count_cores
@@ -24,12 +25,14 @@ class LocalProcesses:
 
     def __init__(self, work: Work, count: int | None = None) -> None:
         self.count = count or count_cores()
-        with _hiding_main():
+        # A worker may need the module that was run for classes of the caller's own.
+        self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hiding_main
+        with self._around():
             self._pool = Pool(self.count, _hold, work)
 
     def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
         """Compute a chunk in some process."""
-        with _hiding_main():
+        with self._around():
             try:
                 return self._pool.submit(_compute, chunk)
             except BrokenProcessPool:
@@ -45,7 +48,7 @@ class LocalProcesses:
 def _hiding_main() -> Iterator[None]:
     """Let processes be started that do not import the module that was run.
 
-    They need nothing of it, and would run it again where it has no main guard.
+    They would run it again where it has no main guard.
     """
     main = vars(sys.modules["__main__"])
     hidden: dict[str, object] = {
