@@ -25,6 +25,7 @@ MODULES = (
     "exactsweep.batch",
     "exactsweep.draw",
     "exactsweep.view",
+    "exactsweep.lessons",
     "exactsweep.corpus",
     "exactsweep.conform",
     "exactsweep.conform.adapters",

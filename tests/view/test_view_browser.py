@@ -471,3 +471,20 @@ def test_more_than_a_thousand_fits_are_visited_in_turn(show: Open) -> None:
     shown.press("f", "f")
     assert shown.text("where").startswith("end 0 of exact fit 1")
     assert shown.position == s.exact_fits[1][0]
+
+
+def test_the_page_runs_in_the_frame_of_a_notebook(browser: Any, tmp_path: Path) -> None:
+    file = tmp_path / "notebook.html"
+    file.write_text(f"<!doctype html><p>A cell</p>{EXAMPLE.view()._repr_html_()}")
+    tab = browser.new_page()
+    complaints: list[str] = []
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.goto(file.as_uri())
+    frame = tab.frames[1]
+    frame.wait_for_function("window.exactsweep !== undefined")
+    assert frame.evaluate("exactsweep.position()") == ["-2", "-1"]
+    # It cannot reach the notebook around it.
+    reached = "(() => { try { return parent.document.title } catch { return null } })()"
+    assert frame.evaluate(reached) is None
+    tab.close()
+    assert complaints == []
