@@ -7,16 +7,23 @@ from fractions import Fraction
 from itertools import pairwise, product
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
-from exactsweep.check import classify, reference_inner_fit, reference_no_fit, reference_swept
+from exactsweep.check import (
+    classify,
+    point_in_polygon,
+    reference_inner_fit,
+    reference_no_fit,
+    reference_swept,
+)
 from exactsweep.corpus.generator.growing import forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, offset, segment
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
+from exactsweep.paper.checks.section2 import CAVE
 from exactsweep.paper.claim import Effort, Evidence, first_failure
 from exactsweep.paper.counting import Family
-from exactsweep.paper.growth import Bound, double, grow
+from exactsweep.paper.growth import MN, Bound, double, grow
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
@@ -30,11 +37,17 @@ HELD = Pair(
     [(0, 0), (2, 0), (2, 2), (0, 2)],
     [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)],
 )
-# A square, and a container of which half is two squares of twice its size with one corner shared.
-PINCHED = Pair(
+# The same with a cave in which it has room.
+ROOM = Pair(
     [(0, 0), (2, 0), (2, 2), (0, 2)],
-    [(0, 0), (2, 0), (2, 1), (3, 1), (3, 3), (1, 3), (1, 2), (0, 2)],
+    [(0, 0), (5, 0), (5, 5), (2, 5), (2, 4), (4, 4), (4, 1), (1, 1), (1, 5), (0, 5)],
 )
+# Containers for that square: of two square rooms with one position in common, and just as wide.
+ROOMS = [(0, 0), (4, 0), (4, 2), (6, 2), (6, 6), (2, 6), (2, 4), (0, 4)]
+SLOT = [(0, 0), (2, 0), (2, 5), (0, 5)]
+# A container with a defect, and a part that passes between its tip and the wall in one position.
+DIAMOND = [(0, -1), (1, 0), (0, 1), (-1, 0)]
+NARROW = Region([(0, 0), (12, 0), (12, 12), (0, 12)], [[(6, 2), (8, 4), (6, 6), (4, 4)]])
 
 
 def no_fit_is_the_definition(pair: Pair) -> str:
@@ -162,9 +175,12 @@ def find_held_position(effort: Effort) -> Evidence:
 
 def inner_fit_is_the_definition(pair: Pair) -> str:
     """The inner fit has the regions, their holes and the exact fits of the definition."""
-    container = _enlarge(pair.directrix)
-    found = inner_fit_polygon(container, pair.generatrix)
-    expected = reference_inner_fit(container, pair.generatrix)
+    return compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
+
+
+def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
+    """Say that an inner fit is not that of the definition; empty if it is."""
+    found, expected = inner_fit_polygon(container, part), reference_inner_fit(container, part)
     regions = tuple(
         (region.exterior.vertices, tuple(hole.vertices for hole in region.holes))
         for region in found.regions
@@ -172,9 +188,8 @@ def inner_fit_is_the_definition(pair: Pair) -> str:
     if regions != expected.regions:
         return f"{len(regions)} regions that are not the {len(expected.regions)} of the definition"
     if found.exact_fits != expected.exact_fits:
-        return (
-            f"exact fits {_show(found.exact_fits)}, by the definition {_show(expected.exact_fits)}"
-        )
+        fits = _show(found.exact_fits), _show(expected.exact_fits)
+        return f"exact fits {fits[0]}, and {fits[1]} by the definition"
     return ""
 
 
@@ -205,15 +220,39 @@ def _enlarge(ring: Ring) -> Ring:
     return [(2 * x, 2 * y) for x, y in ring]
 
 
-def find_touching_regions(effort: Effort) -> Evidence:
-    """Show a container whose regions touch in points, and are simple polygons each."""
-    failure = inner_fit_is_the_definition(PINCHED)
-    found = inner_fit_polygon(_enlarge(PINCHED.directrix), PINCHED.generatrix).regions
-    corners = [set(region.exterior.vertices) for region in found]
-    touch = len(corners) - len(set.union(*corners)) if corners else 0
-    if not failure and not (len(found) > 1 and touch):
-        failure = f"{len(found)} regions that do not touch"
-    return Evidence("", failure)
+def find_touching_loops(effort: Effort) -> Evidence:
+    """Show two regions that touch in a point, a region whose two loops do, and an exact fit."""
+    failures = []
+    for container, part, holes, place in (
+        (ROOMS, ROOM.generatrix, [0, 0], (2, 2)),
+        (NARROW, DIAMOND, [1], (6, 1)),
+        (SLOT, ROOM.generatrix, [], (0, 0)),
+    ):
+        found = inner_fit_polygon(container, part)
+        loops = [loop for region in found.regions for loop in (region.exterior, *region.holes)]
+        failures.append(compare_inner_fits(container, part))
+        if [len(region.holes) for region in found.regions] != holes:
+            failures.append(f"{len(loops)} loops")
+        if any(point_in_polygon(place, loop) != 0 for loop in loops):
+            failures.append(f"a loop is off {place}")
+        if len(found.exact_fits) != (not loops):
+            failures.append(f"exact fits {_show(found.exact_fits)}")
+    return Evidence("And 3 cases by hand.", first_failure(iter(failures)))
+
+
+def find_room(effort: Effort) -> Evidence:
+    """Show a cave in which G has room."""
+    failure = loops_are_simple(ROOM)
+    holes = len(no_fit_polygon(*ROOM[::-1]).holes)
+    return Evidence("And a cave with room.", failure or ("" if holes == 1 else f"{holes} holes"))
+
+
+def find_unswept(effort: Effort) -> Evidence:
+    """Show the cave of Theorem 2.2, whose middle is passed by."""
+    failure = swept_area_is_the_definition(CAVE)
+    loops = len(sweep(*CAVE).unswept)
+    failure = failure or ("" if loops else "no further loop")
+    return Evidence(f"And the cave of Theorem 2.2, with {loops} further loop.", failure)
 
 
 def swept_area_is_the_definition(pair: Pair) -> str:
@@ -288,3 +327,24 @@ def count_contact_segments(effort: Effort) -> Evidence:
         f"{p.count} stretches for ({p.m}, {p.n})" for g in growth for p in g.points if p.ratio > 1
     )
     return Evidence("", failure or first_failure(g.failure for g in growth), growth=growth)
+
+
+def count_trajectory(effort: Effort) -> Evidence:
+    """Count the edges of the exterior beside mn, with many holes inside it and with none."""
+
+    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
+        def counted(m: int, n: int) -> tuple[int, float]:
+            generatrix, directrix = family(m, n)
+            return len(no_fit_polygon(directrix, generatrix).exterior), MN[1](m, n)
+
+        return counted
+
+    last = 2 if effort.quick else 3
+    growth = tuple(
+        grow("edges of the trajectory", family.__name__, MN[0], sizes, count(family))
+        for family, sizes in (
+            (forks, [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]),
+            (mm, double(16, last + 1)),
+        )
+    )
+    return Evidence("Counts.", first_failure(g.failure for g in growth), growth=growth)
