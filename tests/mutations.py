@@ -19,7 +19,9 @@ sys.path.insert(0, str(Path(__file__).parent / "support"))
 import wrong_answers
 import wrong_costs
 import wrong_shapes
-from sabotage import MUTATIONS, red_rows
+from sabotage import MUTATIONS, Mutation, mutated, red_rows
+
+__all__ = ["MUTATIONS", "SABOTAGES", "Mutation", "mutated", "red_rows"]
 
 SABOTAGES = (wrong_answers, wrong_costs, wrong_shapes)
 """The modules that register what is in MUTATIONS."""

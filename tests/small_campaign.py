@@ -227,6 +227,17 @@ def run_shard(seed: int, known: Known, number: int) -> Shard:
     return Shard(number, dict(kinds), fits, holes, seconds, noted, dict(seen), kept, failures)
 
 
+def find_failure(seed: int, count: int) -> str:
+    """Hold a few pairs of all classes, and what is bred from them, against the definition."""
+    rng = Random(f"few {seed}")
+    for k in range(count):
+        drawn = draw_shapeless(rng) if k % 5 == 4 else draw(rng)
+        for pair in (drawn, breed(rng, drawn)):
+            if failure := answer(pair, deep=k % 2 == 0).failure:
+                return f"{failure}: {pair}"
+    return ""
+
+
 def describe(pair: SmallPair, found: Answer) -> str:
     """A failing pair, and the smallest one that it leads to."""
     least = shrink(pair, lambda candidate: bool(answer(candidate, deep=True).failure))

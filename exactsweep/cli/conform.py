@@ -9,11 +9,11 @@ from contextlib import ExitStack, contextmanager
 from fractions import Fraction
 from math import isnan
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
-from exactsweep.cli.pair import PATH, takes_tolerance
+from exactsweep.cli.pair import PATH, takes_reading
 from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
 
 
@@ -44,7 +44,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     help="Polygons of your own instead, each around each, in any format; or lines of JSON with a "
     "directrix and a generatrix. The exact answers are made here.",
 )
-@takes_tolerance
+@takes_reading
 @click.option(
     "--timeout",
     type=click.FloatRange(min=0, min_open=True),
@@ -83,7 +83,7 @@ def conform_command(
     filters: tuple[str, ...],
     path: str | None,
     pairs: str | None,
-    tolerance: Fraction | None,
+    reading: dict[str, Any],
     timeout: float,
     workers: int,
     most_memory: int | None,
@@ -112,8 +112,8 @@ def conform_command(
 
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
-    if tolerance is not None and pairs is None:
-        raise click.UsageError("--flatten goes with --pairs.")
+    if any(reading.values()) and pairs is None:
+        raise click.UsageError("--flatten, --join, --nested and --unit go with --pairs.")
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
@@ -121,7 +121,7 @@ def conform_command(
     total = None
     given = read_cases(path) if path is not None else None
     if pairs is not None:
-        given = read_pairs(pairs, tolerance)
+        given = read_pairs(pairs, **reading)
     if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in selection.shipped())
     cases = distinct(selection.shipped() if given is None else selection.among(given))

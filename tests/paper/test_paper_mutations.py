@@ -1,8 +1,7 @@
 """Every fault that is put into the kernel turns the rows red that depend on it."""
 
 import pytest
-from mutations import SABOTAGES
-from sabotage import MUTATIONS, Mutation, mutated, red_rows
+from mutations import MUTATIONS, SABOTAGES, Mutation, mutated, red_rows
 
 from exactsweep.paper.claim import Effort
 from exactsweep.procedures import cc

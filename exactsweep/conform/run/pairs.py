@@ -6,14 +6,15 @@ import io
 import json
 from collections.abc import Iterator, Sequence
 from itertools import product
-from typing import BinaryIO
+from typing import BinaryIO, Unpack
 
 from exactsweep.conform.run.cases import read_lines
 from exactsweep.corpus import Case
 from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
+from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.exact_json import described, parse_json, read_vertices
-from exactsweep.formats.outline import Outline, choose
-from exactsweep.formats.polygons import find_outlines, parse_outlines
+from exactsweep.formats.polygons import find_candidates, parse_candidates
+from exactsweep.formats.reading import Options
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import Point
 from exactsweep.words import suggestion
@@ -22,7 +23,7 @@ _ROLES = ("directrix", "generatrix")
 _MEMBERS = (*_ROLES, "reference", "id")
 
 
-def read_pairs(path: str, tolerance: object = None) -> Iterator[Case]:
+def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
     """Read pairs of polygons as cases.
 
     Args:
@@ -31,6 +32,7 @@ def read_pairs(path: str, tolerance: object = None) -> Iterator[Case]:
             `parse_polygon` reads of JSON; or polygons in any format that `parse_polygons` reads,
             each of which is put around each, itself included.
         tolerance: as for `parse_polygons`.
+        options: likewise.
 
     Returns:
         An iterator of Case; the ids are those of the lines, or "pair-NUMBER" by line; or the two
@@ -45,15 +47,17 @@ def read_pairs(path: str, tolerance: object = None) -> Iterator[Case]:
     name = file_name(path)
     try:
         if path == "-":
-            yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance)
+            yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
         else:
             with open(path, "rb") as file:
-                yield from _read(file, path, tolerance)
+                yield from _read(file, path, tolerance, **options)
     except OSError as error:
         raise FormatError(f"{name}: {error.strerror or error}") from None
 
 
-def _read(file: BinaryIO, path: str, tolerance: object) -> Iterator[Case]:
+def _read(
+    file: BinaryIO, path: str, tolerance: object, **options: Unpack[Options]
+) -> Iterator[Case]:
     first = b"\n"
     while first.isspace():
         first = file.readline(MAX_BYTES + 1)
@@ -63,7 +67,7 @@ def _read(file: BinaryIO, path: str, tolerance: object) -> Iterator[Case]:
         return
     try:
         text = file.read().decode() if path == "-" else read_text(path)
-        parts = _name(parse_outlines(text, tolerance))
+        parts = _name(parse_candidates(text, tolerance, **options))
         for d, g in product(parts, repeat=2):
             yield Case.of(f"{d[0]}/{g[0]}", "", d[1], g[1])
     except ValueError as error:
@@ -93,22 +97,22 @@ def _read_pair(number: int, line: str) -> Case:
     if not isinstance(id, str):
         raise FormatError(f"$.id is {described(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
-    d, g = (_read_ring(choose(find_outlines(document[role]), None), role) for role in _ROLES)
+    d, g = (_read_ring(choose(find_candidates(document[role]), None), role) for role in _ROLES)
     return Case.of(id, "", d, g, reference)
 
 
-def _read_ring(outline: Outline, name: str) -> Sequence[Point]:
+def _read_ring(candidate: Candidate, name: str) -> Sequence[Point]:
     """Read a polygon, its vertices as they are given."""
     try:
-        outline.polygon()
-        return outline.vertices()
+        candidate.polygon()
+        return candidate.vertices()
     except ValueError as error:
         raise FormatError(f"{name}: {error}") from None
 
 
-def _name(outlines: Sequence[Outline]) -> list[tuple[str, Sequence[Point]]]:
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, Sequence[Point]]]:
     """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
-    names = [outline.name or "" for outline in outlines]
+    names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):
-        names = [str(k) for k in range(len(outlines))]
-    return [(name, _read_ring(o, name)) for name, o in zip(names, outlines, strict=True)]
+        names = [str(k) for k in range(len(candidates))]
+    return [(name, _read_ring(one, name)) for name, one in zip(names, candidates, strict=True)]
