@@ -201,4 +201,18 @@ def test_a_mistake_is_named(words: str, numbers: Any) -> None:
 def test_no_mistake_is_named_that_is_none() -> None:
     assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
     moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
-    assert judge(CASE, moved).diagnosis == ()
+    assert judge(CASE, moved).diagnosis == ("one vertex is off, the others are exact",)
+
+
+@pytest.mark.parametrize(("numbers", "verdict"), [("rational", "unsound"), ("integer", "within")])
+def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
+    numbers: str, verdict: str
+) -> None:
+    """And not in a case that is smaller than a unit: anything would be within that."""
+    small = [("1/3", 0), ("2/3", 0), ("1/2", "1/3")]
+    case = Case.of("small", "", small, small)
+    assert judge(case, [[0, 0], [1, 0], [1, 1]], numbers=numbers).verdict != "within"
+    third = Case.of("thirds", "", [(0, 0), (4, 0), (0, 4)], [(0, 0), ("4/3", 0), (0, "4/3")])
+    rounded = [[round(x), round(y)] for x, y in third.trajectory.vertices]
+    found = judge(third, rounded, numbers=numbers)
+    assert found.verdict == verdict
