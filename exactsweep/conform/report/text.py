@@ -163,6 +163,9 @@ def close(run: Run, *, is_timed: bool = False) -> str:
         lines.append(
             f"... and {count(rest, 'failure')} of {len(faults) - _MOST_LISTED} other kinds"
         )
+    granted, where = run.summary.granted
+    if granted:
+        lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
     if is_timed:
         lines += tell_costs(run.summary)
     summary = run.summary
