@@ -13,7 +13,7 @@ from itertools import pairwise
 from math import lcm
 
 from exactsweep.draw.features import Features
-from exactsweep.evidence.contact import Contact, facing, minus
+from exactsweep.evidence.contact import Contact, find_facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Point, Vertex
@@ -46,9 +46,9 @@ class Meetings:
         g, g_numbers = _outline(s.generatrix, self._scale)
         d, d_numbers = _outline(s.directrix, self._scale)
         pairs = set()
-        for i, j in facing(dict(enumerate(g.edges)), d):
+        for i, j in find_facing(dict(enumerate(g.edges)), d):
             pairs |= {(i, j), (g.after[i], j)}
-        for j, i in facing(dict(enumerate(d.edges)), g):
+        for j, i in find_facing(dict(enumerate(d.edges)), g):
             pairs |= {(i, j), (i, d.after[j])}
         self._contacts: defaultdict[Vertex, list[Contact]] = defaultdict(list)
         for i, j in pairs:
