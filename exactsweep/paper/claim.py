@@ -139,6 +139,7 @@ class Claim:
     kernel: str = ""
     see: tuple[str, ...] = ()
     figure: str = ""
+    chosen: str = ""
 
 
 class Row(NamedTuple):

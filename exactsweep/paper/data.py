@@ -109,6 +109,7 @@ def _row_as_json(row: Row) -> dict[str, Any]:
         "correction": claim.correction or None,
         "proof": claim.proof or None,
         "kernel": claim.kernel or None,
+        "chosen": claim.chosen or None,
         "see": list(claim.see),
         "code": list(claim.code),
         "tried": found.tried,

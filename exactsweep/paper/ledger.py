@@ -71,6 +71,7 @@ def _read(row: Mapping[str, Any]) -> Claim:
         _join(row.get("kernel", "")),
         tuple(row.get("see", ())),
         row.get("figure", ""),
+        _join(row.get("chosen", "")),
     )
 
 

@@ -244,6 +244,11 @@ def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
 @pytest.mark.parametrize("row", read_rows(), ids=ORDER)
 def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
     assert ("sampled" in row["evidence"]) or not row.get("laws")
-    assert ("figure" in row) == ("against" in row) != bool({"check", "laws", "costs"} & set(row))
+    assert (
+        ("figure" in row)
+        == ("chosen" in row)
+        == ("against" in row)
+        != bool({"check", "laws", "costs"} & set(row))
+    )
     assert ("weight" in row) == Verdict(row["verdict"]).objects
     assert ("measured" in row["evidence"]) == ("costs" in row)

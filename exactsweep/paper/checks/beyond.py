@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise, product
 
@@ -14,7 +14,6 @@ from exactsweep.check import (
     reference_no_fit,
     reference_swept,
 )
-from exactsweep.corpus.generator.growing import forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, offset, segment
@@ -22,15 +21,10 @@ from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
 from exactsweep.paper.claim import Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family
-from exactsweep.paper.growth import MN, Bound, double, grow
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
 
 Fits = Iterable[tuple[Point, Point]]
-
-SPIKES: Bound = ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2))
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = Pair(
@@ -275,76 +269,3 @@ def swept_area_leaves_its_loops(pair: Pair) -> str:
     parts = free_parts(swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]]))))
     loops = 2 + len(s.unswept)
     return "" if parts == loops else f"{parts} parts of the plane are free, for {loops} loops"
-
-
-def count_holes(effort: Effort) -> Evidence:
-    """Count the holes of no-fit polygons of forks, and hold a small one against the definition."""
-
-    def count(m: int, n: int) -> tuple[int, float]:
-        generatrix, directrix = forks(m, n)
-        return len(no_fit_polygon(directrix, generatrix).holes), SPIKES[1](m, n)
-
-    last = 3 if effort.quick else 4
-    growth = tuple(
-        grow("holes of the no-fit polygon", "forks", SPIKES[0], sizes, count)
-        for sizes in (
-            [(6 + 12 * k, 6 + 12 * k) for k in range(1, last)],
-            [(6 + (6 << k), 24) for k in range(1, last + 1)],
-        )
-    )
-    few = (
-        f"{p.count} holes for ({p.m}, {p.n}) are fewer than proved"
-        for g in growth
-        for p in g.points
-        if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
-    )
-    failure = no_fit_is_the_definition(Pair(*forks(18, 18))) or first_failure(few)
-    failure = failure or first_failure(g.failure for g in growth)
-    return Evidence(
-        "A family of forks, one of them held against the definition.", failure, growth=growth
-    )
-
-
-def count_contact_segments(effort: Effort) -> Evidence:
-    """Count the stretches of the kernel beside mn, on forks and on random ways through points."""
-    last = 3 if effort.quick else 4
-
-    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
-        def counted(m: int, n: int) -> tuple[int, float]:
-            generatrix, directrix = family(m, n)
-            return len(contact_stretches([directrix], [inverse(generatrix)])), 2 * m * n
-
-        return counted
-
-    growth = tuple(
-        grow("stretches of contact segments", family.__name__, "2mn", sizes, count(family))
-        for family, sizes in (
-            (forks, [(6 << k, 6 << k) for k in range(2, last + 2)]),
-            (mm, double(16, last)),
-        )
-    )
-    failure = first_failure(
-        f"{p.count} stretches for ({p.m}, {p.n})" for g in growth for p in g.points if p.ratio > 1
-    )
-    return Evidence("", failure or first_failure(g.failure for g in growth), growth=growth)
-
-
-def count_trajectory(effort: Effort) -> Evidence:
-    """Count the edges of the exterior beside mn, with many holes inside it and with none."""
-
-    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
-        def counted(m: int, n: int) -> tuple[int, float]:
-            generatrix, directrix = family(m, n)
-            return len(no_fit_polygon(directrix, generatrix).exterior), MN[1](m, n)
-
-        return counted
-
-    last = 2 if effort.quick else 3
-    growth = tuple(
-        grow("edges of the trajectory", family.__name__, MN[0], sizes, count(family))
-        for family, sizes in (
-            (forks, [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]),
-            (mm, double(16, last + 1)),
-        )
-    )
-    return Evidence("Counts.", first_failure(g.failure for g in growth), growth=growth)

@@ -126,6 +126,17 @@ def boundaries_are_bottom_chains(pair: Pair) -> str:
     )
 
 
+def halves_are_alike(pair: Pair) -> str:
+    """The loops of the pair upside down are the loops, upside down."""
+    upside_down = Pair(*([(x, -y) for x, y in reversed(ring)] for ring in pair))
+    s, other = sweep(*pair), sweep(*upside_down)
+    for name in ("trajectory", "inner", "outer"):
+        turned = [(x, -y) for x, y in getattr(other, name).vertices]
+        if Polygon(turned[::-1]) != getattr(s, name):
+            return f"upside down, the {name} is another one"
+    return "" if s.trajectory.vertices == reference(pair).trajectory else "the trajectory is wrong"
+
+
 def widths_add_up(pair: Pair) -> str:
     """The trajectory is as wide as G and D together."""
     (g, d), t = pair, reference(pair).trajectory

@@ -30,6 +30,7 @@ def find_long_undercut(effort: Effort) -> Evidence:
         )
     )
     failure = proved_case(needles, 10, 8) or first_failure(map(_fall_behind, growth))
+    failure = failure or first_failure(map(_undercut_falls_behind, (10, 20, 30)))
     tried = f"{found.tried} A family of needles, one of them proved by its certificate."
     return replace(found, tried=tried, failure=failure, growth=growth)
 
@@ -39,6 +40,13 @@ def _fall_behind(growth: Growth) -> str:
         if point.count - 1 < edges_over_needles(point.m, point.n):
             return f"{point.count - 1} edges for ({point.m}, {point.n}) are fewer than proved"
     return "" if growth.is_attained else "the inner boundary over the needles falls behind mn²"
+
+
+def _undercut_falls_behind(n: int) -> str:
+    """The only undercut between two needles has as many edges as the proof says."""
+    longest = max(len(u.bottom) - 1 for u in sweep(*needles(7, n)).undercuts)
+    least = edges_over_needles(7, n)
+    return "" if longest >= least else f"an undercut of {longest} edges for n = {n}, not {least}"
 
 
 def long_undercut(pair: Pair) -> str:
