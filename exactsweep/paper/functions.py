@@ -10,7 +10,7 @@ from itertools import pairwise
 from exactsweep.check import ReferenceLoops, reference_loops
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import corners, split
 
 Points = Sequence[Vertex]
@@ -64,7 +64,7 @@ def bottom_of(loop: Iterable[Vertex]) -> list[Vertex]:
     return exact(split([(x, y) for x, y in loop])[0])
 
 
-def reference(pair: Pair) -> ReferenceLoops:
+def reference(pair: SweepPair) -> ReferenceLoops:
     """The three loops of a pair by the definition; those of the last pairs are kept."""
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 

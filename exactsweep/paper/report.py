@@ -19,13 +19,13 @@ from exactsweep.canvas.svg import path_data
 from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
-from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.claim import KINDS, ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.ledger import ABSTRACT, OPEN
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 
 SIZE, MARGIN = 200, 6
 
@@ -44,7 +44,7 @@ WEIGHTS = {
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path, Path]:
+def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
     The same seed, effort and versions give the same bytes, but for what is measured.
@@ -69,13 +69,13 @@ def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path
 
 def render(
     name: str,
-    rows: Sequence[Row],
+    rows: Sequence[Finding],
     effort: Effort,
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
     """Fill one of the templates, "report.html" or "report.md"."""
-    sections: dict[str, list[Row]] = {}
+    sections: dict[str, list[Finding]] = {}
     for row in rows:
         sections.setdefault(row.claim.section, []).append(row)
     verdicts = Counter(row.claim.verdict for row in rows)
@@ -85,7 +85,7 @@ def render(
         .render(
             rows=rows,
             sections=sections,
-            counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
+            counts=[(verdict.value, verdicts[verdict]) for verdict in ClaimVerdict],
             failing=[row for row in rows if row.disagreement],
             effort=effort,
             environment=describe_environment(effort),
@@ -118,16 +118,16 @@ def _list_contents(sections: Iterable[str]) -> list[tuple[str, str]]:
     return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
-def totals(rows: Sequence[Row]) -> str:
+def totals(rows: Sequence[Finding]) -> str:
     """How many rows have which verdict, how many fail, and how long all took."""
     verdicts = Counter(row.claim.verdict for row in rows)
-    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in Verdict if verdicts[v])
+    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
     borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all borne out"
     return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
 
 
-def render_row(row: Row) -> str:
+def render_row(row: Finding) -> str:
     """One row in Markdown, as the terminal shows it."""
     template = _environment(html=False).from_string(
         '{% from "row.md.j2" import show %}{{ show(row, {}, {}) }}'
@@ -135,7 +135,7 @@ def render_row(row: Row) -> str:
     return f"{template.render(row=row).strip()}\n"
 
 
-def _plots(rows: Sequence[Row]) -> dict[str, bytes]:
+def _plots(rows: Sequence[Finding]) -> dict[str, bytes]:
     if not plots.available():
         return {}
     counted = {
@@ -244,7 +244,7 @@ def _picture(case: Counterexample) -> Markup:
     """The pair of a counterexample, drawn by `pair_svg`, which writes numbers only."""
     if not case.generatrix:
         return Markup("")
-    return Markup(pair_svg(Pair(list(case.generatrix), list(case.directrix))))
+    return Markup(pair_svg(SweepPair(list(case.generatrix), list(case.directrix))))
 
 
 def write_citation(folder: Path) -> list[Path]:
@@ -283,13 +283,13 @@ def bibtex() -> str:
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
 
-def pair_svg(pair: Pair) -> str:
+def pair_svg(pair: SweepPair) -> str:
     """An SVG with D filled grey, G blue at one end of its path, and the path of its origin dashed.
 
     For polygons without a shared direction G stands beside D.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> pair_svg(Pair(triangle, triangle)).count("<path")
+    >>> pair_svg(SweepPair(triangle, triangle)).count("<path")
     3
     """
     directrix: XY = [(float(x), float(y)) for x, y in pair.directrix]
@@ -321,7 +321,7 @@ def pair_svg(pair: Pair) -> str:
     )
 
 
-def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
+def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
 
     A figure whose evidence fails is not drawn, nor is any without matplotlib.

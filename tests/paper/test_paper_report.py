@@ -17,11 +17,11 @@ from exactsweep.cli import main
 from exactsweep.paper import plots
 from exactsweep.paper.claim import (
     Claim,
+    ClaimVerdict,
     Counterexample,
     Effort,
     Evidence,
     Table,
-    Verdict,
     reproduce,
 )
 from exactsweep.paper.data import slug, write_data
@@ -99,7 +99,9 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     evidence = Evidence(
         nasty, nasty, Counterexample(nasty, nasty), tables=(Table(nasty, (nasty,), [[nasty]]),)
     )
-    claim = Claim(nasty, "1", nasty, Verdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty)
+    claim = Claim(
+        nasty, "1", nasty, ClaimVerdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty
+    )
     html, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")

@@ -10,9 +10,9 @@ from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.checks.beyond import no_fit_is_the_definition
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family
+from exactsweep.paper.counting import PairFamily
 from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import contact_stretches
 
@@ -23,7 +23,7 @@ PAIRS: Bound = ("2mn", lambda m, n: 2.0 * m * n)
 def _grow(
     what: str,
     count: Callable[[Ring, Ring], int],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: list[tuple[int, int]],
 ) -> Growth:
@@ -60,7 +60,7 @@ def count_holes(effort: Effort) -> Evidence:
         for p in series.points
         if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
     )
-    failure = no_fit_is_the_definition(Pair(*forks(18, 18))) or first_failure(few)
+    failure = no_fit_is_the_definition(SweepPair(*forks(18, 18))) or first_failure(few)
     tried = "A family of forks, one of them held against the definition."
     return _beside_bounds(*growth, failure=failure, tried=tried)
 

@@ -16,7 +16,7 @@ from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
 from exactsweep.paper.laws import Trial, break_law
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -32,7 +32,7 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
     return ""
 
 
-def sub_trajectories_suffice(pair: Pair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
     top, bottom, directrix = pair.chains
     loops, parts = reference(pair), convex_parts(directrix)
@@ -47,19 +47,19 @@ def sub_trajectories_suffice(pair: Pair) -> str:
     )
 
 
-def trajectory_cm_is_right(pair: Pair) -> str:
+def trajectory_cm_is_right(pair: SweepPair) -> str:
     """Trajectory_CM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
     expected = bottom_of(reference(pair).trajectory)
     return differs("Trajectory_CM", trajectory_cm(top, directrix), expected)
 
 
-def outer_cm_is_right(pair: Pair) -> str:
+def outer_cm_is_right(pair: SweepPair) -> str:
     """SweepO_CM returns the outer boundary of the definition."""
     return differs("SweepO_CM", sweep_outer_cm(*pair.chains), bottom_of(reference(pair).outer))
 
 
-def inner_cm_is_right(pair: Pair) -> str:
+def inner_cm_is_right(pair: SweepPair) -> str:
     """SweepI_CM returns the inner boundary of the definition."""
     top, _, directrix = pair.chains
     return differs("SweepI_CM", sweep_inner_cm(top, directrix), bottom_of(reference(pair).inner))
@@ -73,7 +73,7 @@ def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
     return ""
 
 
-def loops_are_monotone(pair: Pair) -> str:
+def loops_are_monotone(pair: SweepPair) -> str:
     """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
     top, _, directrix = pair.chains
     return (
@@ -84,14 +84,14 @@ def loops_are_monotone(pair: Pair) -> str:
     )
 
 
-def inner_is_monotone(pair: Pair) -> str:
+def inner_is_monotone(pair: SweepPair) -> str:
     """The inner boundary is X-monotone, strictly so."""
     top, _, directrix = pair.chains
     inner = sweep_inner_cm(top, directrix)
     return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner, strictly=True)
 
 
-def few_undercuts(pair: Pair) -> str:
+def few_undercuts(pair: SweepPair) -> str:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
     if s.inner.vertices != reference(pair).inner:
@@ -103,7 +103,7 @@ def few_undercuts(pair: Pair) -> str:
     return f"an undercut with {longest} edges" if longest > len(top) - 1 else ""
 
 
-def bottom_chains_have_two_forms(pair: Pair) -> str:
+def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     """Whether all undercuts have the form that goes with what closes them."""
     s = sweep(*pair)
     if s.inner.vertices != reference(pair).inner:
@@ -116,7 +116,7 @@ def bottom_chains_have_two_forms(pair: Pair) -> str:
     return ""
 
 
-def resting_pairs() -> list[Pair]:
+def resting_pairs() -> list[SweepPair]:
     """Pairs in which G rests with an edge on two or three teeth, at several slopes."""
     found = []
     for slope, depth, teeth in product(range(-2, 3), (1, 2), (2, 3)):
@@ -124,8 +124,8 @@ def resting_pairs() -> list[Pair]:
         for k in range(teeth):
             bottom += [(2 * k + 1, 0), (2 * k + 2, depth)]
         directrix = [*bottom[:-1], (2 * teeth, 2), (teeth, 3)]
-        pair = Pair([(1, 0), (4, 0), (5, 1), (0, 1)], directrix)
-        found.append(Pair(*([(x, y + slope * x) for x, y in ring] for ring in pair)))
+        pair = SweepPair([(1, 0), (4, 0), (5, 1), (0, 1)], directrix)
+        found.append(SweepPair(*([(x, y + slope * x) for x, y in ring] for ring in pair)))
     return found
 
 
@@ -133,7 +133,7 @@ def check_two_forms(effort: Effort) -> Evidence:
     """Hold every undercut against the form that goes with what closes it."""
     forms: Counter[str] = Counter()
 
-    def law(pair: Pair) -> str:
+    def law(pair: SweepPair) -> str:
         """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
         forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
         return bottom_chains_have_two_forms(pair)
@@ -172,7 +172,7 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
 
 
-def labels_name_the_extremes(pair: Pair) -> str:
+def labels_name_the_extremes(pair: SweepPair) -> str:
     """The contacts along the edges of T at a closing position, or there, name both extremes."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):

@@ -17,13 +17,13 @@ from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, exact, reference
 from exactsweep.paper.growth import MN, Growth, double
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
-def sizes_are_bounded(pair: Pair) -> str:
+def sizes_are_bounded(pair: SweepPair) -> str:
     """For k parts, m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges are enough."""
     top, bottom, directrix = pair.chains
     m_b, n_t, n_b = (len(exact(chain)) - 1 for chain in (directrix, top, bottom))
@@ -93,7 +93,7 @@ def find_large_parts(effort: Effort) -> Evidence:
     return Evidence("", "", against, tables=(table,))
 
 
-def parts_are_bounded(pair: Pair) -> str:
+def parts_are_bounded(pair: SweepPair) -> str:
     """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
     top, bottom, directrix = pair.chains
     parts = convex_parts(directrix)
@@ -105,9 +105,9 @@ def parts_are_bounded(pair: Pair) -> str:
     return sub_trajectories_suffice(pair)
 
 
-def under_a_lid(n_b: int) -> Pair:
+def under_a_lid(n_b: int) -> SweepPair:
     """A convex G with one edge on top and n_b below, and D with four teeth deeper than G turns."""
     generatrix = [(2 * k, k * (k - n_b)) for k in range(n_b + 1)]
     width, depth = 2 * n_b + 2, n_b * n_b
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(9)]
-    return Pair(generatrix, [*bottom, (4 * width, depth)])
+    return SweepPair(generatrix, [*bottom, (4 * width, depth)])

@@ -16,27 +16,27 @@ from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence
 from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
 from exactsweep.paper.laws import shrink
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
-NARROW = Pair(
+NARROW = SweepPair(
     [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
     [(0, 0), (30, 0), (15, 3)],
 )
 
 
-def trajectory_mm_is_right(pair: Pair) -> str:
+def trajectory_mm_is_right(pair: SweepPair) -> str:
     """Trajectory_MM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
     expected = bottom_of(reference(pair).trajectory)
     return differs("Trajectory_MM", trajectory_mm(top, directrix), expected)
 
 
-def sub_trajectories_suffice(pair: Pair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
@@ -44,7 +44,7 @@ def sub_trajectories_suffice(pair: Pair) -> str:
     return lowest("sub-trajectory", chains, bottom_of(reference(pair).trajectory))
 
 
-def inverse_is_a_reflection(pair: Pair) -> str:
+def inverse_is_a_reflection(pair: SweepPair) -> str:
     """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
     g = Polygon(pair.generatrix)
     if g.reflected().reflected() != g:
@@ -61,7 +61,7 @@ def inverse_is_a_reflection(pair: Pair) -> str:
     return ""
 
 
-def complement_has_the_outside_left(pair: Pair) -> str:
+def complement_has_the_outside_left(pair: SweepPair) -> str:
     """The complement is the same chain with the outside on its left."""
     directrix = pair.chains.directrix
     if complement(complement(directrix)) != directrix:
@@ -76,7 +76,7 @@ def complement_has_the_outside_left(pair: Pair) -> str:
     return ""
 
 
-def loops_are_retraced(pair: Pair) -> str:
+def loops_are_retraced(pair: SweepPair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
     loops, directrix = reference(pair), pair.chains.directrix
     inner, outer = literal.sweep_mm(*pair.chains)
@@ -89,7 +89,7 @@ def loops_are_retraced(pair: Pair) -> str:
     )
 
 
-def inner_to_the_letter(pair: Pair) -> str:
+def inner_to_the_letter(pair: SweepPair) -> str:
     """What Trajectory_MM returns along the inside is not the inner boundary."""
     inner = exact(literal.sweep_mm(*pair.chains)[0])
     expected = bottom_of(reference(pair).inner)
@@ -107,7 +107,7 @@ def find_inner_to_the_letter(effort: Effort) -> Evidence:
     return search_grid(2, 6, is_convex, is_convex, inner_to_the_letter)
 
 
-def sweep_mm_is_right(pair: Pair) -> str:
+def sweep_mm_is_right(pair: SweepPair) -> str:
     """Sweep_MM, as corrected, returns both boundaries of the definition."""
     loops = reference(pair)
     inner, outer = sweep_mm(*pair.chains)
@@ -116,7 +116,7 @@ def sweep_mm_is_right(pair: Pair) -> str:
     )
 
 
-def loops_are_monotone(pair: Pair) -> str:
+def loops_are_monotone(pair: SweepPair) -> str:
     """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
     inner, outer = sweep_mm(*pair.chains)
     return (
@@ -126,7 +126,7 @@ def loops_are_monotone(pair: Pair) -> str:
     )
 
 
-def trajectory_is_monotone(pair: Pair) -> str:
+def trajectory_is_monotone(pair: SweepPair) -> str:
     """The trajectory is a simple polygon made of two X-monotone chains."""
     top, _, directrix = pair.chains
     s = sweep(*pair)
@@ -141,7 +141,7 @@ def trajectory_is_monotone(pair: Pair) -> str:
     )
 
 
-def local_width(pair: Pair) -> str:
+def local_width(pair: SweepPair) -> str:
     """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
     s = sweep(*pair)
     corners = s.inner.vertices
@@ -162,7 +162,7 @@ def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
 def find_missing_edge(effort: Effort) -> Evidence:
     """Look for an edge of a trajectory that draws no edge of the inner loop, and for near ones."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         s = sweep(*pair)
         missing = sorted(_slopes(s.trajectory) - _slopes(s.inner))
         if not missing:
@@ -178,7 +178,7 @@ def find_missing_edge(effort: Effort) -> Evidence:
     )
 
 
-def edges_are_near(pair: Pair) -> str:
+def edges_are_near(pair: SweepPair) -> str:
     """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
@@ -220,7 +220,7 @@ def _slopes(polygon: Polygon) -> set[Fraction]:
     return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
 
 
-def outside_of_the_inner_loop(pair: Pair) -> str:
+def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
     if s.inner.vertices != reference(pair).inner:
@@ -229,7 +229,7 @@ def outside_of_the_inner_loop(pair: Pair) -> str:
     return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
 
 
-def inside_of_the_outer_loop(pair: Pair) -> str:
+def inside_of_the_outer_loop(pair: SweepPair) -> str:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
     _, bottom, _ = pair.chains
     loops = reference(pair)
@@ -249,7 +249,7 @@ def find_path_inside(effort: Effort) -> Evidence:
     return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
 
 
-def kernel_is_literal(pair: Pair) -> str:
+def kernel_is_literal(pair: SweepPair) -> str:
     """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
     top, bottom, directrix = pair.chains
     inner, outer = literal.sweep_mm(top, bottom, directrix)
@@ -269,7 +269,7 @@ def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> 
     return f"the {name} is {text(found)}, and {text(literally)} to the letter"
 
 
-def outer_loop_reaches_by_the_width(pair: Pair) -> str:
+def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
     """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
     s, expected = sweep(*pair), reference(pair).outer
     if s.outer.vertices != expected:

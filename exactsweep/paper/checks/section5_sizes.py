@@ -34,7 +34,7 @@ from exactsweep.paper.claim import (
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import bottom_of, differs, exact, reference
 from exactsweep.paper.growth import MN, MN2, double
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
@@ -42,10 +42,10 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # What the search in `_check_lemma_5_2` finds.
-OUTGROWING = Pair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
+OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
-def outgrows_its_parts(pair: Pair) -> str:
+def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
@@ -127,7 +127,7 @@ def outer_boundary(chains: Chains) -> list[Vertex]:
     return sweep_mm(*chains)[1]
 
 
-def outer_edges(pair: Pair) -> int:
+def outer_edges(pair: SweepPair) -> int:
     """Edges of the outer boundary of the lower sweep, which is held against the definition."""
     outer = exact(outer_boundary(pair.chains))
     if failure := differs("the outer boundary", outer, bottom_of(reference(pair).outer)):
@@ -197,7 +197,7 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
     )
 
 
-def sizes_of(pair: Pair) -> tuple[int, int, int]:
+def sizes_of(pair: SweepPair) -> tuple[int, int, int]:
     """m_b, n_t and n_b."""
     top, bottom, directrix = pair.chains
     return len(directrix) - 1, len(top) - 1, len(bottom) - 1
@@ -208,7 +208,7 @@ def count_bumps(effort: Effort) -> Evidence:
     sizes = [(2, 4, 6), (2, 2, 4), (4, 2, 4), (4, 4, 4), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8)]
     rows, failure, against = [], "", None
     for m_b, n_t, n_b in sizes[: 5 if effort.quick else None]:
-        pair = Pair(*bumps(m_b, n_t, n_b))
+        pair = SweepPair(*bumps(m_b, n_t, n_b))
         edges, printed = outer_edges(pair), printed_count(m_b, n_t, n_b)
         expected = edges_of_bumps(m_b, n_t, n_b)
         rows.append([f"({m_b}, {n_t}, {n_b})", str(printed), str(expected), str(edges)])

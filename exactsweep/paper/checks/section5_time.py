@@ -22,10 +22,16 @@ from exactsweep.paper.checks.section5_sizes import (
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
 from exactsweep.paper.costs import STEPS
-from exactsweep.paper.counting import Family, counting, grow_operations, grow_vertices, make_counted
+from exactsweep.paper.counting import (
+    PairFamily,
+    counting,
+    grow_operations,
+    grow_vertices,
+    make_counted,
+)
 from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
@@ -91,11 +97,11 @@ def find_growing_level(effort: Effort) -> Evidence:
     )
 
 
-def _envelope_growth(family: Family, effort: Effort) -> Growth:
+def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
     """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = Pair(*family(m, n)).chains
+        top, _, directrix = SweepPair(*family(m, n)).chains
         with counting() as tally:
             chains = [
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
@@ -110,7 +116,7 @@ def _envelope_growth(family: Family, effort: Effort) -> Growth:
     )
 
 
-def lower_envelope_mm_is_right(pair: Pair) -> str:
+def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_MM returns what is lowest over every x."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
@@ -201,7 +207,7 @@ def _inner_grows(
     """Operations beyond the trajectory, on a family that is touched almost everywhere."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in Pair(*rim(m, n)).chains))  # type: ignore[arg-type]
+        chains = Chains(*(make_counted(chain) for chain in SweepPair(*rim(m, n)).chains))  # type: ignore[arg-type]
         trajectory = whole_trajectory(chains)
         with counting() as tally:
             out = len(inner(chains, trajectory))
@@ -210,7 +216,7 @@ def _inner_grows(
     return grow(f"operations of the inner boundary, {what}", rim.__name__, bound[0], sizes, count)
 
 
-def gaps_give_the_same(pair: Pair) -> str:
+def gaps_give_the_same(pair: SweepPair) -> str:
     """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
     chains = pair.chains
     trajectory = whole_trajectory(chains)

@@ -12,7 +12,7 @@ from exactsweep.paper.counting import counting, make_counted
 from exactsweep.paper.functions import bottom_of, exact, reference
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.literal import split_at_reflex
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
@@ -20,7 +20,7 @@ from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 def find_whole_trajectory(effort: Effort) -> Evidence:
     """Look for a partial trajectory that shares more than a segment with all of T(G_t, D_b)."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         top, _, directrix = pair.chains
         parts = split_at_reflex(directrix)
         partial = literal.trajectory_cm(
@@ -36,7 +36,7 @@ def find_whole_trajectory(effort: Effort) -> Evidence:
 def find_open_output(effort: Effort) -> Evidence:
     """Look for a pair of which Trajectory_CC does not return T(G, D)."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         found = exact(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
         whole = reference(pair).trajectory
         if len(found) - 1 == len(whole):
@@ -49,7 +49,7 @@ def find_open_output(effort: Effort) -> Evidence:
 def count_step_3(effort: Effort) -> Evidence:
     """Count the operations of SweepI_CM beyond the trajectory; find a pair that needs step 3."""
 
-    def needed(pair: Pair) -> str:
+    def needed(pair: SweepPair) -> str:
         loops = reference(pair)
         if bottom_of(loops.inner) == bottom_of(pair.directrix):
             return ""
@@ -64,7 +64,7 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
     """Operations of step 3 over close teeth."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in Pair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
+        chains = Chains(*(make_counted(chain) for chain in SweepPair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
         trajectory = trajectory_cm(chains.top, chains.directrix)
         with counting() as tally:
             out = len(sweep_inner_cm(chains.top, chains.directrix, trajectory))
@@ -77,7 +77,7 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
 def find_boundary_off_trajectory(effort: Effort) -> Evidence:
     """Look for a pair whose partial outer boundary is no trajectory."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         loops = reference(pair)
         if bottom_of(loops.outer) == bottom_of(loops.trajectory):
             return ""

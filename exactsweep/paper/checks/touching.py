@@ -9,13 +9,13 @@ from exactsweep.check.loop import Frame, Loop
 from exactsweep.check.size import common_scale
 from exactsweep.geometry.point import ORIGIN
 from exactsweep.paper.functions import reference
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 
 
 def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
     g, d = s.generatrix, s.directrix
-    pair = Pair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
+    pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
     if s.trajectory.vertices != reference(pair).trajectory:
         return "the trajectory is not that of the definition"
     frame = Frame((1, 0), common_scale([*g.vertices, *d.vertices]))

@@ -9,10 +9,10 @@ from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
 from exactsweep.evidence.undercut import pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family, grow_vertices
+from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import reference
 from exactsweep.paper.growth import MN2, Growth, double, grow
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
 
@@ -49,7 +49,7 @@ def _undercut_falls_behind(n: int) -> str:
     return "" if longest >= least else f"an undercut of {longest} edges for n = {n}, not {least}"
 
 
-def long_undercut(pair: Pair) -> str:
+def long_undercut(pair: SweepPair) -> str:
     """An undercut whose bottom chain has more edges than G_t."""
     most = len(pair.chains.top) - 1
     longest = max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
@@ -61,9 +61,9 @@ def run_inner(chains: Chains) -> list[tuple[object, object]]:
     return list(sweep_mm(*chains)[0])
 
 
-def proved_case(family: Family, m: int, n: int) -> str:
+def proved_case(family: PairFamily, m: int, n: int) -> str:
     """What is wrong with one pair of a family, by the definition and by its certificate."""
-    pair = Pair(*family(m, n))
+    pair = SweepPair(*family(m, n))
     s = sweep(*pair)
     if s.inner.vertices != reference(pair).inner:
         return "the inner loop is wrong"
@@ -71,7 +71,7 @@ def proved_case(family: Family, m: int, n: int) -> str:
     return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
 
 
-def undercuts_fill_the_inner_loop(pair: Pair) -> str:
+def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     """The undercuts are apart, and make up the difference between the inner loop and D."""
     s = sweep(*pair)
     if s.inner.vertices != reference(pair).inner:
@@ -90,7 +90,7 @@ def count_undercuts(effort: Effort) -> Evidence:
     """Count the undercuts over terraces; those of one of them are proved by its certificate."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Pair(*terraces(m, n)).chains
+        chains = SweepPair(*terraces(m, n)).chains
         return len(pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
 
     last = 2 if effort.quick else 4
@@ -108,7 +108,7 @@ def count_undercuts(effort: Effort) -> Evidence:
         for p in g.points
         if p.count < (p.m - 4) // 3 * ((p.n - 4) // 2)
     )
-    pair = Pair(*terraces(7, 20))
+    pair = SweepPair(*terraces(7, 20))
     against = Counterexample(
         f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D has "
         f"{len(pair.directrix)} vertices",

@@ -16,7 +16,7 @@ from exactsweep.paper.figures.sheet import (
     INNER,
     OUTER,
     TRAJECTORY,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
@@ -86,7 +86,7 @@ def draw() -> Figure:
     top = _top_chain(half)
     low = min(y for _, y in half.outer) - 3
     start, stop = _stations(half)
-    box = Box.around(
+    box = Extent.around(
         s.directrix.vertices, top, half.outer, [(start.x, low)], margins=Margins(2, 8, 2, 10)
     )
     with Sheet([[box]], COLUMN) as sheet:

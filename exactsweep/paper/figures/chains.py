@@ -17,9 +17,9 @@ from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import (
     COLUMN,
     PLACED,
-    Box,
+    BarePicture,
+    Extent,
     Margins,
-    Panel,
     Sheet,
     middle,
 )
@@ -65,7 +65,7 @@ def draw() -> Figure:
     """The picture."""
     rings = list(POLYGONS.values())
     margins = Margins(15, 10, 17, 8)
-    boxes = [Box.around(ring, margins=margins) for ring in rings]
+    boxes = [Extent.around(ring, margins=margins) for ring in rings]
     chains = _chains()
     with Sheet([boxes], COLUMN) as sheet:
         for panel, (letter, ring) in zip(sheet.panels, POLYGONS.items(), strict=True):
@@ -89,7 +89,7 @@ def draw() -> Figure:
     return sheet.figure
 
 
-def _heads(panel: Panel, chain: Sequence[Vertex], look: Look) -> None:
+def _heads(panel: BarePicture, chain: Sequence[Vertex], look: Look) -> None:
     """Arrow heads in the middle of the edges, which run counter-clockwise."""
     for p, q in pairwise(chain):
         panel.arrow(middle(p, q), middle(p, q, share=Fraction(5, 8)), replace(look, dash="-"))

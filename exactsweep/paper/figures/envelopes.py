@@ -18,7 +18,7 @@ from exactsweep.paper.figures.sheet import (
     OUTER,
     PLACED,
     THIN,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
@@ -116,9 +116,9 @@ def draw() -> Figure:
     beside = shift(s.generatrix.vertices, (-5, 0))
     ends = [(x, 0) for x, _ in (outer[0], outer[-1])]
     boxes = [
-        Box.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
-        Box.around(*everything, title="(b)", margins=Margins(2, 16, 2, 2)),
-        Box.around(*everything, title="(c)", margins=Margins(2, 16, 2, 2)),
+        Extent.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
+        Extent.around(*everything, title="(b)", margins=Margins(2, 16, 2, 2)),
+        Extent.around(*everything, title="(c)", margins=Margins(2, 16, 2, 2)),
     ]
     with Sheet([[box] for box in boxes], COLUMN) as sheet:
         a, b, c = sheet.panels

@@ -19,7 +19,7 @@ from exactsweep.paper.figures.sheet import (
     SMALL,
     SMALL_DOT,
     TRAJECTORY,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
@@ -91,7 +91,7 @@ def draw() -> Figure:
     """The picture."""
     s = example()
     boxes = [
-        Box.around(
+        Extent.around(
             s.outer.vertices,
             *map(inverse_at, _outside()),
             title=title,

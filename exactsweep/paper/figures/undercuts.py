@@ -19,7 +19,7 @@ from exactsweep.paper.figures.sheet import (
     PAGE,
     PLACED,
     TRAJECTORY,
-    Box,
+    Extent,
     Sheet,
     middle,
     shift,
@@ -93,7 +93,7 @@ def draw() -> Figure:
     for letter, s in zip("ab", examples(), strict=True):
         placed = [placed_generatrix(s, place).vertices for place in undercut(s).positions]
         shapes = s.directrix.vertices, *placed, *sub_trajectories(s)
-        boxes.append(Box.around(*shapes, title=f"({letter})"))
+        boxes.append(Extent.around(*shapes, title=f"({letter})"))
     with Sheet([boxes], PAGE) as sheet:
         for panel, s in zip(sheet.panels, examples(), strict=True):
             found = undercut(s)
