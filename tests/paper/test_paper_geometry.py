@@ -30,7 +30,7 @@ from exactsweep.paper.checks.section4 import labels_name_the_extremes
 from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
 from exactsweep.paper.checks.undercuts import lower_undercuts
-from exactsweep.paper.functions import between, clip, common_points, value
+from exactsweep.paper.functions import clip, evaluate, find_common_points, sample_between
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
 
@@ -162,13 +162,13 @@ def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
 
 def test_chains_are_evaluated_and_cut() -> None:
     chain = [(0, 0), (2, 4), (2, 6), (4, 6)]
-    assert value(chain, Fraction(1, 2)) == 1
+    assert evaluate(chain, Fraction(1, 2)) == 1
     assert clip(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
-    assert list(between([(0, 0), (8, 0)])) == [3]
-    assert common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
-    assert common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
+    assert list(sample_between([(0, 0), (8, 0)])) == [3]
+    assert find_common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
+    assert find_common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
     with pytest.raises(ValueError, match="does not reach 5"):
-        value(chain, Fraction(5))
+        evaluate(chain, Fraction(5))
 
 
 def test_a_mirrored_pair_has_the_upper_sweep_as_its_lower_one() -> None:

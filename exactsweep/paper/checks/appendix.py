@@ -17,13 +17,13 @@ from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, first_failure
 from exactsweep.paper.counting import PairFamily, counting, make_counted
 from exactsweep.paper.functions import (
-    bottom_of,
     clip,
-    common_points,
-    differs,
-    over,
-    reference,
-    value,
+    evaluate,
+    find_common_points,
+    look_up,
+    reaches,
+    take_bottom,
+    tell_difference,
 )
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
@@ -114,7 +114,7 @@ def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fract
     G_t and D_b are compared as functions of x, without the procedures.
     """
     top = [(x + t.x, y + t.y) for x, y in reversed(split(s.generatrix.vertices)[1])]
-    return common_points(top, chain)
+    return find_common_points(top, chain)
 
 
 def contact_moves_right(pair: SweepPair) -> str:
@@ -157,7 +157,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     xs = {Fraction(x) for x, _ in (*first, *second)}
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     cuts = sorted(x for x in xs | {Fraction(left), Fraction(right)} if left <= x <= right)
-    gaps = [(x, value(first, x) - value(second, x)) for x in cuts]
+    gaps = [(x, evaluate(first, x) - evaluate(second, x)) for x in cuts]
     zeros = [x for x, gap in gaps if gap == 0]
     zeros += [
         x + (y - x) * gap / (gap - other)
@@ -194,8 +194,8 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
             if failure:
                 return failure
         partial = lower_envelope_cm(partial, Envelope.of(chain))
-    expected = reference(pair).outer if outer else reference(pair).trajectory
-    return differs("the last envelope", partial or [], bottom_of(expected))
+    expected = look_up(pair).outer if outer else look_up(pair).trajectory
+    return tell_difference("the last envelope", partial or [], take_bottom(expected))
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
@@ -204,8 +204,8 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
     above = False
     for left, right in pairwise(xs):
         for x in ((3 * left + right) / 4, (left + 3 * right) / 4):
-            if over(first, x) and over(second, x):
-                gap = value(first, x) - value(second, x)
+            if reaches(first, x) and reaches(second, x):
+                gap = evaluate(first, x) - evaluate(second, x)
                 if above and gap < 0:
                     return f"the partial trajectory is above the next one, and over {x} below it"
                 above = above or gap > 0
@@ -270,7 +270,7 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> str:
         partial = lower_envelope_cm(partial, Envelope.of(chain))
         if k == len(chains) and (failure := lowest("sub-trajectory", chains, list(partial))):
             return failure
-    return differs("the lower envelope", partial, bottom_of(reference(pair).trajectory))
+    return tell_difference("the lower envelope", partial, take_bottom(look_up(pair).trajectory))
 
 
 def count_operations(effort: Effort) -> Evidence:

@@ -14,7 +14,7 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
 )
-from exactsweep.paper.functions import bottom_of, reference, value
+from exactsweep.paper.functions import evaluate, look_up, take_bottom
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_convex, search_grid
@@ -122,7 +122,7 @@ def complement_halves(s: Sweep) -> tuple[Polygon, Polygon]:
 
 def area_is_covered(pair: SweepPair) -> str:
     """Of 36 points those between the loops are those that G covers from the trajectory."""
-    s, loops = sweep(*pair), reference(pair)
+    s, loops = sweep(*pair), look_up(pair)
     if (s.inner.vertices, s.outer.vertices) != (loops.inner, loops.outer):
         return "the loops are not those of the definition"
     if s.area != Polygon(loops.outer).area - Polygon(loops.inner).area:
@@ -141,7 +141,7 @@ def area_is_covered(pair: SweepPair) -> str:
 
 def path_is_the_definition(pair: SweepPair) -> str:
     """The trajectory is that of the definition."""
-    found, expected = sweep(*pair).trajectory.vertices, reference(pair).trajectory
+    found, expected = sweep(*pair).trajectory.vertices, look_up(pair).trajectory
     return "" if found == expected else "the trajectory is not that of the definition"
 
 
@@ -184,12 +184,12 @@ def path_is_not_the_directrix(pair: SweepPair) -> str:
 def sum_is_the_swept_area(pair: SweepPair) -> str:
     """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
     s, (top, bottom, _) = sweep(*pair), pair.chains
-    path = bottom_of(s.trajectory.vertices)
+    path = take_bottom(s.trajectory.vertices)
     for name, loop, chain, best in (
         ("outer", s.outer, bottom, min),
         ("inner", s.inner, top[::-1], max),
     ):
-        for x, y in bottom_of(loop.vertices):
+        for x, y in take_bottom(loop.vertices):
             found = _summed(path, chain, Fraction(x), best)
             if found != y:
                 return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
@@ -206,7 +206,7 @@ def _summed(
     places = {Fraction(u) for u, _ in path} | {x - v for v, _ in chain}
     left, right = x - chain[-1][0], x - chain[0][0]
     return best(
-        value(path, u) + value(chain, x - u)
+        evaluate(path, u) + evaluate(chain, x - u)
         for u in places
         if left <= u <= right and path[0][0] <= u <= path[-1][0]
     )

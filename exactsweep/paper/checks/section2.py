@@ -22,11 +22,11 @@ from exactsweep.paper.claim import (
     first_failure,
 )
 from exactsweep.paper.functions import (
-    bottom_of,
-    common_points,
-    differs,
-    over,
-    reference,
+    find_common_points,
+    look_up,
+    reaches,
+    take_bottom,
+    tell_difference,
 )
 from exactsweep.paper.pairs import SweepPair, random_pairs
 from exactsweep.paper.tiny import is_convex, search, search_grid
@@ -42,13 +42,15 @@ CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 
 
 def like_chains_stay_apart(pair: SweepPair) -> str:
     """From end to end of the trajectory, no two top chains have a point in common, nor bottoms."""
-    corners = reference(pair).trajectory
+    corners = look_up(pair).trajectory
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
     for (px, py), (qx, qy) in pairwise([*corners, corners[0]]):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
             for g, d in ((g_bottom, d_bottom), (g_top[::-1], d_top[::-1])):
                 placed = [(x + tx, y + ty) for x, y in g]
-                inside = [x for x in common_points(placed, d) if over(placed, x) and over(d, x)]
+                inside = [
+                    x for x in find_common_points(placed, d) if reaches(placed, x) and reaches(d, x)
+                ]
                 if inside:
                     return f"at ({tx}, {ty}) two like chains touch over {inside[0]}"
     return ""
@@ -118,12 +120,12 @@ def find_void(effort: Effort) -> Evidence:
 
 def boundaries_are_bottom_chains(pair: SweepPair) -> str:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-    loops, (top, bottom, directrix) = reference(pair), pair.chains
+    loops, (top, bottom, directrix) = look_up(pair), pair.chains
     kind = sweep(*pair).kind
     half = LowerSweep(kind, top, bottom, directrix)
-    return differs("the outer boundary", half.outer, bottom_of(loops.outer)) or differs(
-        "the inner boundary", half.inner, bottom_of(loops.inner)
-    )
+    return tell_difference(
+        "the outer boundary", half.outer, take_bottom(loops.outer)
+    ) or tell_difference("the inner boundary", half.inner, take_bottom(loops.inner))
 
 
 def halves_are_alike(pair: SweepPair) -> str:
@@ -134,12 +136,12 @@ def halves_are_alike(pair: SweepPair) -> str:
         turned = [(x, -y) for x, y in getattr(other, name).vertices]
         if Polygon(turned[::-1]) != getattr(s, name):
             return f"upside down, the {name} is another one"
-    return "" if s.trajectory.vertices == reference(pair).trajectory else "the trajectory is wrong"
+    return "" if s.trajectory.vertices == look_up(pair).trajectory else "the trajectory is wrong"
 
 
 def widths_add_up(pair: SweepPair) -> str:
     """The trajectory is as wide as G and D together."""
-    (g, d), t = pair, reference(pair).trajectory
+    (g, d), t = pair, look_up(pair).trajectory
     widths = [max(x for x, _ in ring) - min(x for x, _ in ring) for ring in (g, d, t)]
     found = sweep(*pair).trajectory.bounding_box
     if found[1].x - found[0].x != widths[2]:
@@ -222,7 +224,7 @@ def _apexes_and_teeth() -> Iterator[SweepPair]:
 def starts_and_stops_at_the_ends(pair: SweepPair) -> str:
     """The sweep starts with G's right end on D's left end, and stops with the others together."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    path = bottom_of(s.trajectory.vertices)
+    path = take_bottom(s.trajectory.vertices)
     for name, t, own, other in (
         ("starts", path[0], top[0], directrix[0]),
         ("stops", path[-1], top[-1], directrix[-1]),

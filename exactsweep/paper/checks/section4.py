@@ -14,7 +14,14 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
+from exactsweep.paper.functions import (
+    evaluate,
+    look_up,
+    reaches,
+    sample_between,
+    take_bottom,
+    tell_difference,
+)
 from exactsweep.paper.laws import Trial, break_law
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
@@ -24,9 +31,9 @@ from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
     """Say where an envelope is not the lowest of some chains; empty if it is everywhere."""
-    for x in between(envelope, *chains):
-        least = min((value(chain, x) for chain in chains if over(chain, x)), default=None)
-        found = value(envelope, x) if over(envelope, x) else None
+    for x in sample_between(envelope, *chains):
+        least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
+        found = evaluate(envelope, x) if reaches(envelope, x) else None
         if least != found:
             return f"over {x} the lowest {name} is at {least}, the envelope at {found}"
     return ""
@@ -35,34 +42,38 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
     top, bottom, directrix = pair.chains
-    loops, parts = reference(pair), convex_parts(directrix)
+    loops, parts = look_up(pair), convex_parts(directrix)
     return lowest(
         "sub-trajectory",
         [trajectory_cc(top, part) for part in parts],
-        bottom_of(loops.trajectory),
+        take_bottom(loops.trajectory),
     ) or lowest(
         "sub-outer chain",
         [sweep_outer_cc(top, bottom, part) for part in parts],
-        bottom_of(loops.outer),
+        take_bottom(loops.outer),
     )
 
 
 def trajectory_cm_is_right(pair: SweepPair) -> str:
     """Trajectory_CM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).trajectory)
-    return differs("Trajectory_CM", trajectory_cm(top, directrix), expected)
+    expected = take_bottom(look_up(pair).trajectory)
+    return tell_difference("Trajectory_CM", trajectory_cm(top, directrix), expected)
 
 
 def outer_cm_is_right(pair: SweepPair) -> str:
     """SweepO_CM returns the outer boundary of the definition."""
-    return differs("SweepO_CM", sweep_outer_cm(*pair.chains), bottom_of(reference(pair).outer))
+    return tell_difference(
+        "SweepO_CM", sweep_outer_cm(*pair.chains), take_bottom(look_up(pair).outer)
+    )
 
 
 def inner_cm_is_right(pair: SweepPair) -> str:
     """SweepI_CM returns the inner boundary of the definition."""
     top, _, directrix = pair.chains
-    return differs("SweepI_CM", sweep_inner_cm(top, directrix), bottom_of(reference(pair).inner))
+    return tell_difference(
+        "SweepI_CM", sweep_inner_cm(top, directrix), take_bottom(look_up(pair).inner)
+    )
 
 
 def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
@@ -94,7 +105,7 @@ def inner_is_monotone(pair: SweepPair) -> str:
 def few_undercuts(pair: SweepPair) -> str:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
     if len(lower) >= len(convex_parts(directrix)):
@@ -106,7 +117,7 @@ def few_undercuts(pair: SweepPair) -> str:
 def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     """Whether all undercuts have the form that goes with what closes them."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     for undercut in s.undercuts:
         if failure := _form(undercut, s.generatrix.vertices):
@@ -177,7 +188,7 @@ def labels_name_the_extremes(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     features, corners = Features(s), s.trajectory.vertices
     for undercut in s.undercuts:

@@ -14,7 +14,14 @@ from exactsweep.geometry.segment import Segment, segment
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence
-from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.functions import (
+    clip,
+    keep_corners,
+    look_up,
+    take_bottom,
+    tell_difference,
+    write_chain,
+)
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
@@ -32,8 +39,8 @@ NARROW = SweepPair(
 def trajectory_mm_is_right(pair: SweepPair) -> str:
     """Trajectory_MM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).trajectory)
-    return differs("Trajectory_MM", trajectory_mm(top, directrix), expected)
+    expected = take_bottom(look_up(pair).trajectory)
+    return tell_difference("Trajectory_MM", trajectory_mm(top, directrix), expected)
 
 
 def sub_trajectories_suffice(pair: SweepPair) -> str:
@@ -41,7 +48,7 @@ def sub_trajectories_suffice(pair: SweepPair) -> str:
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
     chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
-    return lowest("sub-trajectory", chains, bottom_of(reference(pair).trajectory))
+    return lowest("sub-trajectory", chains, take_bottom(look_up(pair).trajectory))
 
 
 def inverse_is_a_reflection(pair: SweepPair) -> str:
@@ -78,21 +85,21 @@ def complement_has_the_outside_left(pair: SweepPair) -> str:
 
 def loops_are_retraced(pair: SweepPair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
-    loops, directrix = reference(pair), pair.chains.directrix
+    loops, directrix = look_up(pair), pair.chains.directrix
     inner, outer = literal.sweep_mm(*pair.chains)
     ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != loops.outer:
         return "the trajectory of I(G) around T is not the outer loop"
-    return differs("T(G_b, T)", outer, bottom_of(loops.outer)) or differs(
-        "T(I(G), -T) over D's range of x", clip(inner, *ends), bottom_of(loops.inner)
+    return tell_difference("T(G_b, T)", outer, take_bottom(loops.outer)) or tell_difference(
+        "T(I(G), -T) over D's range of x", clip(inner, *ends), take_bottom(loops.inner)
     )
 
 
 def inner_to_the_letter(pair: SweepPair) -> str:
     """What Trajectory_MM returns along the inside is not the inner boundary."""
-    inner = exact(literal.sweep_mm(*pair.chains)[0])
-    expected = bottom_of(reference(pair).inner)
+    inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
+    expected = take_bottom(look_up(pair).inner)
     if inner == expected:
         return ""
     return (
@@ -109,11 +116,11 @@ def find_inner_to_the_letter(effort: Effort) -> Evidence:
 
 def sweep_mm_is_right(pair: SweepPair) -> str:
     """Sweep_MM, as corrected, returns both boundaries of the definition."""
-    loops = reference(pair)
+    loops = look_up(pair)
     inner, outer = sweep_mm(*pair.chains)
-    return differs("the inner boundary", inner, bottom_of(loops.inner)) or differs(
-        "the outer boundary", outer, bottom_of(loops.outer)
-    )
+    return tell_difference(
+        "the inner boundary", inner, take_bottom(loops.inner)
+    ) or tell_difference("the outer boundary", outer, take_bottom(loops.outer))
 
 
 def loops_are_monotone(pair: SweepPair) -> str:
@@ -130,7 +137,7 @@ def trajectory_is_monotone(pair: SweepPair) -> str:
     """The trajectory is a simple polygon made of two X-monotone chains."""
     top, _, directrix = pair.chains
     s = sweep(*pair)
-    if Polygon(s.trajectory.vertices).vertices != reference(pair).trajectory:
+    if Polygon(s.trajectory.vertices).vertices != look_up(pair).trajectory:
         return "the trajectory is not the simple polygon of the definition"
     bottom, upper = split(s.trajectory.vertices)
     return (
@@ -223,7 +230,7 @@ def _slopes(polygon: Polygon) -> set[Fraction]:
 def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     again = sweep(s.generatrix, s.inner).trajectory
     return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
@@ -232,13 +239,14 @@ def outside_of_the_inner_loop(pair: SweepPair) -> str:
 def inside_of_the_outer_loop(pair: SweepPair) -> str:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
     _, bottom, _ = pair.chains
-    loops = reference(pair)
-    path, outer = bottom_of(loops.trajectory), bottom_of(loops.outer)
+    loops = look_up(pair)
+    path, outer = take_bottom(loops.trajectory), take_bottom(loops.outer)
     ends = Fraction(path[0][0]), Fraction(path[-1][0])
     found = clip(literal.slide_inside(bottom, outer, trajectory_mm), *ends)
     if found == path:
         return ""
-    return f"inside the outer loop G's path is {text(found)}, the trajectory {text(path)}"
+    chains = write_chain(found), write_chain(path)
+    return f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
 
 
 def find_path_inside(effort: Effort) -> Evidence:
@@ -263,15 +271,15 @@ def kernel_is_literal(pair: SweepPair) -> str:
 
 
 def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> str:
-    found, literally = exact(found), exact(literally)
+    found, literally = keep_corners(found), keep_corners(literally)
     if found == literally:
         return ""
-    return f"the {name} is {text(found)}, and {text(literally)} to the letter"
+    return f"the {name} is {write_chain(found)}, and {write_chain(literally)} to the letter"
 
 
 def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
     """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
-    s, expected = sweep(*pair), reference(pair).outer
+    s, expected = sweep(*pair), look_up(pair).outer
     if s.outer.vertices != expected:
         return "the outer loop is not that of the definition"
     for p, q in _edges(s.directrix):

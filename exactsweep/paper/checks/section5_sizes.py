@@ -32,7 +32,7 @@ from exactsweep.paper.claim import (
     first_failure,
 )
 from exactsweep.paper.counting import grow_vertices
-from exactsweep.paper.functions import bottom_of, differs, exact, reference
+from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
@@ -49,8 +49,8 @@ def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
-    sizes = [len(exact(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
-    found = len(exact(trajectory_mm(top, directrix))) - 1
+    sizes = [len(keep_corners(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
+    found = len(keep_corners(trajectory_mm(top, directrix))) - 1
     if found <= sum(sizes):
         return ""
     return (
@@ -69,7 +69,7 @@ def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     pair, count = windows(segments), len(segments)
     most = pieces(segments)
     expected = (count + 1) * most + pieces_at_the_sides(segments)
-    found = pieces_in(exact(whole_trajectory(pair.chains)), segments)
+    found = pieces_in(keep_corners(whole_trajectory(pair.chains)), segments)
     failure = trajectory_mm_is_right(pair) if count <= 3 else ""
     if found != expected:
         failure = failure or f"{found} pieces of {count} segments in T, {expected} by the envelopes"
@@ -129,8 +129,8 @@ def outer_boundary(chains: Chains) -> list[Vertex]:
 
 def outer_edges(pair: SweepPair) -> int:
     """Edges of the outer boundary of the lower sweep, which is held against the definition."""
-    outer = exact(outer_boundary(pair.chains))
-    if failure := differs("the outer boundary", outer, bottom_of(reference(pair).outer)):
+    outer = keep_corners(outer_boundary(pair.chains))
+    if failure := tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer)):
         raise ExactSweepError(failure)
     return len(outer) - 1
 
@@ -139,10 +139,10 @@ def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[s
     """All windows come out in one outer boundary: what fails, and a row of the table."""
     pair, count = windows_of_windows(segments), len(segments)
     most, full = pieces(segments), count * (count - 1) + 1
-    outer = exact(outer_boundary(pair.chains))
+    outer = keep_corners(outer_boundary(pair.chains))
     # The ends of G may add some.
     least, found = full * most + pieces_at_the_sides(segments), pieces_in(outer, segments)
-    failure = differs("the outer boundary", outer, bottom_of(reference(pair).outer))
+    failure = tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer))
     if found < least:
         failure = failure or f"{found} pieces of {count} segments, {least} by the envelopes"
     return failure, [*map(str, (count, most, full)), f"{found:,}", f"{found / count**3:.2f}"]

@@ -10,7 +10,7 @@ from exactsweep.corpus.generator.growing import edges_over_needles, needles, ter
 from exactsweep.evidence.undercut import pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
-from exactsweep.paper.functions import reference
+from exactsweep.paper.functions import look_up
 from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
@@ -65,7 +65,7 @@ def proved_case(family: PairFamily, m: int, n: int) -> str:
     """What is wrong with one pair of a family, by the definition and by its certificate."""
     pair = SweepPair(*family(m, n))
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is wrong"
     verdict = verify(s.certificate())
     return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
@@ -74,7 +74,7 @@ def proved_case(family: PairFamily, m: int, n: int) -> str:
 def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     """The undercuts are apart, and make up the difference between the inner loop and D."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"

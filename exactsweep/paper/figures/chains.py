@@ -23,7 +23,7 @@ from exactsweep.paper.figures.sheet import (
     Sheet,
     middle,
 )
-from exactsweep.paper.functions import between
+from exactsweep.paper.functions import sample_between
 from exactsweep.procedures.chain import split
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def find_failures() -> Iterator[str]:
         edges = list(pairwise([*corners, corners[0]]))
         bottom, top = chains[f"{letter}_b"], chains[f"{letter}_t"]
         yield differ("edges", len(bottom) + len(top) - 2, len(edges))
-        for x in between(corners):
+        for x in sample_between(corners):
             met = sum(min(p.x, q.x) < x < max(p.x, q.x) for p, q in edges)
             yield differ(f"edges of {letter} over x = {x}", met, 2)
 

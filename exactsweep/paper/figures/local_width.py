@@ -27,7 +27,7 @@ from exactsweep.paper.figures.sheet import (
     middle,
     shift,
 )
-from exactsweep.paper.functions import bottom_of, value
+from exactsweep.paper.functions import evaluate, take_bottom
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -119,10 +119,10 @@ def find_failures() -> Iterator[str]:
         s, (p, q) = found.sweep, found.edge
         yield from loops_differ(s)
         for loop, point in ((s.inner, found.inside), (s.outer, found.outside)):
-            chain = bottom_of(loop.vertices)
+            chain = take_bottom(loop.vertices)
             for by in (Fraction(-1, 9), Fraction(0), Fraction(1, 9)):
                 x = point[0] + by * (q.x - p.x)
-                yield differ(f"height over {x}", value(chain, x), point[1] + by * (q.y - p.y))
+                yield differ(f"height over {x}", evaluate(chain, x), point[1] + by * (q.y - p.y))
 
 
 def draw() -> Figure:

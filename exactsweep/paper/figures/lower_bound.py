@@ -27,7 +27,7 @@ from exactsweep.paper.figures.sheet import (
     Sheet,
     middle,
 )
-from exactsweep.paper.functions import bottom_of
+from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
@@ -57,7 +57,7 @@ def sizes(s: Sweep) -> tuple[int, int, int]:
 
 def outer_edges(s: Sweep) -> list[Edge]:
     """The edges of the outer boundary of the lower sweep."""
-    return list(pairwise(bottom_of(s.outer.vertices)))
+    return list(pairwise(take_bottom(s.outer.vertices)))
 
 
 def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
@@ -109,7 +109,7 @@ def draw() -> Figure:
 
 
 def _box(s: Sweep, letter: str) -> Extent:
-    lower, title = bottom_of(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
+    lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
     return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
 
 
@@ -119,7 +119,7 @@ def _draw_pair(panel: BarePicture, s: Sweep) -> None:
     panel.area(s.directrix.vertices, style.DIRECTRIX)
     panel.area(placed_generatrix(s, place).vertices, PLACED)
     panel.lines(outer_edges(s), replace(OUTER, order=5))
-    panel.dots(bottom_of(s.outer.vertices), SMALL_DOT)
+    panel.dots(take_bottom(s.outer.vertices), SMALL_DOT)
     panel.label((10, -2), "$D$")
     panel.label((place.x + 10, place.y), "$G$", 0, -12)
 

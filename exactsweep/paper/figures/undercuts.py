@@ -24,7 +24,7 @@ from exactsweep.paper.figures.sheet import (
     middle,
     shift,
 )
-from exactsweep.paper.functions import bottom_of
+from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import convex_parts, split
 from exactsweep.sweep import Sweep, sweep
@@ -103,7 +103,7 @@ def draw() -> Figure:
             draw_undercuts(panel, [found])
             for chain in sub_trajectories(s):
                 panel.line(chain, style.SUB_TRAJECTORY)
-            panel.line(bottom_of(s.trajectory.vertices), TRAJECTORY)
+            panel.line(take_bottom(s.trajectory.vertices), TRAJECTORY)
             panel.line(found.bottom, BOLD)
             panel.dots(found.extremes)
             panel.dots(found.positions, HOLLOW)
