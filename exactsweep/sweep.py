@@ -55,12 +55,16 @@ class Sweep(Answer, Swept):
     asked = ("generatrix", "directrix", "direction", "reference")
 
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw the sweep with matplotlib, the `plot` extra: see `exactsweep.draw.plot_sweep`."""
         from exactsweep.draw import plot_sweep
 
-        return plot_sweep(self, axes, positions=positions)
+        return plot_sweep(self, axes, positions=positions, y_down=y_down)
 
     def view(self, height: int = 600) -> InlinePage:
         """Return the interactive page, which a notebook shows: see `exactsweep.view.page`.
@@ -93,12 +97,16 @@ class NoFitPolygon(Answer, no_fit.NoFitPolygon):
     asked = ("stationary", "orbiting", "reference")
 
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw it with matplotlib, the `plot` extra: see `exactsweep.draw.plot_no_fit`."""
         from exactsweep.draw import plot_no_fit
 
-        return plot_no_fit(self, axes, positions=positions)
+        return plot_no_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
         from exactsweep.draw.notebook import positions_svg
@@ -117,12 +125,16 @@ class InnerFit(Answer, no_fit.InnerFit):
     asked = ("container", "part", "reference")
 
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_inner_fit`."""
         from exactsweep.draw import plot_inner_fit
 
-        return plot_inner_fit(self, axes, positions=positions)
+        return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
         from exactsweep.draw.notebook import positions_svg

@@ -15,6 +15,7 @@ to hold the procedures of the paper against.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import pairwise
 from math import lcm
 from typing import Any, NamedTuple
@@ -173,6 +174,8 @@ def _lower_halves(
     return trajectory, inner, outer
 
 
+# Who asks for the loops of a pair asks for its exact fits next.
+@lru_cache(maxsize=2)
 def _trajectory(d_bottom: Function, g_top: Function) -> Function:
     """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""
     inverse = tuple(Piece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))

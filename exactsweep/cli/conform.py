@@ -9,11 +9,11 @@ from contextlib import ExitStack, contextmanager
 from fractions import Fraction
 from math import isnan
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
-from exactsweep.cli.pair import PATH
+from exactsweep.cli.pair import PATH, takes_reading
 from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
 
 
@@ -37,6 +37,14 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
 @click.option(
     "--cases", "path", type=PATH, metavar="FILE", help="Cases as JSON lines; else the corpus."
 )
+@click.option(
+    "--pairs",
+    type=PATH,
+    metavar="FILE",
+    help="Polygons of your own instead, each around each, in any format; or lines of JSON with a "
+    "directrix and a generatrix. The exact answers are made here.",
+)
+@takes_reading
 @click.option(
     "--timeout",
     type=click.FloatRange(min=0, min_open=True),
@@ -74,6 +82,8 @@ def conform_command(
     command: tuple[str, ...],
     filters: tuple[str, ...],
     path: str | None,
+    pairs: str | None,
+    reading: dict[str, Any],
     timeout: float,
     workers: int,
     most_memory: int | None,
@@ -96,17 +106,25 @@ def conform_command(
     from exactsweep.conform.report.text import progress
     from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
     from exactsweep.conform.run.journal import Journal
+    from exactsweep.conform.run.pairs import read_pairs
     from exactsweep.conform.run.pool import Judges
     from exactsweep.conform.run.runner import conduct
 
+    if path is not None and pairs is not None:
+        raise click.UsageError("Give either --cases or --pairs.")
+    if any(reading.values()) and pairs is None:
+        raise click.UsageError("--flatten, --join, --nested and --unit go with --pairs.")
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20
     selection = Selection.of(filters)
     total = None
-    if path is None and sys.stderr is not None and sys.stderr.isatty():
+    given = read_cases(path) if path is not None else None
+    if pairs is not None:
+        given = read_pairs(pairs, **reading)
+    if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in selection.shipped())
-    cases = distinct(selection.shipped() if path is None else selection.among(read_cases(path)))
+    cases = distinct(selection.shipped() if given is None else selection.among(given))
     with ExitStack() as stack:
         stack.enter_context(_terminated_as_interrupted())
         judges = stack.enter_context(

@@ -289,8 +289,6 @@ def _simplest_between(u: Vector, v: Vector) -> Vector:
         return Y_AXIS
     if u[0] <= 0 and v[0] <= 0:
         u, v = (-u[0], -u[1]), (-v[0], -v[1])
-    if v[0] == 0:
-        v = Y_AXIS
     if u[1] < 0:
         # Not both sides of the X axis: that would have been taken.
         p, q = _simplest_fraction(-v[1], v[0], -u[1], u[0])

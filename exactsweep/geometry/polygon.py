@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain
-from math import gcd, lcm
+from math import lcm
 from typing import TYPE_CHECKING, Any, Self
 
 from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
-from exactsweep.geometry.number import abridged
+from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
+from exactsweep.geometry.number import abridged, quotients
 from exactsweep.geometry.point import LatticePoint, Point
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_point, rings_of_interface
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     import sympy
 
 _SHOWN_VERTICES = 8
-_LATTICE_BITS = 8192
 
 
 class Polygon(PointSet):
@@ -34,7 +33,8 @@ class Polygon(PointSet):
             input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n) for a convex polygon of n vertices, O(n log n) for any other.
+    Cost: O(n) for a polygon of n vertices that is convex or monotone to the X axis, O(n log n) for
+    any other.
 
     Example:
         >>> Polygon([(0, 0), (0, 2), ("1/2", 1), (0, 0)])
@@ -53,10 +53,10 @@ class Polygon(PointSet):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
-        scale, points = _to_lattice(_read(vertices))
+        scale, points = _read(vertices)
         ring = canonical_ring(points)
         self._vertices = None
-        self._lattice = _reduced(scale, ring.points)
+        self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
 
     @classmethod
@@ -71,7 +71,7 @@ class Polygon(PointSet):
     def _from_lattice(cls, points: Sequence[LatticePoint], scale: int = 1) -> Self:
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice = None, _reduced(scale, tuple(points))
+        polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 
@@ -80,7 +80,8 @@ class Polygon(PointSet):
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
             scale, points = self.lattice()
-            self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
+            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
+            self._vertices = tuple(map(Point, xs, ys))
         return self._vertices
 
     @property
@@ -102,7 +103,7 @@ class Polygon(PointSet):
         """
         if self._lattice is None:
             assert self._vertices is not None
-            scale, points = _to_lattice(self._vertices)
+            scale, points = to_lattice(*zip(*self._vertices, strict=True))
             self._lattice = scale, tuple(points)
         return self._lattice
 
@@ -251,7 +252,7 @@ class Polygon(PointSet):
         return [f"... {hidden} more"] if hidden > 0 else []
 
 
-def _read(vertices: Iterable[Iterable[object]]) -> list[Point]:
+def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
     rings = rings_of_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
@@ -261,7 +262,12 @@ def _read(vertices: Iterable[Iterable[object]]) -> list[Point]:
         pairs = iter(vertices)
     except TypeError:
         raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
-    return [read_point(pair, f"vertex {i}") for i, pair in enumerate(pairs)]
+    rows = list(pairs)
+    found = read_columns(rows)
+    if found is None:
+        points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
+        found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
+    return found
 
 
 def _area(vertices: Sequence[Point]) -> Fraction:
@@ -282,32 +288,3 @@ def _area(vertices: Sequence[Point]) -> Fraction:
         terms = [(n * e + m * d, d * e) if d != e else (n + m, d) for (n, d), (m, e) in pairs]
         terms += odd
     return Fraction(terms[0][0], 2 * terms[0][1])
-
-
-def _to_lattice(vertices: Sequence[Point]) -> tuple[int, Sequence[LatticePoint]]:
-    scale = 1
-    for denominator in {c.denominator for v in vertices for c in v}:
-        scale = lcm(scale, denominator)
-        if scale.bit_length() > _LATTICE_BITS:
-            # Unrelated denominators: numbers on the common lattice would be longer than all the
-            # coordinates together, and Fractions are the faster rationals.
-            return 1, vertices
-    return scale, [
-        (
-            v.x.numerator * (scale // v.x.denominator),
-            v.y.numerator * (scale // v.y.denominator),
-        )
-        for v in vertices
-    ]
-
-
-def _reduced(scale: int, points: tuple[LatticePoint, ...]) -> tuple[int, tuple[LatticePoint, ...]]:
-    # With a scale above one all coordinates are ints.
-    common = scale
-    for coordinate in chain.from_iterable(points):
-        if common == 1:
-            break
-        common = gcd(common, int(coordinate))
-    if common == 1:
-        return scale, points
-    return scale // common, tuple((x // common, y // common) for x, y in points)

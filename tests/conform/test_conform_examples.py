@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from command import ROOT, run, shell
+from command import ROOT, refusal, run, shell
 from judged import CONVEX, EXAMPLES
 
 from exactsweep.conform.run.outcome import judge_answer
@@ -36,6 +36,32 @@ def test_the_python_example_is_exact_or_declines() -> None:
     done = run("conform", "--filter", "size=14", "--", *CONVEX)
     assert done.exit_code == 0
     assert re.match(r" +cases  exact  unsupported\n", done.stdout)
+
+
+def test_the_javascript_example_is_exact_or_declines() -> None:
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("node is not installed")
+    program = [node, str(EXAMPLES / "convex.js")]
+    done = run("conform", "--filter", "class=CC", "--", *program)
+    assert done.exit_code == 0
+    assert re.match(r" +cases  exact\n", done.stdout)
+    piped = shell(f"exactsweep corpus export worked | {' '.join(program)} | exactsweep judge")
+    assert piped.returncode == 0
+    assert re.match(r" +cases  exact  unsupported\n", piped.stdout)
+
+
+def test_an_example_is_shown_and_copied(tmp_path: Path) -> None:
+    paths = [Path(line) for line in run("example").stdout.splitlines()]
+    assert [path.name for path in paths] == ["convex.cpp", "convex.js", "convex.py"]
+    for path in paths:
+        assert run("example", path.name).stdout == path.read_text(encoding="utf-8")
+    mine = tmp_path / "mine.py"
+    assert run("example", "convex.py", "-o", str(mine)).exit_code == 0
+    assert mine.read_bytes() == paths[2].read_bytes()
+    assert "is there already" in refusal(run("example", "convex.js", "-o", str(mine)))
+    assert mine.read_bytes() == paths[2].read_bytes()
+    assert refusal(run("example", "convex.p")) == "no example 'convex.p'; did you mean 'convex.py'?"
 
 
 def test_the_cpp_example_is_exact_or_declines(tmp_path: Path) -> None:

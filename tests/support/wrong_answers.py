@@ -134,14 +134,12 @@ def return_directrix(right: Procedure) -> Procedure:
 )
 def always_take_over(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        k = partial.edge_before(piece.breaks[0]) if len(partial.edges) > 1 else 0
+        k = partial.edge_before(piece.breaks[0]) if len(partial.pieces) > 1 else 0
         cut = Envelope(
             [*partial.breaks[: k + 1], piece.breaks[0]],
-            partial.edges[: k + 1],
-            partial.sources[: k + 1],
+            partial.pieces[: k + 1],
         )
-        cut.edges += piece.edges
-        cut.sources += piece.sources
+        cut.pieces += piece.pieces
         cut.breaks += piece.breaks[1:]
         return cut
 

@@ -17,11 +17,11 @@ def keep_pairs(first: Any, second: Any) -> list[tuple[int, int]]:
 
 @sabotage("Trajectory_CC: right, but in quadratic time", cc.merge_by_slope, "Corollary 3.4")
 def compare_all_edges(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any, *cuts: Any) -> Any:
+    def merge_by_slope(first: Any, second: Any) -> Any:
         for x, _ in first:
             for other, _ in second:
                 x < other  # noqa: B015
-        return right(first, second, *cuts)
+        return right(first, second)
 
     return merge_by_slope
 
@@ -49,7 +49,7 @@ def walk_as_a_whole(right: Procedure) -> Procedure:
 )
 def copy_each_time(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        whole = Envelope(partial.breaks[:], partial.edges[:], partial.sources[:])
+        whole = Envelope(partial.breaks[:], partial.pieces[:])
         return right(whole, piece)
 
     return lower_envelope_cm
@@ -73,7 +73,7 @@ def keep_each(right: Procedure) -> Procedure:
     kept: list[Any] = []
 
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
-        kept.append((partial.breaks[:], partial.edges[:]))
+        kept.append((partial.breaks[:], partial.pieces[:]))
         return right(partial, piece)
 
     return lower_envelope_cm
@@ -86,9 +86,9 @@ def keep_each(right: Procedure) -> Procedure:
     timed=True,
 )
 def concatenate(right: Procedure) -> Procedure:
-    def merge_by_slope(first: Any, second: Any, *cuts: Any) -> Any:
+    def merge_by_slope(first: Any, second: Any) -> Any:
         chain: list[Any] = []
-        for point in right(first, second, *cuts):
+        for point in right(first, second):
             chain = [*chain, point]
         return chain
 

@@ -290,11 +290,11 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 Envelope.of(merge_by_slope(edges, part))
                 for part in convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
-            handed_in = sum(len(piece.edges) for piece in pieces)
+            handed_in = sum(len(piece.pieces) for piece in pieces)
             before, partial = tally.total, pieces[0]
             for piece in pieces[1:]:
                 partial = lower_envelope_cm(partial, piece)
-        trimmed = handed_in - len(partial.edges)
+        trimmed = handed_in - len(partial.pieces)
         return tally.total - before, handed_in + trimmed
 
     sizes = double(16, 2 if effort.quick else 4)

@@ -115,9 +115,9 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
                 for part in convex_parts(inverse(top))
             ]
-            before, size = tally.total, sum(len(chain.edges) for chain in chains)
+            before, size = tally.total, sum(len(chain.pieces) for chain in chains)
             merged = lower_envelope_mm(chains)
-        return tally.total - before + len(merged.edges), size * max(1.0, log2(len(chains)))
+        return tally.total - before + len(merged.pieces), size * max(1.0, log2(len(chains)))
 
     return grow(
         "operations of LowerEnvelope_MM", family.__name__, "N log k", sizes_from(effort), count

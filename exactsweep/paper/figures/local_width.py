@@ -187,7 +187,7 @@ def _draw_widths(panel: BarePicture, found: Widths) -> None:
 def _name_parts(
     panel: BarePicture, found: Widths, places: tuple[Vertex, Vertex, tuple[Fraction, int], Vertex]
 ) -> None:
-    """Write the names of I(g), and of I(G)', I(G)'', e and D, which have places beside e."""
+    """Write the names of I(g), and of I(G)', I(G)'', e and D, whose places are given."""
     (x, y), (inside, outside, (ahead, up), directrix) = found.at, places
     panel.label(found.inside, "$I(g)'$", 0, 11)
     panel.label(found.outside, "$I(g)''$", 2, -10)
