@@ -45,7 +45,7 @@ def conduct(
 
     def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
-            old = journal and journal.done.get(digest(case))
+            old = journal and journal.find(digest(case))
             if old:
                 run.add(old)
                 tell(old)
