@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from math import lcm
 from typing import Any
 
@@ -153,7 +154,7 @@ class Swept:
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
         """Contacts along the edges of the trajectory, features numbered in canonical order."""
-        return find_edge_contacts(self._route.vertices, *self._boundaries)
+        return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
@@ -170,14 +171,22 @@ class Swept:
         """
         return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
 
-    def contacts_along(self, loop: Sequence[Point]) -> tuple[tuple[Contact, ...], ...]:
-        """The contacts along each edge of another loop of positions, all free, as `contacts`.
+    def contacts_along(
+        self, loops: Iterable[Sequence[Point]]
+    ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
+        """The contacts along each edge of each of some loops of positions, all free, as `contacts`.
 
         A loop of two positions is the way from one to the other, and back.
+
+        Cost: that of `contacts` for all loops together, not for each.
         """
-        translations = [self._frame.enter_point(point, self.reference) for point in loop]
-        found = find_edge_contacts(translations, *self._boundaries)
-        return tuple(tuple(map(self._as_given, contacts)) for contacts in found)
+        edges = [
+            list_edges([self._frame.enter_point(point, self.reference) for point in loop])
+            for loop in loops
+        ]
+        found = iter(find_edge_contacts([*chain.from_iterable(edges)], *self._boundaries))
+        for of_loop in edges:
+            yield tuple(tuple(map(self._as_given, next(found))) for _ in of_loop)
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:
