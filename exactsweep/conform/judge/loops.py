@@ -19,6 +19,8 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 
+_POSITIONS = ("trajectory", "no_fit")
+"""Loops on which exact fits of G around D may hang."""
 MOST_PAIRS = 2_000_000
 """Of loops with more pairs of edges than that the distance is not measured."""
 MOST_RINGS = 200
@@ -30,7 +32,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
     Args:
         case: the case.
-        name: "trajectory", "inner" or "outer".
+        name: a key of LOOP_NAMES.
         loop: what was answered.
         rounding: by how much less a coordinate may be off.
 
@@ -50,7 +52,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     fault = find_fault(loop.rings, f"$.{name}")
     if fault is None and _canonical(loop.rings) == sorted(exact):
         return _same(name, Verdict.EQUIVALENT)
-    if name == "trajectory" and fault is not None:
+    if name in _POSITIONS and fault is not None:
         rings, whiskers = strip_whiskers(loop.rings, case.exact_fits)
         if whiskers and find_fault(rings, "") is None and _canonical(rings) == sorted(exact):
             reason = "exact fits are traced as whiskers of the loop"
@@ -89,7 +91,7 @@ def _measure(
     if fault is None and cells == []:
         return _same(name, Verdict.EQUIVALENT)
     lost, extra = ([c for c in cells or () if c.first is first] for first in (True, False))
-    whiskered = with_whiskers(exact, case.exact_fits) if name == "trajectory" else exact
+    whiskered = with_whiskers(exact, case.exact_fits) if name in _POSITIONS else exact
     if match_rings(exact, rings, rounding):
         verdict, reason = Verdict.WITHIN, "rounded"
     elif whiskered != exact and match_rings(whiskered, rings, rounding):
@@ -97,19 +99,21 @@ def _measure(
         kind = "whisker"
     else:
         diagnosis = () if fault else diagnose(case, name, rings, rounding)
-        verdict, reason = _judge_difference(LOOP_NAMES[name], fault, cells, lost, extra)
+        verdict, reason = _judge_difference(name, fault, cells, lost, extra)
         if diagnosis:
             reason = f"{diagnosis[0]}; {reason}"
     measured = cells is not None
+    # An inner fit tells where G may be, and not where it may not.
+    overlapping, free = (extra, lost) if name == "inner_fit" else (lost, extra)
     return PartComparison(
         name,
         verdict,
         reason,
         _measure_distance(exact, rings) if measured else None,
-        area(lost) if measured else None,
-        area(extra) if measured else None,
-        witness(case, name, rings, lost) if lost else None,
-        witness(case, name, rings, extra) if extra else None,
+        area(overlapping) if measured else None,
+        area(free) if measured else None,
+        witness(case, name, rings, overlapping) if overlapping else None,
+        witness(case, name, rings, free) if free else None,
         rounding,
         kind,
         diagnosis,
@@ -119,18 +123,19 @@ def _measure(
 def _measure_distance(
     exact: Sequence[Ring], rings: Sequence[Ring]
 ) -> tuple[Fraction, Fraction] | None:
-    if sum(map(len, exact)) * sum(map(len, rings)) > MOST_PAIRS:
+    if not exact or not rings or sum(map(len, exact)) * sum(map(len, rings)) > MOST_PAIRS:
         return None
     return distance_squared(exact, rings)
 
 
 def _judge_difference(
-    loop_name: str,
+    name: str,
     fault: str | None,
     cells: Sequence[Cell] | None,
     lost: Sequence[Cell],
     extra: Sequence[Cell],
 ) -> tuple[Verdict, str]:
+    loop_name = LOOP_NAMES[name]
     if fault is not None:
         return Verdict.MALFORMED, fault
     if cells is None:
@@ -138,9 +143,11 @@ def _judge_difference(
         return Verdict.WRONG, reason
     if lost and extra:
         return Verdict.WRONG, f"neither holds the exact {loop_name} nor is held by it"
-    if lost:
-        return Verdict.UNSOUND, f"part of the exact {loop_name} is missing"
-    return Verdict.CONSERVATIVE, f"more than the exact {loop_name}"
+    reason = (
+        f"part of the exact {loop_name} is missing" if lost else f"more than the exact {loop_name}"
+    )
+    permits_overlap = bool(lost) != (name == "inner_fit")
+    return Verdict.UNSOUND if permits_overlap else Verdict.CONSERVATIVE, reason
 
 
 def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> PartComparison:
@@ -150,7 +157,11 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
 
 def _are_rotations(rings: Sequence[Ring], exact: Sequence[Ring]) -> bool:
     """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
-    if len(rings) != len(exact) or not _is_rotation(rings[0], exact[0]):
+    if len(rings) != len(exact):
+        return False
+    if not exact:
+        return True
+    if not _is_rotation(rings[0], exact[0]):
         return False
     left = list(exact[1:])
     for ring in rings[1:]:
