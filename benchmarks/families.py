@@ -8,15 +8,13 @@ for nothing. Those that the paper's claims are counted on are in `corpus.generat
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import combinations
 from math import cos, pi, sin
 from random import Random
 
 from exactsweep import Polygon, PolygonError
 from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
-from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.corpus.generator.shapes import Ring, untangle
 
-Point = tuple[int, int]
 Family = Callable[[int, int, int], tuple[Ring, Ring]]
 
 
@@ -52,27 +50,11 @@ def radial(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 def tangle(n: int, random: Random, size: int = 1000) -> Ring:
     """Random points, and a way through them that is turned round until it does not cross itself."""
     while True:
-        ring = [(random.randrange(size), random.randrange(size)) for _ in range(n)]
-        while pair := _crossing(ring):
-            i, j = pair
-            ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+        ring = untangle((random.randrange(size), random.randrange(size)) for _ in range(n))
         try:
             return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
         except PolygonError:
             continue
-
-
-def _crossing(ring: Ring) -> tuple[int, int] | None:
-    """Two edges that cross, by their first vertices, if there are any."""
-
-    def side(p: Point, q: Point, r: Point) -> int:
-        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-    for i, j in combinations(range(len(ring)), 2):
-        a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
-        if side(a, b, p) * side(a, b, q) < 0 and side(p, q, a) * side(p, q, b) < 0:
-            return i, j
-    return None
 
 
 def tangled(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:

@@ -2,6 +2,7 @@
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, limits
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -17,6 +18,7 @@ from exactsweep.sweep import (
 
 __all__ = [
     "DirectionError",
+    "ExactSweepError",
     "InnerFit",
     "NoFitPolygon",
     "NumberError",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import re
 import signal
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -53,6 +54,20 @@ class Started:
                 env={**os.environ, _MARK: f"{os.environ.get(_MARK, '')} {self._mark}"},
             )
 
+    def forget_peak(self) -> None:
+        """Let `read_peak` begin anew, of the process itself, where the system can do that."""
+        with suppress(OSError):
+            Path(f"/proc/{self.process.pid}/clear_refs").write_text("5")
+
+    def read_peak(self) -> int | None:
+        """Return the bytes of memory that it held at most, with all that it started and that runs.
+
+        They are the sum of what each of these processes held at most, which they may not have held
+        at one time; None where the system does not tell.
+        """
+        peaks = [peak for pid in _find_family(self.process.pid) if (peak := _read_peak(pid))]
+        return sum(peaks) or None
+
     def wait(self, seconds: float) -> int | None:
         """Return the exit code, as of `subprocess.Popen`, or None if it does not end in time."""
         with suppress(subprocess.TimeoutExpired):
@@ -71,6 +86,22 @@ class Started:
                 with suppress(OSError):
                     pipe.close()
         _kill_marked(self._mark)
+
+
+def _find_family(pid: int) -> Iterator[int]:
+    """The processes that one started, and those that these started; itself first."""
+    yield pid
+    for path in Path(f"/proc/{pid}/task").glob("*/children"):
+        with suppress(OSError):
+            for child in path.read_text().split():
+                yield from _find_family(int(child))
+
+
+def _read_peak(pid: int) -> int | None:
+    with suppress(OSError):
+        found = re.search(r"^VmHWM:\s*(\d+) kB$", Path(f"/proc/{pid}/status").read_text(), re.M)
+        return int(found[1]) * 1024 if found else None
+    return None
 
 
 def _kill_marked(mark: str) -> None:

@@ -7,7 +7,7 @@ Definitions 1.1 to 1.3, Theorems 2.1 and 2.2. The lower sweep (G_t, D_b) and the
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
@@ -19,23 +19,62 @@ from exactsweep.geometry.direction import (
     require_monotone,
     shared_direction,
 )
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.error import named
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point, rings_of_interface
 from exactsweep.geometry.region import Region, Vertices
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from exactsweep.view import InlinePage
 
-class Sweep(Swept):
+
+class Answer:
+    """What equals another if the same was asked of the same polygons.
+
+    Polygons are equal as sets of points: in which order their vertices were given shows in the
+    numbers of features, and not here.
+    """
+
+    asked: ClassVar[tuple[str, ...]]
+    """The names of the attributes that say what was asked."""
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)) or not isinstance(self, type(other)):
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in self.asked)
+
+    def __hash__(self) -> int:
+        return hash(tuple(getattr(self, name) for name in self.asked))
+
+
+class Sweep(Answer, Swept):
     """A sweep that shows itself; made by `sweep`. What is computed is said in `Swept`."""
 
+    asked = ("generatrix", "directrix", "direction", "reference")
+
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw the sweep with matplotlib, the `plot` extra: see `exactsweep.draw.plot_sweep`."""
         from exactsweep.draw import plot_sweep
 
-        return plot_sweep(self, axes, positions=positions)
+        return plot_sweep(self, axes, positions=positions, y_down=y_down)
+
+    def view(self, height: int = 600) -> InlinePage:
+        """Return the interactive page, which a notebook shows: see `exactsweep.view.page`.
+
+        Args:
+            height: of the frame in the notebook, in pixels.
+        """
+        from exactsweep.view import InlinePage
+
+        return InlinePage(self, height)
 
     def _repr_svg_(self) -> str:
         from exactsweep.draw.notebook import sweep_svg
@@ -52,16 +91,22 @@ class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
 
 
-class NoFitPolygon(no_fit.NoFitPolygon):
+class NoFitPolygon(Answer, no_fit.NoFitPolygon):
     """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
 
+    asked = ("stationary", "orbiting", "reference")
+
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw it with matplotlib, the `plot` extra: see `exactsweep.draw.plot_no_fit`."""
         from exactsweep.draw import plot_no_fit
 
-        return plot_no_fit(self, axes, positions=positions)
+        return plot_no_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
         from exactsweep.draw.notebook import positions_svg
@@ -74,16 +119,22 @@ class NoFitPolygon(no_fit.NoFitPolygon):
         return no_fit_html(self)
 
 
-class InnerFit(no_fit.InnerFit):
+class InnerFit(Answer, no_fit.InnerFit):
     """An inner fit that shows itself; made by `inner_fit_polygon`."""
 
+    asked = ("container", "part", "reference")
+
     def plot(
-        self, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
     ) -> Axes:
         """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_inner_fit`."""
         from exactsweep.draw import plot_inner_fit
 
-        return plot_inner_fit(self, axes, positions=positions)
+        return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
         from exactsweep.draw.notebook import positions_svg
@@ -103,7 +154,9 @@ def sweep(
     direction: Iterable[object] | None = None,
     reference: Iterable[object] = (0, 0),
 ) -> Sweep:
-    """Sweep a generatrix G around a directrix D: always in contact, never overlapping.
+    """Sweep a generatrix, given first, around a directrix: always in contact, never overlapping.
+
+    In the order of the paper's (G, D); with `generatrix=` and `directrix=` no order matters.
 
     Args:
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
@@ -116,21 +169,23 @@ def sweep(
         A Sweep with trajectory, inner and outer loop.
 
     Raises:
-        PolygonError: a polygon is not simple.
-        NumberError: a coordinate is not an exact number.
+        PolygonError: a polygon is not simple; the message begins with its name.
+        NumberError: a coordinate is not an exact number; likewise.
         DirectionError: a polygon is not monotone to the direction asked for, or has a hole.
 
     Cost: O(m + n) for CC, O(m n) for CM; for MM O(m n log n) for the trajectory and
     O(m n^2 log n) for the loops (Corollaries 3.4, 4.5, 4.6, 5.7, 5.8).
 
     Example:
-        >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)])
+        >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)]
+        >>> s = sweep(generatrix=square, directrix=triangle)
         >>> s.kind, s.area
         ('CC', Fraction(12, 1))
         >>> print(s.trajectory)
         (-1, -1) (2, -1) (2, 0) (1, 2) (0, 2) (-1, 0)
     """
-    g, d, origin = _read(generatrix), _read(directrix), read_point(reference, "reference")
+    g, d = _read(generatrix, "generatrix"), _read(directrix, "directrix")
+    origin = read_point(reference, "reference")
     if direction is not None:
         chosen = read_direction(direction)
         for shape, name in ((g, "generatrix"), (d, "directrix")):
@@ -143,11 +198,23 @@ def sweep(
     return Sweep(*monotone, origin)
 
 
-def _read(shape: Region | Vertices) -> Polygon | Region:
+def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
     """A shape with holes as a Region, any other as a Polygon."""
+    if isinstance(shape, Polygon):
+        return shape
+    region = _region(shape, name)
+    return region if region.holes else region.exterior
+
+
+def _region(shape: Region | Vertices, name: str) -> Region:
     if isinstance(shape, Region):
-        return shape if shape.holes else shape.exterior
-    return Polygon(shape)
+        return shape
+    with named(name):
+        exterior, *holes = rings_of_interface(shape) or [shape]
+        if not holes:
+            # There is only one ring to be named.
+            return Region(Polygon(exterior))
+        return Region(exterior, holes)
 
 
 def _share(
@@ -169,7 +236,9 @@ def no_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> NoFitPolygon:
-    """The no-fit polygon (stationary, orbiting): where the one overlaps the other.
+    """Find where an orbiting polygon overlaps a stationary one, which is given first.
+
+    With `stationary=` and `orbiting=` no order matters; `sweep` takes what moves first.
 
     Args:
         stationary: D, a Polygon, a Region or the vertices of a polygon.
@@ -181,20 +250,23 @@ def no_fit_polygon(
         inside D without overlap; and its exact fits, free positions without room around them.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside.
-        NumberError: a coordinate is not an exact number.
+        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
+            name.
+        NumberError: a coordinate is not an exact number; likewise.
 
     Cost: as for the trajectory of `sweep`; for other shapes as for `ss.no_fit_ss`.
 
     Example:
-        >>> n = no_fit_polygon([(0, 0), (2, 0), (1, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)])
+        >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (2, 0), (1, 2)]
+        >>> n = no_fit_polygon(stationary=triangle, orbiting=square)
         >>> print(n.exterior)
         (-1, -1) (2, -1) (2, 0) (1, 2) (0, 2) (-1, 0)
         >>> hollow = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(1, 1), (4, 1), (4, 3), (1, 3)]])
-        >>> print(no_fit_polygon(hollow, [(0, 0), (1, 0), (1, 1), (0, 1)]).holes[0])
+        >>> print(no_fit_polygon(stationary=hollow, orbiting=square).holes[0])
         (1, 1) (3, 1) (3, 2) (1, 2)
     """
-    d, g, origin = _read(stationary), _read(orbiting), read_point(reference, "reference")
+    d, g = _read(stationary, "stationary"), _read(orbiting, "orbiting")
+    origin = read_point(reference, "reference")
     monotone = _share(g, d)
     swept = None if monotone is None else Swept(*monotone, origin)
     return NoFitPolygon(Region(d), Region(g), origin, swept)
@@ -206,7 +278,9 @@ def inner_fit_polygon(
     *,
     reference: Iterable[object] = (0, 0),
 ) -> InnerFit:
-    """The inner-fit polygon (container, part): all positions of the part inside the container.
+    """Find all positions inside a container, which is given first, of a part.
+
+    With `container=` and `part=` no order matters.
 
     Args:
         container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
@@ -218,16 +292,18 @@ def inner_fit_polygon(
         part. A part that does not fit has neither.
 
     Raises:
-        PolygonError: a polygon is not simple, or a hole is not inside.
-        NumberError: a coordinate is not an exact number.
+        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
+            name.
+        NumberError: a coordinate is not an exact number; likewise.
 
     Cost: as for `ss.inner_fit_ss`.
 
     Example:
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> print(inner_fit_polygon(bin, unit).regions[0])
+        >>> print(inner_fit_polygon(container=bin, part=unit).regions[0])
         (0, 0) (3, 0) (3, 1) (0, 1)
-        >>> print(inner_fit_polygon(bin, [(0, 0), (2, 0), (2, 2), (0, 2)]))
+        >>> print(inner_fit_polygon(container=bin, part=[(0, 0), (2, 0), (2, 2), (0, 2)]))
         exact fit: (0,0) (2,0)
     """
-    return InnerFit(Region(container), Region(part), read_point(reference, "reference"))
+    shapes = _region(container, "container"), _region(part, "part")
+    return InnerFit(*shapes, read_point(reference, "reference"))

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from difflib import get_close_matches
 from fractions import Fraction
+from math import atan2, pi
 
 from exactsweep.geometry.number import abridged, quoted, to_fraction
 from exactsweep.geometry.point import Vertex
@@ -53,6 +54,18 @@ def heading(vector: Vertex) -> str:
     if y:
         words.append("up" if y > 0 else "down")
     return " and ".join(words)
+
+
+def degrees(vector: Vertex) -> str:
+    """Write by how much a vector is turned from the X axis, counter-clockwise, about.
+
+    >>> degrees((1, -2)), degrees((0, 10**400)), degrees((-1, 1))
+    ('-63.4', '90', '135')
+    """
+    across, up = map(Fraction, vector)
+    longest = max(abs(across), abs(up))
+    x, y = float(across / longest), float(up / longest)
+    return f"{atan2(y, x) * 180 / pi:.1f}".removesuffix(".0")
 
 
 def suggestion(word: str, words: Iterable[str]) -> str:

@@ -12,7 +12,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {"geometry.number", "geometry.point"}
+NUMBERS = {"geometry.error", "geometry.number", "geometry.point"}
 GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
@@ -20,7 +20,8 @@ ABOVE = SHOWN | {"__init__", "corpus", "batch", "conform", "paper"}
 RULES: dict[str, tuple[set[str], str]] = {
     "words": (NUMBERS, "plain words stand on numbers"),
     "processes": (set(), "starting and ending processes knows nothing of geometry"),
-    "geometry.number": (set(), "numbers stand on nothing"),
+    "geometry.error": (set(), "refusals stand on nothing"),
+    "geometry.number": ({"geometry.error"}, "numbers stand on nothing but refusals"),
     "geometry.point": ({"geometry.number"}, "points stand on numbers alone"),
     "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
     "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
@@ -30,7 +31,14 @@ RULES: dict[str, tuple[set[str], str]] = {
     ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
     "check": (
-        NUMBERS | {"geometry.polygon", "geometry.region", "geometry.canonical", "check"},
+        NUMBERS
+        | {
+            "geometry.polygon",
+            "geometry.region",
+            "geometry.canonical",
+            "geometry.reading",
+            "check",
+        },
         "an oracle that shares code with what it checks is worth nothing",
     ),
     "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),

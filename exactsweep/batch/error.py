@@ -1,5 +1,7 @@
 """The refusal of a batch as a whole."""
 
+from exactsweep.geometry.error import ExactSweepError
 
-class BatchError(ValueError):
+
+class BatchError(ExactSweepError):
     """A batch that cannot be run or resumed; the message says why."""

@@ -14,8 +14,8 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
+from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import MAX_BYTES, file_name
-from exactsweep.formats.outline import NamedPolygon
 from exactsweep.geometry.number import format_fraction, quoted
 
 CHUNK_PAIRS = 16

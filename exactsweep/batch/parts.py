@@ -1,9 +1,10 @@
 """Parts: polygons that many pairs share, each one read and validated once."""
 
-from typing import NamedTuple
+from typing import NamedTuple, Unpack
 
-from exactsweep.formats.outline import Outline
-from exactsweep.formats.polygons import read_outlines
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.polygons import read_candidates
+from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -20,7 +21,7 @@ class Part(NamedTuple):
     polygon: Polygon | Region | str
 
 
-def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
+def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
     """Read a part list, each polygon once.
 
     Args:
@@ -33,10 +34,13 @@ def read_parts(path: str, tolerance: object = None) -> tuple[Part, ...]:
     Raises:
         FormatError: anything wrong with the file as a whole; the message names it.
     """
-    return tuple(_read(outline, str(k)) for k, outline in enumerate(read_outlines(path, tolerance)))
+    return tuple(
+        _read(outline, str(k))
+        for k, outline in enumerate(read_candidates(path, tolerance, **options))
+    )
 
 
-def _read(outline: Outline, index: str) -> Part:
+def _read(outline: Candidate, index: str) -> Part:
     name = index if outline.name is None else outline.name
     try:
         return Part(name, outline.shape())

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, error_line, result_line
+from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
-from exactsweep.formats.outline import choose
-from exactsweep.formats.polygons import find_outlines
+from exactsweep.formats.polygons import find_candidates
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -138,7 +138,7 @@ class Work:
                 raise FormatError(f"$.{name}: there is no part {quoted(value)}{near}")
             return _polygon(self._by_name[value], name)
         try:
-            return choose(find_outlines(value), None).region()
+            return choose(find_candidates(value), None).region()
         except ValueError as error:
             raise FormatError(f"{name}: {error}") from None
 

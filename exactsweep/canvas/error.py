@@ -1,5 +1,7 @@
 """The refusal of a picture."""
 
+from exactsweep.geometry.error import ExactSweepError
 
-class DrawError(ValueError):
+
+class DrawError(ExactSweepError):
     """A picture that cannot be drawn or written; the message says why."""

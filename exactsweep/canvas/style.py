@@ -1,7 +1,10 @@
 """How things look: one style for all pictures, for print and for colour-blind readers.
 
-Colours are those of Okabe and Ito. No two things differ by colour alone: they differ in line
-width, dashes, hatching or markers, too, and so remain apart in black and white.
+One colour, one meaning, in pictures, pages and sheets alike: LIGHT and DARK. Any two of a ground
+are apart for readers who confuse red and green, too, as a test computes. No two things differ by
+colour alone: they differ in line width, dashes, hatching or markers, too, and so remain apart in
+black and white. Where colours mean nothing but first, second, third, they are those of Okabe and
+Ito.
 """
 
 from __future__ import annotations
@@ -23,13 +26,73 @@ PURPLE = "#cc79a7"
 PALETTE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 """The order in which things of one kind, such as chains, take colours."""
 
+LIGHT = {
+    "directrix": "#5f5f5f",
+    "directrix-fill": "#cccccc",
+    "generatrix": "#0072b2",
+    "generatrix-fill": "#56b4e940",
+    "swept": "#fbf6d0",
+    "outer": "#ee9e00",
+    "inner": "#2e9a60",
+    "undercut": "#d55e00",
+    "undercut-fill": "#d55e0073",
+    "fit": "#c08fd0",
+    "free": "#4faa9a",
+    "free-fill": "#4faa9a50",
+    "path": "#000000",
+    "EV": "#332288",
+    "VE": "#90002b",
+    "EE": "#a0aa4d",
+    "VV": "#6a4000",
+}
+"""The colour of each thing on a light ground."""
+
+DARK = {
+    "directrix": "#b9bbbd",
+    "directrix-fill": "#4a4d52",
+    "generatrix": "#7cc7f2",
+    "generatrix-fill": "#56b4e938",
+    "swept": "#35331f",
+    "outer": "#f9cc20",
+    "inner": "#2fbb78",
+    "undercut": "#e67c13",
+    "undercut-fill": "#e67c1373",
+    "fit": "#d274b8",
+    "free": "#79ffb2",
+    "free-fill": "#79ffb238",
+    "path": "#ffffff",
+    "EV": "#8f80ff",
+    "VE": "#bc3f74",
+    "EE": "#d4dd6b",
+    "VV": "#b06a35",
+}
+"""The colour of each thing on a dark ground."""
+
+JUDGED = {"theirs": "#e7298a", "witness": "#4daf4a"}
+"""The colours of another program's answer and of a witness against it, beside those of LIGHT."""
+
+
+def style_sheet() -> str:
+    """Write all colours as variables of CSS, those for a dark ground where the reader has one.
+
+    >>> style_sheet().splitlines()[0][:24]
+    ':root { --directrix: #5f'
+    """
+    light, dark = (
+        " ".join(f"--{name}: {color};" for name, color in (palette | JUDGED).items())
+        for palette in (LIGHT, DARK)
+    )
+    scheme = "@media (prefers-color-scheme: dark)"
+    return f":root {{ {light} }}\n{scheme} {{ :root {{ {dark} }} }}\n"
+
+
 _SETTINGS: Any = {
     "axes.edgecolor": GREY,
     "axes.labelsize": 9,
     "axes.linewidth": 0.6,
     "figure.dpi": 120,
     "figure.figsize": (7.2, 4.8),
-    "font.family": "DejaVu Sans",
+    "font.family": ["DejaVu Sans", "sans-serif"],
     "font.size": 9,
     "hatch.linewidth": 0.7,
     "legend.fontsize": 8,
@@ -40,7 +103,8 @@ _SETTINGS: Any = {
     "mathtext.fontset": "dejavusans",
     "pdf.fonttype": 42,
     "savefig.dpi": 200,
-    "svg.fonttype": "path",
+    # Text that can be searched, read aloud and edited.
+    "svg.fonttype": "none",
     # Names inside an SVG file are made from this instead of at random.
     "svg.hashsalt": "exactsweep",
     "xtick.labelsize": 8,
@@ -69,6 +133,7 @@ class Look:
         hollow: whether markers are filled with white.
         order: what is drawn later, over the rest, has a higher one.
         size: of markers, in points.
+        halo: whether markers have a white rim, on which they stand out.
     """
 
     color: str
@@ -80,6 +145,7 @@ class Look:
     hollow: bool = False
     order: float = 3
     size: float = 4.5
+    halo: bool = False
 
     @property
     def as_line(self) -> dict[str, Any]:
@@ -91,6 +157,8 @@ class Look:
             "marker": self.marker,
             "markersize": self.size,
             "markerfacecolor": "white" if self.hollow else self.color,
+            "markeredgecolor": "white" if self.halo else self.color,
+            "markeredgewidth": 0.8 if self.halo else 1.0,
             "zorder": self.order,
         }
 
@@ -107,34 +175,38 @@ class Look:
         }
 
 
-DIRECTRIX = Look(GREY, 1.0, fill="#cccccc", order=1)
-GENERATRIX = Look(BLUE, 1.6, fill="#56b4e940", order=4)
-SWEPT = Look("none", 0, fill="#fbf6d0", order=0)
-OUTER = Look(ORANGE, 1.6, dash=(0, (8, 2)), order=2)
-INNER = Look(GREEN, 2.4, order=2.5)
-UNDERCUT = Look(RED, 0.5, hatch="//////", order=2)
-EXACT_FIT = Look(PURPLE, 2.2, marker="o", order=6)
-MANY_EXACT_FITS = Look(PURPLE, 0.5, order=6)
-POINT_FIT = Look(PURPLE, 0, dash="none", marker="*", order=7.2, size=12)
-FREE = Look(GREEN, 1.6, fill="#009e7338", dash=(0, (6, 1.5)), order=4.5)
+def _look(name: str, width: float, **rest: Any) -> Look:
+    return Look(LIGHT[name], width, **rest)
+
+
+DIRECTRIX = _look("directrix", 1.0, fill=LIGHT["directrix-fill"], order=1)
+GENERATRIX = _look("generatrix", 1.6, fill=LIGHT["generatrix-fill"], order=4)
+SWEPT = Look("none", 0, fill=LIGHT["swept"], order=0)
+OUTER = _look("outer", 1.6, dash=(0, (8, 2)), order=2)
+INNER = _look("inner", 2.4, order=2.5)
+UNDERCUT = _look("undercut", 0.5, hatch="//////", order=2)
+EXACT_FIT = _look("fit", 2.2, marker="o", order=6)
+MANY_EXACT_FITS = _look("fit", 0.5, order=6)
+POINT_FIT = _look("fit", 0, dash="none", marker="*", order=7.2, size=12)
+FREE = _look("free", 1.6, fill=LIGHT["free-fill"], dash=(0, (6, 1.5)), order=4.5)
 """Positions without overlap: holes of a no-fit polygon, regions of an inner fit."""
-HANGING_END = Look(PURPLE, 0, dash="none", marker="o", hollow=True, order=6.1)
-TRAJECTORY = Look(BLACK, 1.2, order=5)
-REFERENCE = Look(BLACK, 0, dash="none", marker="o", order=7)
+HANGING_END = _look("fit", 0, dash="none", marker="o", hollow=True, order=6.1)
+TRAJECTORY = _look("path", 1.2, order=5)
+REFERENCE = _look("generatrix", 0, dash="none", marker="o", order=7, size=5.5, halo=True)
 EVENTS = {
-    "EV": Look(BLUE, 1.6, order=5),
-    "VE": Look(RED, 1.6, dash=(0, (3, 1.5)), order=5),
-    "EE": Look(BLACK, 2.0, dash=(0, (1, 1)), order=5),
+    "EV": _look("EV", 1.6, order=5),
+    "VE": _look("VE", 1.6, dash=(0, (3, 1.5)), order=5),
+    "EE": _look("EE", 2.4, dash=(0, (1, 1)), order=5),
 }
 """The trajectory by contact event."""
 CONTACTS = {
-    "EV": Look(BLUE, 0, dash="none", marker="s", order=8),
-    "VE": Look(RED, 0, dash="none", marker="^", order=8),
-    "EE": Look(BLACK, 2.6, order=7.5),
-    "VV": Look(PURPLE, 0, dash="none", marker="D", order=8),
+    "EV": _look("EV", 0, dash="none", marker="s", order=8, size=5.5, halo=True),
+    "VE": _look("VE", 0, dash="none", marker="^", order=8, size=6.5, halo=True),
+    "EE": _look("EE", 3.2, order=7.5),
+    "VV": _look("VV", 0, dash="none", marker="D", order=8, size=5.5, halo=True),
 }
 """Where G touches D, by contact event."""
-SEVERAL_EVENTS = Look(GREY, 2.0, dash="-.", order=5)
+SEVERAL_EVENTS = _look("path", 1.8, dash="-.", order=5)
 SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.check.cone import Pair, by_turn, cross, minus
+from exactsweep.check.cone import Pair, by_turn, cross, minus, ratio
 from exactsweep.check.uncovered import OpenSets, Piece, Segment
 from exactsweep.geometry.canonical import canonical_ring, doubled_area
 from exactsweep.geometry.point import Rational
@@ -65,7 +64,7 @@ def assemble(pieces: Sequence[Piece], points: Iterable[Pair], sets: OpenSets) ->
     for piece, at in zip(pieces, cuts, strict=True):
         slits.append([])
         for low, high in pairwise(sorted(at)):
-            middle = Fraction(low + high) / 2
+            middle = ratio(low + high, 2)
             left, right = (not sets.is_beside(piece.line, middle, side) for side in (1, -1))
             p, q = at[low], at[high]
             if left:
@@ -107,7 +106,7 @@ def _common_point(one: Piece, other: Piece) -> Pair | None:
     turn = dx * ey - dy * ex
     if turn == 0:
         return None
-    p = Fraction(c * ex - e * dx, turn), Fraction(c * ey - e * dy, turn)
+    p = ratio(c * ex - e * dx, turn), ratio(c * ey - e * dy, turn)
     on_both = all(piece.low <= p[piece.line.axis] <= piece.high for piece in (one, other))
     return p if on_both else None
 
@@ -167,4 +166,4 @@ def _loop(points: Sequence[Pair]) -> Loop:
         for p, q, r in zip((points[-1], *points), points, (*points[1:], points[0]), strict=False)
         if cross(minus(q, p), minus(r, q))
     ]
-    return Loop(tuple(corners), (Fraction(ax + bx) / 2, Fraction(ay + by) / 2))
+    return Loop(tuple(corners), (ratio(ax + bx, 2), ratio(ay + by, 2)))

@@ -12,6 +12,7 @@ from itertools import pairwise
 from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, format_fraction, limits, to_fraction
 from exactsweep.geometry.point import Point
 
@@ -30,7 +31,7 @@ Loop = tuple[Point, ...]
 _T = TypeVar("_T")
 
 
-class CertificateError(ValueError):
+class CertificateError(ExactSweepError):
     """The first thing that is wrong with a certificate, and a point or translation to see it by."""
 
     def __init__(self, reason: str, witness: Point | None = None) -> None:

@@ -22,8 +22,9 @@ from exactsweep.check.cone import Pair, common_direction, direction_inside, dot
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import cones_of, meetings, split_where_touching
 from exactsweep.check.shape import Shape, on_one_lattice, polygons_of
+from exactsweep.geometry.error import named
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import read_point
+from exactsweep.geometry.reading import read_point
 
 Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
 
@@ -36,7 +37,9 @@ class Classification(NamedTuple):
 
 
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
-    """Decide whether G + t, a translate of one polygon, meets another, D.
+    """Decide whether a directrix D, given first, meets a generatrix moved by t, G + t.
+
+    With `directrix=`, `generatrix=` and `t=` no order matters; `sweep` takes the generatrix first.
 
     Args:
         directrix: D, a Polygon, its vertices or a Region, m edges, monotone or not.
@@ -48,18 +51,22 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
         only the boundaries meet, and the witness is in both. FREE: no common point, None.
 
     Raises:
-        PolygonError: vertices are not those of a simple polygon.
-        NumberError: a coordinate is not an exact number.
+        PolygonError: vertices are not those of a simple polygon; the message begins with its name.
+        NumberError: a coordinate is not an exact number; likewise.
 
     Cost: O((m + n) log(m + n)) comparisons, and as many insertions into one list.
     Source: Definition 1.1.
 
     >>> square = [(0, 0), (2, 0), (2, 2), (0, 2)]
-    >>> [classify(square, square, t).verdict for t in [(3, 0), (2, 1), (1, 1)]]
+    >>> pair = {"directrix": square, "generatrix": square}
+    >>> [classify(**pair, t=t).verdict for t in [(3, 0), (2, 1), (1, 1)]]
     ['FREE', 'CONTACT', 'OVERLAP']
     """
     x, y = read_point(t, "the position")
-    polygons = [polygons_of(directrix), polygons_of(generatrix)]
+    with named("directrix"):
+        polygons = [polygons_of(directrix)]
+    with named("generatrix"):
+        polygons.append(polygons_of(generatrix))
     scale, (d, g) = on_one_lattice(polygons, (x.denominator, y.denominator))
     dx, dy = int(x * scale), int(y * scale)
     shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
@@ -83,6 +84,14 @@ def cross(p: Pair, q: Pair) -> Rational:
 def dot(p: Pair, q: Pair) -> Rational:
     """Scalar product of two directions."""
     return p[0] * q[0] + p[1] * q[1]
+
+
+def ratio(n: Rational, d: Rational) -> Rational:
+    """Divide, by an int without going through Fractions where an int comes out."""
+    if type(n) is int and type(d) is int:
+        quotient, rest = divmod(n, d)
+        return Fraction(n, d) if rest else quotient
+    return Fraction(n) / d
 
 
 def is_between(p: Pair, a: Pair, b: Pair) -> bool:

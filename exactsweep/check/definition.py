@@ -9,19 +9,24 @@ the bottom and top of G as functions of x, the lower halves of the three loops a
 
 (Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds); the upper halves are
 their mirror images. Here they are evaluated on every open interval between sums of breakpoints,
-slowly and on Fractions, to hold the procedures of the paper against.
+to hold the procedures of the paper against.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from fractions import Fraction
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import pairwise
+from math import lcm
 from typing import Any, NamedTuple
 
-from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror, piece_over
+from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror
+from exactsweep.check.shape import Ring, on_integers, to_points
+from exactsweep.check.uncovered import Segment
+from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import LatticePoint, Point, Rational
 from exactsweep.geometry.polygon import Polygon
 
 
@@ -56,9 +61,8 @@ def reference_loops(
     >>> [(str(x), str(y)) for x, y in reference_loops(square, square).trajectory]
     [('-1', '-1'), ('1', '-1'), ('1', '1'), ('-1', '1')]
     """
-    frame = _Frame(direction)
-    g_bottom, g_top = frame.halves(generatrix, "generatrix")
-    d_bottom, d_top = frame.halves(directrix, "directrix")
+    frame = _Frame(direction, Polygon(generatrix), Polygon(directrix))
+    (g_bottom, g_top), (d_bottom, d_top) = frame.generatrix, frame.directrix
     lower = _lower_halves(d_bottom, g_bottom, g_top)
     mirrored = _lower_halves(mirror(d_top), mirror(g_top), mirror(g_bottom))
     halves = zip(lower, map(mirror, mirrored), strict=True)
@@ -98,53 +102,63 @@ def reference_exact_fits(
     >>> [[tuple(map(str, p)) for p in fit] for fit in reference_exact_fits(square, slot)]
     [[('1', '3'), ('1', '1')]]
     """
-    frame = _Frame(direction)
-    g_bottom, g_top = frame.halves(generatrix, "generatrix")
-    d_bottom, d_top = frame.halves(directrix, "directrix")
+    frame = _Frame(direction, Polygon(generatrix), Polygon(directrix))
+    (g_bottom, g_top), (d_bottom, d_top) = frame.generatrix, frame.directrix
     below = _fits_from_below(d_bottom, g_top)
     above = _fits_from_below(mirror(d_top), mirror(g_bottom))
-    fits = [(frame.back(x, t), frame.back(x, end)) for x, t, end in below]
-    fits += [(frame.back(x, -t), frame.back(x, -end)) for x, t, end in above]
-    return tuple(sorted(fits))
+    fits = [((x, t), (x, end)) for x, t, end in below]
+    fits += [((x, -t), (x, -end)) for x, t, end in above]
+    return tuple(sorted(map(frame.segment, fits)))
 
 
 class _Frame:
-    """Coordinates along a direction u and its left normal: the matrix [u; u_perp] and back."""
+    """Coordinates along a direction u and its left normal: the matrix [u; u_perp] and back.
 
-    def __init__(self, direction: tuple[Any, Any]) -> None:
-        self._ux, self._uy = map(to_fraction, direction)
-        if self._ux == self._uy == 0:
-            raise ValueError("the direction (0, 0) is no direction")
-        self._norm = self._ux**2 + self._uy**2
+    Attributes:
+        generatrix: bottom and top of G as functions of x, on integers.
+        directrix: those of D.
+    """
 
-    def halves(self, vertices: Any, name: str) -> tuple[Function, Function]:
-        """Bottom and top of a polygon as functions of x."""
-        polygon = Polygon(vertices)
-        turned = [
-            (self._ux * x + self._uy * y, self._ux * y - self._uy * x) for x, y in polygon.vertices
-        ]
+    def __init__(self, direction: tuple[Any, Any], generatrix: Polygon, directrix: Polygon) -> None:
+        ux, uy = map(to_fraction, direction)
+        if ux == uy == 0:
+            raise ExactSweepError("the direction (0, 0) is no direction")
+        unit = lcm(ux.denominator, uy.denominator)
+        self._ux, self._uy = int(ux * unit), int(uy * unit)
+        self._scale, ((g,), (d,)) = on_integers([[generatrix], [directrix]])
+        self.generatrix = self._halves(g, "generatrix")
+        self.directrix = self._halves(d, "directrix")
+
+    def _halves(self, ring: Ring, name: str) -> tuple[Function, Function]:
+        turned = [(self._ux * x + self._uy * y, self._ux * y - self._uy * x) for x, y in ring]
         # Counter-clockwise: the bottom runs to the right and the top to the left. Edges that do
         # neither are vertical; they are the jumps of the functions and need no piece.
         edges = list(zip(turned, turned[1:] + turned[:1], strict=True))
-        bottom = [Piece(*p, *q) for p, q in edges if p[0] < q[0]]
-        top = [Piece(*q, *p) for p, q in edges if p[0] > q[0]]
-        bottom.sort()
-        top.sort()
+        bottom = sorted(Piece(*p, *q) for p, q in edges if p[0] < q[0])
+        top = sorted(Piece(*q, *p) for p, q in edges if p[0] > q[0])
         # Monotone is: bottom and top each cover the range of x once.
         if any(p.x1 != q.x0 for half in (bottom, top) for p, q in pairwise(half)):
-            raise ValueError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
+            raise ExactSweepError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
         return tuple(bottom), tuple(top)
 
-    def back(self, x: Fraction, y: Fraction) -> Point:
-        return Point(
-            (self._ux * x - self._uy * y) / self._norm, (self._uy * x + self._ux * y) / self._norm
-        )
+    def _back(self, x: Rational, y: Rational) -> LatticePoint:
+        return self._ux * x - self._uy * y, self._uy * x + self._ux * y
+
+    def _leave(self, ring: Iterable[LatticePoint], finer: int = 1) -> tuple[Point, ...]:
+        return to_points(ring, (self._ux**2 + self._uy**2) * self._scale * finer)
+
+    def segment(self, ends: Segment) -> tuple[Point, Point]:
+        """The segment in the plane."""
+        hanging, inner = self._leave(self._back(x, y) for x, y in ends)
+        return hanging, inner
 
     def loop(self, bottom: Function, top: Function) -> tuple[Point, ...]:
         """The canonical loop between two functions on the same range."""
         there = [xy for p in bottom for xy in ((p.x0, p.y0), (p.x1, p.y1))]
         return_ = [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
-        return Polygon([self.back(x, y) for x, y in there + return_]).vertices
+        finer = lcm(*(c.denominator for xy in there + return_ for c in xy))
+        ring = [self._back(int(x * finer), int(y * finer)) for x, y in there + return_]
+        return self._leave(canonical_ring(ring).points, finer)
 
 
 def _lower_halves(
@@ -160,6 +174,8 @@ def _lower_halves(
     return trajectory, inner, outer
 
 
+# Who asks for the loops of a pair asks for its exact fits next.
+@lru_cache(maxsize=2)
 def _trajectory(d_bottom: Function, g_top: Function) -> Function:
     """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""
     inverse = tuple(Piece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))
@@ -168,31 +184,29 @@ def _trajectory(d_bottom: Function, g_top: Function) -> Function:
 
 def _fits_from_below(
     d_bottom: Function, g_top: Function
-) -> Iterator[tuple[Fraction, Fraction, Fraction]]:
+) -> Iterator[tuple[Rational, Rational, Rational]]:
     """Triples x0, height on the trajectory, height of the inner end."""
     trajectory = _trajectory(d_bottom, g_top)
     d_cuts = {x for x, _ in ends(d_bottom)}
     g_cuts = {x for x, _ in ends(g_top)}
     for x0 in {d - g for d in d_cuts for g in g_cuts}:
-        cuts = d_cuts | {x0 + g for g in g_cuts}
-        low = max(d_bottom[0].x0, x0 + g_top[0].x0)
-        high = min(d_bottom[-1].x1, x0 + g_top[-1].x1)
-        shared = sorted(x for x in cuts if low <= x <= high)
+        limit = _least_gap(d_bottom, g_top, x0)
         # At the two ends of the trajectory's range no open interval is shared.
-        if len(shared) < 2:
+        if limit is None:
             continue
-        limit = min(_least_gap(d_bottom, g_top, x0, *interval) for interval in pairwise(shared))
         hanging = max(p.at(x0) for p in trajectory if p.x0 <= x0 <= p.x1)
         if hanging < limit:
             yield x0, hanging, limit
 
 
-def _least_gap(
-    d_bottom: Function, g_top: Function, x0: Fraction, left: Fraction, right: Fraction
-) -> Fraction:
-    """The least limit of D_b(a) - G_t(a - x0) inside an interval without breakpoints."""
-    middle = (left + right) / 2
-    d, g = piece_over(d_bottom, middle), piece_over(g_top, middle - x0)
-    assert d is not None  # the interval lies in both ranges
-    assert g is not None
-    return min(d.at(a) - g.at(a - x0) for a in (left, right))
+def _least_gap(d_bottom: Function, g_top: Function, x0: Rational) -> Rational | None:
+    """The least limit of D_b(a) - G_t(a - x0) inside intervals without breakpoints."""
+    gaps = []
+    i = j = 0
+    while i < len(d_bottom) and j < len(g_top):
+        d, g = d_bottom[i], g_top[j]
+        left, right = max(d.x0, g.x0 + x0), min(d.x1, g.x1 + x0)
+        if left < right:
+            gaps += [d.at(a) - g.at(a - x0) for a in (left, right)]
+        i, j = i + (d.x1 == right), j + (g.x1 + x0 == right)
+    return min(gaps, default=None)

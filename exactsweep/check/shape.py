@@ -6,10 +6,10 @@ The first ring is the exterior, counter-clockwise; the others are holes, clockwi
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from exactsweep.geometry.number import quotient
 from exactsweep.geometry.point import LatticePoint, Point
 from exactsweep.geometry.polygon import Polygon
 
@@ -65,4 +65,4 @@ def on_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[Shape]]:
 
 def to_points(ring: Iterable[LatticePoint], scale: int) -> tuple[Point, ...]:
     """Leave the lattice."""
-    return tuple(Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in ring)
+    return tuple(Point(quotient(x, scale), quotient(y, scale)) for x, y in ring)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.check.cone import Pair, cross, minus
+from exactsweep.check.cone import Pair, cross, minus, ratio
 from exactsweep.check.shape import Ring, edges_of
 from exactsweep.geometry.point import Rational
 
@@ -32,7 +31,7 @@ class Line(NamedTuple):
     def at(self, along: Rational) -> Pair:
         """The point with that coordinate."""
         if self.dx:
-            return along, Fraction(self.c + self.dy * along) / self.dx
+            return along, ratio(self.c + self.dy * along, self.dx)
         return -self.c, along
 
 
@@ -141,7 +140,7 @@ class OpenSets:
     def _holds_near(self, point: Pair, way: Pair | None) -> bool:
         """Whether the union has a point, or points close to it in a direction."""
         # Homogeneous: only ints below.
-        (x, y), w = point, Fraction(point[0]).denominator * Fraction(point[1]).denominator
+        (x, y), w = point, point[0].denominator * point[1].denominator
         px, py = int(x * w), int(y * w)
         for ring, (x_low, x_high, y_low, y_high) in zip(self._rings, self._boxes, strict=True):
             if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
@@ -180,7 +179,7 @@ def _shadow(ring: Ring, values: Sequence[Rational], line: Line) -> Span:
         if after == 0:
             ends.append(q[axis])
         elif before and (before > 0) != (after > 0):
-            ends.append(Fraction(p[axis] * after - q[axis] * before) / (after - before))
+            ends.append(ratio(p[axis] * after - q[axis] * before, after - before))
         before, p = after, q
     return min(ends), max(ends)
 

@@ -9,6 +9,7 @@ from exactsweep.cli.conform import conform_command
 from exactsweep.cli.convert import convert_command
 from exactsweep.cli.corpus import corpus_command
 from exactsweep.cli.draw import draw_command
+from exactsweep.cli.example import example_command
 from exactsweep.cli.explain import explain_command
 from exactsweep.cli.help import add_examples
 from exactsweep.cli.ifp import ifp_command
@@ -47,6 +48,7 @@ main.add_command(verify_command)
 main.add_command(view_command)
 main.add_command(corpus_command)
 main.add_command(conform_command)
+main.add_command(example_command)
 main.add_command(judge_command)
 main.add_command(compare_command)
 main.add_command(convert_command)

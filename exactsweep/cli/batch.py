@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING
 import click
 
 from exactsweep.cli.output import write
-from exactsweep.cli.pair import PATH, takes_tolerance
+from exactsweep.cli.pair import PATH, Reading, takes_reading
 from exactsweep.words import count
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from fractions import Fraction
 
     from exactsweep.batch import Job, Part
 
@@ -50,7 +49,7 @@ if TYPE_CHECKING:
     help="Compute on the workers of a Dask scheduler; 'local' starts a cluster of this machine.",
 )
 @click.option("--restart", is_flag=True, help="Throw away what an interrupted batch left.")
-@takes_tolerance
+@takes_reading
 @click.option(
     "-o",
     "--output",
@@ -67,7 +66,7 @@ def batch_command(
     workers: int | None,
     scheduler: str | None,
     restart: bool,
-    tolerance: Fraction | None,
+    reading: Reading,
     output: str,
 ) -> None:
     """Sweep very many pairs.
@@ -97,7 +96,7 @@ def batch_command(
 
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
-    job = _job(pairs, lists, parts, what, tolerance)
+    job = _job(pairs, lists, parts, what, reading)
     done = 0
     try:
         with _progress(job.total) as show:
@@ -131,23 +130,23 @@ def _job(
     lists: tuple[str, str] | None,
     parts: str | None,
     what: str,
-    tolerance: Fraction | None,
+    reading: Reading,
 ) -> Job:
     from exactsweep.batch import all_pairs, pairs_of
 
     if pairs is not None:
-        return pairs_of(pairs, () if parts is None else _parts(parts, tolerance), what)
+        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what)
     assert lists is not None
     generatrices, directrices = lists
-    first = _parts(generatrices, tolerance)
-    second = first if generatrices == directrices else _parts(directrices, tolerance)
+    first = _parts(generatrices, reading)
+    second = first if generatrices == directrices else _parts(directrices, reading)
     return all_pairs(first, second, what)
 
 
-def _parts(path: str, tolerance: Fraction | None) -> tuple[Part, ...]:
+def _parts(path: str, reading: Reading) -> tuple[Part, ...]:
     from exactsweep.batch import read_parts
 
-    return read_parts(path, tolerance)
+    return read_parts(path, **reading)
 
 
 @contextmanager

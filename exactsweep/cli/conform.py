@@ -9,11 +9,11 @@ from contextlib import ExitStack, contextmanager
 from fractions import Fraction
 from math import isnan
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
-from exactsweep.cli.pair import PATH
+from exactsweep.cli.pair import PATH, takes_reading
 from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
 
 
@@ -38,6 +38,14 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     "--cases", "path", type=PATH, metavar="FILE", help="Cases as JSON lines; else the corpus."
 )
 @click.option(
+    "--pairs",
+    type=PATH,
+    metavar="FILE",
+    help="Polygons of your own instead, each around each, in any format; or lines of JSON with a "
+    "directrix and a generatrix. The exact answers are made here.",
+)
+@takes_reading
+@click.option(
     "--timeout",
     type=click.FloatRange(min=0, min_open=True),
     callback=_no_nan,
@@ -52,6 +60,13 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     metavar="N",
     help="Processes of the command side by side.",
 )
+@click.option(
+    "--memory",
+    "most_memory",
+    type=click.IntRange(min=1),
+    metavar="MIB",
+    help="MiB that a process of the command may hold, with what it starts; any if left out.",
+)
 @click.option("--journal", type=PATH, metavar="FILE", help="Keep the outcomes as they come.")
 @click.option("--resume", is_flag=True, help="Go on with the journal where it ends.")
 @click.option(
@@ -59,7 +74,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     type=click.IntRange(min=0),
     default=1,
     metavar="N",
-    help="Make N failures of each verdict smaller, for --html and --json; 1 if left out.",
+    help="Make N failures of each fault smaller, for --html and --json; 1 if left out.",
 )
 @takes_rounding
 @takes_reports
@@ -67,8 +82,11 @@ def conform_command(
     command: tuple[str, ...],
     filters: tuple[str, ...],
     path: str | None,
+    pairs: str | None,
+    reading: dict[str, Any],
     timeout: float,
     workers: int,
+    most_memory: int | None,
     journal: str | None,
     resume: bool,
     shrink: int,
@@ -81,29 +99,36 @@ def conform_command(
     answers with a JSON result a line on its standard output. The README.md of exactsweep/conform
     has the protocol, on a page. Write -- before COMMAND.
 
-    Prints how many cases of each class and flag got which verdict. The exit code is 0 if no
-    verdict is worse than --accept, the program ended well, and some case could be judged; and 1
-    otherwise.
+    Prints how many cases of each class and flag got which verdict, and each fault with its smallest
+    case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and
+    enough cases could be judged; and 1 otherwise.
     """
-    from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import progress
     from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
     from exactsweep.conform.run.journal import Journal
+    from exactsweep.conform.run.pairs import read_pairs
     from exactsweep.conform.run.pool import Judges
-    from exactsweep.conform.run.run import Run
     from exactsweep.conform.run.runner import conduct
 
+    if path is not None and pairs is not None:
+        raise click.UsageError("Give either --cases or --pairs.")
+    if any(reading.values()) and pairs is None:
+        raise click.UsageError("--flatten, --join, --nested and --unit go with --pairs.")
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
+    most = None if most_memory is None else most_memory * 2**20
     selection = Selection.of(filters)
     total = None
-    if path is None and sys.stderr is not None and sys.stderr.isatty():
+    given = read_cases(path) if path is not None else None
+    if pairs is not None:
+        given = read_pairs(pairs, **reading)
+    if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in selection.shipped())
-    cases = distinct(selection.shipped() if path is None else selection.among(read_cases(path)))
+    cases = distinct(selection.shipped() if given is None else selection.among(given))
     with ExitStack() as stack:
         stack.enter_context(_terminated_as_interrupted())
         judges = stack.enter_context(
-            Judges(command, seconds=timeout, workers=workers, rounding=rounding)
+            Judges(command, seconds=timeout, workers=workers, rounding=rounding, most=most)
         )
         kept = journal and stack.enter_context(
             Journal(
@@ -112,10 +137,11 @@ def conform_command(
                 hello=judges.hello,
                 seconds=timeout,
                 rounding=rounding,
+                most=most,
                 resume=resume,
             )
         )
-        run = Run(judges.hello, command, Verdict(reports.accept))
+        run = reports.begin(judges.hello, command)
         tell = stack.enter_context(progress(run, total))
         smaller = shrink if reports.html or reports.json else 0
         conduct(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)

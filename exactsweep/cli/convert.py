@@ -1,25 +1,25 @@
 """`exactsweep convert`."""
 
-from fractions import Fraction
 from pathlib import PurePath
 
 import click
 
-from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import PATH, takes_nested, takes_tolerance
+from exactsweep.cli.output import say_left_out, takes_output, write
+from exactsweep.cli.pair import PATH, Reading, takes_reading
 from exactsweep.formats import (
     FORMATS,
     FormatError,
+    NamedRegion,
     file_name,
     format_polygons,
-    read_regions,
     rounded_polygons,
 )
+from exactsweep.formats.folder import list_parts, make_unique
 from exactsweep.words import count
 
 
 @click.command("convert")
-@click.argument("file", type=PATH)
+@click.argument("files", nargs=-1, required=True, type=PATH)
 @click.option(
     "--to",
     "form",
@@ -33,35 +33,34 @@ from exactsweep.words import count
     metavar="PLACES",
     help="Round to so many decimal places, and say on standard error what that changed.",
 )
-@takes_nested
-@takes_tolerance
+@takes_reading
 @takes_output
 def convert_command(
-    file: str,
-    form: str | None,
-    places: int | None,
-    nested: bool,
-    tolerance: Fraction | None,
-    output: str,
+    files: tuple[str, ...], form: str | None, places: int | None, reading: Reading, output: str
 ) -> None:
-    """Write the polygons of a file in another format.
+    """Write the polygons of files in another format.
 
-    FILE is read as by 'exactsweep sweep', but with all its polygons, or just the one after a #,
-    their holes, names and layers. What is written is exactly what was read, or nothing: WKT,
-    GeoJSON, SVG and DXF hold finite decimals only, and 1/3 is none. --round makes decimals of all
-    coordinates. DXF has no holes: their rings become polylines like the exterior.
+    FILES are read as by 'exactsweep sweep', but with all their polygons, or just those after a #,
+    their holes, names and layers; a folder stands for all files in it, and a pattern such as
+    'parts/*.dxf' for those that fit it. What cannot be read is left out, which is told on standard
+    error; if nothing is left, the exit code is 1.
+
+    What is written is exactly what was read: WKT, GeoJSON, SVG and DXF hold finite decimals only,
+    and 1/3 is none. --round makes decimals of all coordinates. DXF has no holes: their rings become
+    polylines like the exterior.
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
-    polygons = read_regions(file, tolerance, nested=nested)
+    polygons = _read(files, reading)
+    changed = 0
     try:
         if places is not None:
             polygons, changed, largest = rounded_polygons(polygons, places)
         text = format_polygons(polygons, form)
     except ValueError as error:
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
-        raise FormatError(f"{file_name(file)}: {error}{hint}") from None
+        raise FormatError(f"{', '.join(map(file_name, files))}: {error}{hint}") from None
     write(text, output)
     holes = sum(len(polygon.region.holes) for polygon in polygons)
     if form == "dxf" and holes:
@@ -69,7 +68,7 @@ def convert_command(
             f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
             err=True,
         )
-    if places is not None and changed:
+    if changed:
         # rich takes longer to import than all the rest.
         from exactsweep.text.report import approximation
 
@@ -78,3 +77,25 @@ def convert_command(
             f"{approximation(largest)}",
             err=True,
         )
+
+
+def _read(files: tuple[str, ...], reading: Reading) -> list[NamedRegion]:
+    """Read all polygons, and say what is left out."""
+    listing = list_parts(files, **reading)
+    names: list[str] = []
+    found: list[NamedRegion] = []
+    for part in listing.parts:
+        try:
+            found.append(part.candidate.named_region())
+            names.append(part.name)
+        except ValueError as error:
+            listing.left_out.append(f"{part.file}: {error}")
+    if listing.left_out and not found:
+        raise FormatError(f"nothing can be read: {listing.first_reason()}")
+    if not found:
+        raise FormatError(f"{', '.join(map(file_name, files))}: holds no polygon")
+    say_left_out(listing.left_out)
+    if listing.files == 1:
+        return found
+    unique = make_unique(names)
+    return [part._replace(name=name) for part, name in zip(found, unique, strict=True)]

@@ -3,7 +3,7 @@
 import click
 
 from exactsweep import Point, Sweep
-from exactsweep.cli.pair import PATH, takes_pair
+from exactsweep.cli.pair import PATH, takes_pair, takes_way_up
 from exactsweep.draw import new_figure, picture_suffix, plot_sweep, save
 from exactsweep.formats import FormatError, file_name
 from exactsweep.geometry.number import to_fraction
@@ -37,6 +37,15 @@ def _to_points(
     metavar="X Y",
     help="Draw the generatrix with its reference point here; may be given several times.",
 )
+@click.option("--title", help="What is written above the picture.")
+@click.option(
+    "--size",
+    nargs=2,
+    type=click.FloatRange(min=1, max=100),
+    metavar="WIDTH HEIGHT",
+    help="The room for the picture and its legend, in inches; 7.2 4.8 if left out.",
+)
+@takes_way_up
 @click.option(
     "-o",
     "--output",
@@ -46,17 +55,29 @@ def _to_points(
     metavar="FILE",
     help="The picture: a file that ends in .svg, .pdf or .png.",
 )
-def draw_command(result: Sweep, positions: list[Point], output: str) -> None:
+def draw_command(
+    result: Sweep,
+    positions: list[Point],
+    title: str | None,
+    size: tuple[float, float] | None,
+    y_down: bool,
+    output: str,
+) -> None:
     """Draw a sweep.
 
     The picture has both polygons, the inner and the outer loop, the trajectory with a colour for
     each contact event, undercuts hatched, exact fits marked, and the generatrix at some positions:
     closing undercuts, in exact fits and at the first vertex of the trajectory if none are given.
+    Details are enlarged below where one polygon is far smaller than the picture, or all are flat.
 
     Files are read as by 'exactsweep sweep'; without files, its example is drawn.
     """
-    figure = new_figure()
-    plot_sweep(result, figure.axes[0], positions=positions or None)
+    figure = new_figure(size=size)
+    (axes,) = figure.axes
+    plot_sweep(result, axes, positions=positions or None, y_down=y_down)
+    if title:
+        # A dollar would begin a formula.
+        axes.set_title(title.replace("$", r"\$"), loc="left")
     try:
         save(figure, output)
     except OSError as error:

@@ -24,20 +24,18 @@ def judge_command(path: str | None, reports: Reports) -> None:
     its hello, then a JSON result a line. Cases of the corpus and generated ones are known by
     their ids, as in 'exactsweep corpus generate --count 100 | COMMAND | exactsweep judge'.
 
-    Prints how many cases of each class and flag got which verdict. The exit code is 0 if no
-    verdict is worse than --accept, all lines were answers, and some case could be judged; and 1
-    otherwise.
+    Prints how many cases of each class and flag got which verdict, and each fault with its smallest
+    case. The exit code is 0 if no verdict is worse than --accept, all lines were answers, and
+    enough cases could be judged; and 1 otherwise.
     """
-    from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.run.cases import distinct, read_cases, standard_input
-    from exactsweep.conform.run.run import Run
     from exactsweep.conform.run.stream import Stream, finder
     from exactsweep.corpus import find_case
 
     if path == "-":
         raise click.UsageError("Standard input is for the answers; give the cases as a file.")
     stream = Stream(standard_input())
-    run = Run(stream.hello, accepted=Verdict(reports.accept))
+    run = reports.begin(stream.hello)
     cases = None if path is None else {case.id: case for case in distinct(read_cases(path))}
     try:
         for outcome in stream.outcomes(find_case if cases is None else finder(cases)):

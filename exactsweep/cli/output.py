@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from pathlib import Path
 from shutil import get_terminal_size
@@ -14,6 +14,9 @@ from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, file_name
 from exactsweep.text.results import certificate_to_json
+
+# A report of more is not read.
+_MOST_REASONS = 100
 
 _Command = TypeVar("_Command", bound=Callable[..., None])
 _Result = TypeVar("_Result", Sweep, NoFitPolygon, InnerFit)
@@ -80,6 +83,14 @@ def write_result(
         terminal = terminal_size(output)
         text = report(result, terminal and terminal.columns)
     write(text, output)
+
+
+def say_left_out(reasons: Sequence[str]) -> None:
+    """Say on standard error what was not read, and why, a line each."""
+    for reason in reasons[:_MOST_REASONS]:
+        click.echo(f"left out: {reason}", err=True)
+    if len(reasons) > _MOST_REASONS:
+        click.echo(f"left out: {len(reasons) - _MOST_REASONS} more", err=True)
 
 
 def terminal_size(output: str) -> os.terminal_size | None:

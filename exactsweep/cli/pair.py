@@ -9,7 +9,7 @@ import click
 
 from exactsweep import Point, Region, sweep
 from exactsweep.formats import file_name, read_region
-from exactsweep.formats.decimals import read_tolerance
+from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.polygon import Polygon
@@ -21,6 +21,10 @@ DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 # Not checked by click, for which a file that cannot be read is a mistake in the usage.
 PATH = click.Path(allow_dash=True, readable=False)
+
+
+Reading = dict[str, Any]
+"""The arguments "tolerance", "nested", "join" and "unit" of what reads files."""
 
 
 def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
@@ -50,16 +54,14 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         metavar="X Y",
         help="The point of the generatrix whose path the trajectory is; 0 0 if left out.",
     )
-    @takes_nested
-    @takes_tolerance
+    @takes_reading
     @wraps(command)
     def with_pair(
         generatrix: str | None,
         directrix: str | None,
         direction: Vector | None,
         reference: Point,
-        nested: bool,
-        tolerance: Fraction | None,
+        reading: Reading,
         **options: Any,
     ) -> None:
         if generatrix is not None and directrix is None:
@@ -67,7 +69,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         if generatrix is None or directrix is None:
             g, d = Region(GENERATRIX), Region(DIRECTRIX)
         else:
-            g, d = _read(generatrix, directrix, tolerance, nested)
+            g, d = _read(generatrix, directrix, reading)
         try:
             result = sweep(g, d, direction=direction, reference=reference)
         except DirectionError as error:
@@ -79,6 +81,32 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         command(result, **options)
 
     return with_pair
+
+
+def files_of_pair() -> tuple[str, str] | None:
+    """The files of G and of D of the command that runs; None for the built-in example."""
+    named = click.get_current_context().params
+    generatrix, directrix = named.get("generatrix"), named.get("directrix")
+    return None if generatrix is None or directrix is None else (generatrix, directrix)
+
+
+def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the flag --y-down or --y-up, as `y_down`."""
+
+    @click.option(
+        "--y-down/--y-up",
+        default=None,
+        help="Whether Y points down, as viewers of SVG have it; if left out, it does where the "
+        "directrix is from a file that ends in .svg.",
+    )
+    @wraps(command)
+    def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
+        if y_down is None:
+            files = files_of_pair()
+            y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
+        command(*arguments, y_down=y_down, **options)
+
+    return with_way_up
 
 
 def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -103,55 +131,73 @@ def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Cal
             metavar="X Y",
             help=f"The point of {second} whose positions are told; 0 0 if left out.",
         )
-        @takes_nested
-        @takes_tolerance
+        @takes_reading
         @wraps(command)
-        def with_shapes(
-            stays: str, moves: str, nested: bool, tolerance: Fraction | None, **options: Any
-        ) -> None:
-            command(*_read(stays, moves, tolerance, nested), **options)
+        def with_shapes(stays: str, moves: str, reading: Reading, **options: Any) -> None:
+            command(*_read(stays, moves, reading), **options)
 
         return with_shapes
 
     return decorated
 
 
-def _read(
-    first: str, second: str, tolerance: Fraction | None, nested: bool
-) -> tuple[Region, Region]:
+def _read(first: str, second: str, reading: Reading) -> tuple[Region, Region]:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
-    one, other = (read_region(path, tolerance, nested=nested) for path in (first, second))
+    one, other = (read_region(path, **reading) for path in (first, second))
     return one, other
 
 
-def takes_tolerance(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the option --flatten, as `tolerance`; None if left out."""
-    option = click.option(
+def takes_reading(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of how files are read, as `reading`, a dict of arguments."""
+
+    @click.option(
         "--flatten",
         "tolerance",
-        callback=_to_tolerance,
+        callback=_to_positive,
         metavar="TOLERANCE",
         help="Read curves of SVG and DXF as lines no farther from them than this; refused if "
         "left out.",
     )
-    return option(command)
-
-
-def takes_nested(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the flag --nested, as `nested`."""
-    option = click.option(
+    @click.option(
+        "--join",
+        callback=_to_positive,
+        metavar="DISTANCE",
+        help="Join ends of lines of SVG and DXF that are no farther apart; only equal ends if left "
+        "out.",
+    )
+    @click.option(
         "--nested",
         is_flag=True,
         help="Closed outlines inside others of their layer are holes, which DXF has no other way "
         "to draw.",
     )
-    return option(command)
+    @click.option(
+        "--unit",
+        type=click.Choice(list(how.UNITS)),
+        help="Scale SVG and DXF that say their unit to this one; numbers as they stand if left "
+        "out.",
+    )
+    @wraps(command)
+    def with_reading(
+        tolerance: Fraction | None,
+        join: Fraction | None,
+        nested: bool,
+        unit: str | None,
+        **options: Any,
+    ) -> None:
+        reading = {"tolerance": tolerance, "nested": nested, "join": join, "unit": unit}
+        command(reading=reading, **options)
+
+    return with_reading
 
 
-def _to_tolerance(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
+def _to_positive(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
+    """Read the tolerance of curves, or the distance of ends."""
     try:
-        return read_tolerance(text)
+        if option.name == "join":
+            return how.Reading(join=text).join
+        return how.Reading(text).tolerance
     except ValueError as error:
         raise click.BadParameter(str(error)) from None
 

@@ -10,6 +10,7 @@ import pdoc
 
 MODULES = (
     "exactsweep",
+    "exactsweep.geometry",
     "exactsweep.procedures",
     "exactsweep.procedures.cc",
     "exactsweep.procedures.cm",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import wraps
 from pathlib import Path
@@ -16,20 +16,33 @@ from exactsweep.cli.output import terminal_size, write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError
 from exactsweep.geometry.number import to_fraction
-from exactsweep.words import count
 
 if TYPE_CHECKING:
+    from exactsweep.conform.run.protocol import Hello
     from exactsweep.conform.run.run import Run
-
-_MOST_LISTED = 10
 
 
 class Reports:
     """Where a run is reported to, and what it is measured by."""
 
-    def __init__(self, accept: str, junit: str | None, json: str | None, html: str | None) -> None:
-        self.accept, self.junit, self.json, self.html = accept, junit, json, html
+    def __init__(
+        self,
+        accept: str,
+        least_judged: Fraction,
+        junit: str | None,
+        json: str | None,
+        html: str | None,
+    ) -> None:
+        self.accept, self.least_judged = accept, least_judged
+        self.junit, self.json, self.html = junit, json, html
         self._require_places()
+
+    def begin(self, hello: Hello, command: Sequence[str] = ()) -> Run:
+        """Begin a run that is measured so."""
+        from exactsweep.conform.judge.verdict import Verdict
+        from exactsweep.conform.run.run import Run
+
+        return Run(hello, command, Verdict(self.accept), self.least_judged)
 
     def write(self, run: Run) -> None:
         """Write the table and the files that were asked for, and exit with 1 unless all is well.
@@ -39,11 +52,12 @@ class Reports:
         Raises:
             FormatError: a file cannot be written.
         """
-        from exactsweep.conform.report.text import table
+        from exactsweep.conform.report.text import close, table
 
         if "-" not in (self.junit, self.json, self.html):
             terminal = terminal_size("-")
-            write(f"{table(run.summary, terminal and terminal.columns)}\n{_closing(run)}", "-")
+            columns = terminal and terminal.columns
+            write(f"{table(run.summary, columns)}\n{close(run, is_timed=bool(terminal))}", "-")
         if self.junit is not None:
             from exactsweep.conform.report.junit import junit
 
@@ -70,6 +84,13 @@ def takes_reports(command: Callable[..., None]) -> Callable[..., None]:
     """Give a command the options of its reports, as `reports`."""
 
     @takes_accept
+    @click.option(
+        "--least-judged",
+        metavar="SHARE",
+        default="0",
+        callback=_to_share,
+        help="Fail if less of the cases can be judged: 0.9 or 90%, for example. One at least must.",
+    )
     @click.option("--junit", type=PATH, metavar="FILE", help="Write JUnit XML, for CI.")
     @click.option("--json", type=PATH, metavar="FILE", help="Write all outcomes as JSON.")
     @click.option(
@@ -77,9 +98,14 @@ def takes_reports(command: Callable[..., None]) -> Callable[..., None]:
     )
     @wraps(command)
     def with_reports(
-        accept: str, junit: str | None, json: str | None, html: str | None, **options: Any
+        accept: str,
+        least_judged: Fraction,
+        junit: str | None,
+        json: str | None,
+        html: str | None,
+        **options: Any,
     ) -> None:
-        command(reports=Reports(accept, junit, json, html), **options)
+        command(reports=Reports(accept, least_judged, junit, json, html), **options)
 
     return with_reports
 
@@ -118,31 +144,23 @@ def _to_rounding(ctx: click.Context, option: click.Parameter, value: str | None)
     return rounding
 
 
+def _to_share(ctx: click.Context, option: click.Parameter, value: str) -> Fraction:
+    number = value.removesuffix("%")
+    try:
+        share = to_fraction(number) / (1 if number == value else 100)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+    if not 0 <= share <= 1:
+        raise click.BadParameter(f"{value} is not between 0 and 1.")
+    return share
+
+
 def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> str:
     """Refuse what is no verdict, or says nothing on an answer."""
     from exactsweep.conform.judge.verdict import Verdict
 
-    allowed = [verdict.value for verdict in Verdict if verdict is not Verdict.UNSUPPORTED]
+    unjudged = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
+    allowed = [verdict.value for verdict in Verdict if verdict not in unjudged]
     if name not in allowed:
         raise click.BadParameter(f"{name!r} is not one of: {', '.join(allowed)}")
     return name
-
-
-def _closing(run: Run) -> str:
-    """The last lines of a run: what failed, and how it ended."""
-    from exactsweep.conform.run.run import fails
-
-    diagnosis = run.summary.diagnosis()
-    lines = [] if diagnosis is None else [diagnosis]
-    failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
-    failed.sort(key=lambda outcome: -outcome.verdict.severity)
-    lines += [f"{o.verdict}  {o.id}  {o.reason}" for o in failed[:_MOST_LISTED]]
-    if len(failed) > _MOST_LISTED:
-        lines.append(f"... and {len(failed) - _MOST_LISTED} more")
-    lines += run.complaints
-    if run.interrupted:
-        lines.append("interrupted")
-    ending = "passed" if run.passed else "failed"
-    worse = f"{len(failed)} worse than {run.accepted}"
-    lines.append(f"{run.hello.name}: {ending}, {count(run.summary.total(), 'case')}, {worse}")
-    return "".join(f"{line}\n" for line in lines)

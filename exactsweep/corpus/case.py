@@ -11,8 +11,10 @@ from typing import Literal, get_args
 
 from exactsweep.corpus.facts import facts
 from exactsweep.corpus.representable import types_holding
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
@@ -32,7 +34,7 @@ Fit = tuple[Point, Point]
 Given = Polygon | Region | Iterable[Iterable[object]]
 
 
-class CaseError(ValueError):
+class CaseError(ExactSweepError):
     """A case that cannot be read, or that contradicts itself; the message says where."""
 
 

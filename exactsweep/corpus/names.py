@@ -2,11 +2,12 @@
 
 from collections.abc import Collection
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 from exactsweep.words import suggestion
 
 
-class UnknownNameError(ValueError):
+class UnknownNameError(ExactSweepError):
     """A name that there is not; the message suggests one that there is."""
 
 

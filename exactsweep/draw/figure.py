@@ -29,12 +29,13 @@ def require_matplotlib() -> None:
         raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
 
 
-def new_figure(rows: int = 1, columns: int = 1) -> Figure:
+def new_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
     """Make a Figure in the style, with empty Axes; it is for a file and belongs to no window.
 
     Args:
         rows: number of rows of Axes.
         columns: number of Axes in a row.
+        size: width and height in inches; 7.2 and 4.8 if left out. Files are cut to what is drawn.
 
     Returns:
         A Figure; its `axes` are a list of Axes, row by row.
@@ -46,7 +47,7 @@ def new_figure(rows: int = 1, columns: int = 1) -> Figure:
     from matplotlib.figure import Figure
 
     with in_style():
-        figure = Figure(layout="compressed")
+        figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
         return figure
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.draw.figure import require_matplotlib
+from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.sweeps import (
     draw_exact_fits,
@@ -91,6 +92,7 @@ def plot_no_fit(
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
+    y_down: bool = False,
 ) -> Axes:
     """Draw a no-fit polygon: both polygons, its exterior, its holes, and its exact fits.
 
@@ -99,6 +101,7 @@ def plot_no_fit(
         axes: as for `plot_sweep`.
         positions: pairs of numbers, where the reference point of G is when G is drawn; if left
             out, some in exact fits and in holes, and one on the exterior.
+        y_down: as for `plot_sweep`.
 
     Returns:
         The Axes.
@@ -116,11 +119,15 @@ def plot_no_fit(
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
     """
-    return _plot(Positions.of(n), axes, positions)
+    return _plot(Positions.of(n), axes, positions, y_down)
 
 
 def plot_inner_fit(
-    f: InnerFit, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    f: InnerFit,
+    axes: Axes | None = None,
+    *,
+    positions: Iterable[Iterable[object]] | None = None,
+    y_down: bool = False,
 ) -> Axes:
     """Draw an inner fit: the container with its defects, the part, and where the part may be.
 
@@ -128,6 +135,7 @@ def plot_inner_fit(
         f: an InnerFit.
         axes: as for `plot_sweep`.
         positions: as for `plot_no_fit`.
+        y_down: as for `plot_sweep`.
 
     Returns:
         The Axes.
@@ -145,27 +153,39 @@ def plot_inner_fit(
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['container D', 'free positions', 'part G', 'reference point of G']
     """
-    return _plot(Positions.of(f), axes, positions)
+    return _plot(Positions.of(f), axes, positions, y_down)
 
 
 def _plot(
-    shown: Positions, axes: Axes | None, positions: Iterable[Iterable[object]] | None
+    shown: Positions,
+    axes: Axes | None,
+    positions: Iterable[Iterable[object]] | None,
+    y_down: bool,
 ) -> Axes:
     require_matplotlib()
     axes = axes or new_axes()
     places = shown.telling() if positions is None else read_positions(positions)
     fixed, moving, free = shown.called
     by = shift(shown)
-    placed = [placed_generatrix(shown, place).vertices for place in places]
+    placed = [placed_generatrix(shown, place) for place in places]
     paths = [loop.translated(by).vertices for loop in shown.loops]
     fits = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in shown.exact_fits]
-    picture = Picture(axes, Scale.of(shown.directrix.vertices, *paths, *fits, *placed))
-    draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
-    for region in shown.free:
-        draw_shape(picture, region.translated(by), style.FREE, free)
-    if shown.exterior is not None:
-        picture.line(paths[0], style.TRAJECTORY, "exterior", closed=True)
-    draw_exact_fits(picture, shown, shown.exact_fits, shown.loops)
-    draw_generatrix(picture, shown, places, moving)
+
+    def paint(picture: Picture) -> None:
+        draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
+        for region in shown.free:
+            draw_shape(picture, region.translated(by), style.FREE, free)
+        if shown.exterior is not None:
+            picture.line(paths[0], style.TRAJECTORY, "exterior", closed=True)
+        draw_exact_fits(picture, shown, shown.exact_fits, shown.loops)
+        draw_generatrix(picture, shown, places, moving)
+
+    drawn = [shown.directrix.vertices, *paths, *fits, *(g.vertices for g in placed)]
+    everything = [point for points in drawn for point in points]
+    picture = Picture(axes, Scale.of(everything), y_down=y_down)
+    paint(picture)
+    spots = [point for fit in fits for point in fit] or [g.vertices[0] for g in placed]
+    details = find_details(everything, shown.directrix, placed or [shown.generatrix], spots)
+    draw_details(picture, details, paint)
     picture.legend()
     return axes

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import nan
-from typing import TYPE_CHECKING
+from math import ceil, nan
+from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look, in_style
@@ -12,6 +12,16 @@ from exactsweep.geometry.point import Vertex
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.transforms import Bbox
+
+# In inches: of an entry, of all entries side by side, and around the Axes.
+_LEGEND_LINE, _LEGEND_WIDTH = 0.18, 2.0
+_LEFT, _RIGHT, _ABOVE, _BELOW = 0.75, 0.1, 0.35, 0.55
+_LEAST_WIDTH = 0.5
+_LEGEND_COLUMNS = 3
+# Of a picture whose axes have units of their own.
+_STRETCHED_ASPECT = 0.6
 
 Points = Iterable[Vertex]
 
@@ -22,10 +32,14 @@ class Picture:
     Args:
         axes: an Axes of matplotlib; its aspect and its labels are set.
         scale: a Scale that holds the shapes.
+        y_down: whether Y points down, as in SVG.
+        window: the lower left and the upper right corner of what is shown, of shapes that are far
+            larger; all of them if left out.
 
     Attributes:
         axes: the Axes, for anything else.
         scale: the Scale; `scale.place` says where on the Axes a point is.
+        y_down: as given.
 
     Example:
         >>> from exactsweep import Polygon
@@ -38,19 +52,35 @@ class Picture:
         '$x\\,/\\,10^{39}$'
     """
 
-    def __init__(self, axes: Axes, scale: Scale) -> None:
+    def __init__(
+        self,
+        axes: Axes,
+        scale: Scale,
+        *,
+        y_down: bool = False,
+        window: tuple[Vertex, Vertex] | None = None,
+    ) -> None:
         self.axes = axes
         self.scale = scale
+        self.y_down = y_down
+        self._window = window
+        self._reserved = 0.0
         self._named: set[str] = set()
         axes.set_aspect("equal" if scale.is_true else "auto", adjustable="box")
         axes.set_xlabel(scale.x.label("x"))
         axes.set_ylabel(scale.y.label("y"))
         axes.ticklabel_format(useOffset=False, style="plain")
         if not scale.is_true:
-            axes.set_title("not to scale: each axis has a unit of its own", fontsize="small")
+            note = "not to scale: each axis has a unit of its own"
+            axes.set_title(note, loc="right", fontsize="small")
+        if y_down:
+            axes.yaxis.set_inverted(True)
 
     def area(self, loop: Points, look: Look, label: str | None = None) -> None:
         """Fill, hatch and outline a loop; things of one label are one entry of the legend."""
+        if self._window is not None:
+            self.shape([loop], look, label)
+            return
         xs, ys = self._columns(loop)
         self.axes.fill(xs, ys, label=self._once(label), **look.as_area)
 
@@ -68,8 +98,13 @@ class Picture:
             Path([*places, places[0]], closed=True)
             for places in (exterior, *(hole[::-1] for hole in holes))
         ]
-        patch = PathPatch(Path.make_compound_path(*paths), label=self._once(label), **look.as_area)
-        self.axes.add_patch(patch)
+        path = Path.make_compound_path(*paths)
+        if self._window is not None:
+            # What is far outside would lose its place in formats of single precision.
+            path = path.clip_to_bbox(self._box(of=3))
+            if not path.to_polygons():
+                return
+        self.axes.add_patch(PathPatch(path, label=self._once(label), **look.as_area))
 
     def line(
         self, points: Points, look: Look, label: str | None = None, *, closed: bool = False
@@ -97,10 +132,90 @@ class Picture:
             words, self.scale.place(at), (4, 4), textcoords="offset points", color=color, zorder=8
         )
 
+    @property
+    def aspect(self) -> float:
+        """How many times as high as wide it is."""
+        if not self.scale.is_true:
+            return _STRETCHED_ASPECT
+        left, right = self.axes.get_xlim()
+        low, high = self.axes.get_ylim()
+        return abs(high - low) / abs(right - left)
+
+    def reserve(self, share: float) -> None:
+        """Keep room below, as a share of the width, for what is drawn there."""
+        self._reserved = share
+
+    def show_window(self) -> None:
+        """Show what is in the window, and no numbers along the axes."""
+        box = self._box()
+        self.axes.set_xlim(box.x0, box.x1)
+        self.axes.set_ylim(*((box.y1, box.y0) if self.y_down else (box.y0, box.y1)))
+        self.axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
+
     def legend(self) -> None:
-        """Put the legend beside the picture, where it hides nothing."""
+        """Put the legend beside the picture, or, where it would be higher than that, below.
+
+        A figure of this picture alone, with a layout of matplotlib's, is laid out for both.
+        """
+        if not self.scale.is_true:
+            self.axes.set_box_aspect(_STRETCHED_ASPECT)
+        entries = len(self.axes.get_legend_handles_labels()[1])
+        width, height = self._room()
+        # Of a picture so many times as high as wide, with what is below it.
+        whole = self.aspect + self._reserved
+        drawn = min(width - _LEGEND_WIDTH, height / whole)
+        is_beside = entries * _LEGEND_LINE <= drawn * whole
+        if not is_beside:
+            rows = ceil(entries / _LEGEND_COLUMNS) + 1
+            drawn = min(width, (height - rows * _LEGEND_LINE) / whole)
+        self._lay_out(max(drawn, _LEAST_WIDTH))
+        place: dict[str, Any] = {"bbox_to_anchor": (1.01, 1.0)}
+        if not is_beside:
+            shown = self.axes.get_position(original=True).width * self._figure_size()[0]
+            low = -(_BELOW / shown + self._reserved) / self.aspect
+            place = {"bbox_to_anchor": (0.0, low), "ncols": _LEGEND_COLUMNS}
         with in_style():
-            self.axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+            self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
+
+    def _alone(self) -> Figure | None:
+        """The figure, if it has a layout and nothing but this picture."""
+        from matplotlib.figure import Figure
+
+        figure = self.axes.figure
+        if not isinstance(figure, Figure) or figure.get_layout_engine() is None:
+            return None
+        return figure if figure.axes == [self.axes] else None
+
+    def _figure_size(self) -> tuple[float, float]:
+        figure: Any = self.axes.figure
+        return figure.bbox.width / figure.dpi, figure.bbox.height / figure.dpi
+
+    def _room(self) -> tuple[float, float]:
+        """The room for the Axes and the legend, in inches."""
+        width, height = self._figure_size()
+        if self._alone():
+            return width - _LEFT - _RIGHT, height - _ABOVE - _BELOW
+        room = self.axes.get_position(original=True)
+        return width * room.width, height * room.height
+
+    def _lay_out(self, drawn: float) -> None:
+        """Give the Axes their place, so many inches wide, if they are alone."""
+        figure = self._alone()
+        if figure is None:
+            return
+        width, height = self._figure_size()
+        high = drawn * self.aspect
+        figure.set_layout_engine("none")
+        self.axes.set_position(
+            (_LEFT / width, 1 - (_ABOVE + high) / height, drawn / width, high / height)
+        )
+
+    def _box(self, of: int = 1) -> Bbox:
+        """The window, or one so many times as large around it."""
+        from matplotlib.transforms import Bbox
+
+        assert self._window is not None
+        return Bbox([self.scale.place(corner) for corner in self._window]).expanded(of, of)
 
     def _columns(self, points: Points) -> tuple[list[float], list[float]]:
         places = self.scale.places(points)

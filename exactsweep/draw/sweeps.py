@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import pairwise
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING, Protocol
 
 from exactsweep.canvas import style
@@ -11,10 +11,13 @@ from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
 from exactsweep.draw.features import Features, Span
 from exactsweep.draw.figure import require_matplotlib
+from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import stretches
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.point_set import is_on
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 
 if TYPE_CHECKING:
@@ -45,7 +48,11 @@ class Moving(Protocol):
 
 
 def plot_sweep(
-    s: Swept, axes: Axes | None = None, *, positions: Iterable[Iterable[object]] | None = None
+    s: Swept,
+    axes: Axes | None = None,
+    *,
+    positions: Iterable[Iterable[object]] | None = None,
+    y_down: bool = False,
 ) -> Axes:
     """Draw a sweep: both polygons, the loops, undercuts, exact fits, the trajectory by event.
 
@@ -54,10 +61,11 @@ def plot_sweep(
         axes: an Axes of matplotlib; a new figure of `matplotlib.pyplot` if left out.
         positions: pairs of numbers, where the reference point of G is when G is drawn; if left
             out, those of `telling_positions`.
+        y_down: whether Y points down, as viewers of SVG have it.
 
     Returns:
         The Axes. Where the reference point is far from G, the path that is drawn is that of the
-        first vertex of G, and the legend says so.
+        first vertex of G, and the legend says so. What `find_details` chooses is enlarged below.
 
     Raises:
         DrawError: matplotlib is not installed.
@@ -75,14 +83,24 @@ def plot_sweep(
     """
     axes = axes or new_axes()
     places = telling_positions(s) if positions is None else read_positions(positions)
-    placed = [placed_generatrix(s, place).vertices for place in places]
-    picture = Picture(axes, Scale.of(s.outer.vertices, path(s).vertices, *placed))
-    draw_loops(picture, s)
-    draw_undercuts(picture, s.undercuts)
-    draw_trajectory(picture, s)
-    draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
-    draw_generatrix(picture, s, places)
-    draw_contacts(picture, s, places)
+    placed = [placed_generatrix(s, place) for place in places]
+    spots = find_spots(s, places)
+
+    def paint(picture: Picture) -> None:
+        draw_loops(picture, s)
+        draw_undercuts(picture, s.undercuts)
+        draw_trajectory(picture, s)
+        draw_exact_fits(picture, s, s.exact_fits, [s.trajectory])
+        draw_generatrix(picture, s, places)
+        draw_spots(picture, spots)
+
+    shown = [*s.outer.vertices, *path(s).vertices, *(v for g in placed for v in g.vertices)]
+    picture = Picture(axes, Scale.of(shown), y_down=y_down)
+    paint(picture)
+    touching = [spot[0] for several in spots.values() for spot in several]
+    draw_details(
+        picture, find_details(shown, s.directrix, placed or [s.generatrix], touching), paint
+    )
     picture.legend()
     return axes
 
@@ -145,15 +163,38 @@ def placed_generatrix(s: Moving, position: Point) -> Polygon | Region:
 
 
 def telling_positions(s: Swept) -> list[Point]:
-    """Choose positions worth drawing: in undercuts and exact fits, and at a corner.
+    """Choose positions worth drawing: in undercuts and exact fits, far from each other.
 
     Returns:
-        list of Point: where G closes each of the first undercuts, the inner ends of the first
-        exact fits, and the first vertex of the trajectory; four at most.
+        list of Point, four at most: where G closes two undercuts, as far as may be from the first
+        vertex of the trajectory and from each other, inner ends of exact fits, likewise, and that
+        vertex.
+
+    Cost: O(u) for u undercuts and exact fits.
     """
-    found = [undercut.positions[0] for undercut in s.undercuts[: _MOST_SHOWN - 2]]
-    found += [inside for _, inside in s.exact_fits[: _MOST_SHOWN - 1 - len(found)]]
-    return list(dict.fromkeys([*found, s.trajectory.vertices[0]]))
+    corner = s.trajectory.vertices[0]
+    closing = [undercut.positions[0] for undercut in s.undercuts]
+    found = _far_apart(closing, [corner], _MOST_SHOWN - 2)
+    inside = [end for _, end in s.exact_fits]
+    found += _far_apart(inside, [corner, *found], _MOST_SHOWN - 1 - len(found))
+    return list(dict.fromkeys([*found, corner]))
+
+
+def _far_apart(points: Iterable[Point], others: Iterable[Point], most: int) -> list[Point]:
+    """Choose some points, each as far as may be from the others and from those before."""
+    far = list(others)
+    listed = list(dict.fromkeys(points))
+    off = {p: min(_square(p, other) for other in far) for p in listed}
+    found: list[Point] = []
+    while off and len(found) < most:
+        best = max(off, key=off.__getitem__)
+        found.append(best)
+        off = {p: min(least, _square(p, best)) for p, least in off.items() if p != best}
+    return found
+
+
+def _square(p: Point, q: Point) -> Fraction:
+    return (p.x - q.x) ** 2 + (p.y - q.y) ** 2
 
 
 def draw_loops(picture: Picture, s: Swept) -> None:
@@ -225,7 +266,7 @@ def draw_exact_fits(
         hanging = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
-            if any(is_on(p, loop) for loop in loops)
+            if any(is_on(p, loop.vertices) for loop in loops)
         ]
         picture.lines([_moved(end, s) for end in hanging], style.HANGING_END)
     if points:
@@ -236,20 +277,6 @@ def parted(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
     """Part exact fits into segments and single positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
-
-
-def is_on(p: Point, loop: Polygon) -> bool:
-    """Whether a point is on a loop. Cost: O(n).
-
-    >>> square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
-    >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)
-    (True, False)
-    """
-    ring = loop.vertices
-    return any(
-        (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and min(a, b) <= p <= max(a, b)
-        for a, b in pairwise((*ring, ring[0]))
-    )
 
 
 def _moved(points: Iterable[Point], s: Moving) -> list[Point]:
@@ -272,11 +299,21 @@ def draw_generatrix(
 
 def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
     """Mark where G touches D when its reference point is at each of some positions."""
+    draw_spots(picture, find_spots(s, positions))
+
+
+def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Span]]:
+    """Find where G touches D at each of some positions, by event."""
     features = Features(s)
     spots: dict[str, list[Span]] = {}
     for position in positions:
         for contact in s.contacts_at(position):
             spots.setdefault(contact.event, []).append(features.spot(contact, position))
+    return spots
+
+
+def draw_spots(picture: Picture, spots: Mapping[str, list[Span]]) -> None:
+    """Mark where G touches D, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:
             picture.lines(spots[event], look, f"contact, {event}")

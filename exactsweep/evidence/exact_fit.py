@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import graph_edges
 from exactsweep.procedures.envelope import Envelope, point_on
@@ -90,7 +91,7 @@ def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> 
         if dq[0] == high:
             j += 1
     if least is None:
-        raise ValueError("the polygons have no common x-range at this translation")
+        raise ExactSweepError("the polygons have no common x-range at this translation")
     return least
 
 

@@ -20,7 +20,8 @@ from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep
 

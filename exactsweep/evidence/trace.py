@@ -17,6 +17,7 @@ from typing import Literal, NamedTuple
 
 from exactsweep.evidence.contact import edges_of, minus
 from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, covered, offset, segment
@@ -84,7 +85,7 @@ class Tracer:
             chosen = covered(whole, pieces)
             if chosen is not None:
                 return [traces[k] for k in chosen]
-        raise ValueError("no feature of the generatrix draws this edge")
+        raise ExactSweepError("no feature of the generatrix draws this edge")
 
     def ends_of(self, position: Feature) -> list[Vertex]:
         """The translation of a vertex of the trajectory, or the two ends of an edge."""

@@ -1,10 +1,10 @@
 """Formats: polygons in and out, as JSON, GeoJSON, WKT, SVG, DXF and objects; results as text."""
 
+from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import read_certificate
 from exactsweep.formats.files import MAX_BYTES, file_name, read_text
 from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
-from exactsweep.formats.outline import NamedPolygon, NamedRegion
 from exactsweep.formats.polygons import (
     parse_polygon,
     parse_polygons,

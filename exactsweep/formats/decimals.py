@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import NumberError, abridged, format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import abridged, format_fraction, quoted, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
@@ -80,23 +80,3 @@ def format_decimal(value: Fraction) -> str:
     digits = format_fraction(abs(scaled)).zfill(places + 1)
     sign = "-" if value < 0 else ""
     return f"{sign}{digits[:-places]}.{digits[-places:].rstrip('0')}"
-
-
-def read_tolerance(value: object) -> Fraction | None:
-    """Read the tolerance of a caller: None, or a positive number as `to_fraction` reads it."""
-    if value is None:
-        return None
-    try:
-        tolerance = to_fraction(value)
-    except NumberError as error:
-        raise FormatError(f"the tolerance: {error}") from None
-    if tolerance <= 0:
-        raise FormatError(f"the tolerance, {abridged(tolerance)}, is not positive")
-    return tolerance
-
-
-def required_tolerance(tolerance: Fraction | None) -> Fraction:
-    """Return the tolerance, or refuse a curve where there is none."""
-    if tolerance is None:
-        raise FormatError("a curve, which is read only with a tolerance for its lines (--flatten)")
-    return tolerance

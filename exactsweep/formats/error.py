@@ -3,8 +3,10 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from exactsweep.geometry.error import ExactSweepError
 
-class FormatError(ValueError):
+
+class FormatError(ExactSweepError):
     """Input that cannot be read or output that a format cannot hold; the message says where."""
 
 

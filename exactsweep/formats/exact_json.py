@@ -5,9 +5,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
 
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import file_name, read_text
-from exactsweep.formats.outline import Outline
 from exactsweep.geometry.number import NumberError, quoted, to_fraction
 from exactsweep.geometry.point import Point
 
@@ -78,7 +78,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
-def read_exact(document: object) -> list[Outline]:
+def read_exact(document: object) -> list[Candidate]:
     """Find the polygons of an exact JSON document.
 
     Args:
@@ -87,7 +87,7 @@ def read_exact(document: object) -> list[Outline]:
             "id" in an object being its name.
 
     Returns:
-        list of Outline.
+        list of Candidate.
 
     Raises:
         FormatError: anything else; the message starts with the JSON path. The vertices are looked
@@ -105,9 +105,9 @@ def read_exact(document: object) -> list[Outline]:
     return [_outline(polygon, f"$.polygons[{k}]") for k, polygon in enumerate(polygons)]
 
 
-def _outline(value: object, path: str) -> Outline:
+def _outline(value: object, path: str) -> Candidate:
     if not isinstance(value, dict):
-        return Outline(path, partial(read_vertices, value, path))
+        return Candidate(path, partial(read_vertices, value, path))
     member = "vertices" if "vertices" in value else "exterior"
     if member not in value:
         raise FormatError(
@@ -120,7 +120,7 @@ def _outline(value: object, path: str) -> Outline:
     if not isinstance(holes, list):
         raise FormatError(f"{path}.holes is {described(holes)}, not a list of holes")
     exterior, *inner = (
-        Outline(place, partial(read_vertices, ring, place))
+        Candidate(place, partial(read_vertices, ring, place))
         for place, ring in [
             (f"{path}.{member}", value[member]),
             *((f"{path}.holes[{k}]", hole) for k, hole in enumerate(holes)),

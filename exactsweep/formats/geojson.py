@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import partial
 
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, read_name, read_vertices
-from exactsweep.formats.outline import Outline
 from exactsweep.geometry.point import Point
 
 _MAX_DEPTH = 100
 
 
-def read_geojson(document: Mapping[str, object]) -> Iterator[Outline]:
+def read_geojson(document: Mapping[str, object]) -> Iterator[Candidate]:
     """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
 
     Yields:
-        Outline, for each Polygon, the name being the id of its Feature. That of another geometry
+        Candidate, for each Polygon, the name being the id of its Feature. That of another geometry
         refuses, and so does that of a Polygon with more than two coordinates or a ring that is not
         closed.
 
@@ -39,9 +39,9 @@ def read_geojson(document: Mapping[str, object]) -> Iterator[Outline]:
     return _read(document, "$", None, 0)
 
 
-def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Outline]:
+def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:
     if not isinstance(value, dict):
-        yield Outline.refused(f"{path} is {described(value)}, not a Polygon", name)
+        yield Candidate.refused(f"{path} is {described(value)}, not a Polygon", name)
         return
     kind = value.get("type")
     if depth > _MAX_DEPTH:
@@ -61,7 +61,7 @@ def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Ou
         for k, part in enumerate(_list(value, member, path)):
             yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1)
     else:
-        yield Outline.refused(f"{path}.type is {described(kind)}, not 'Polygon'", name)
+        yield Candidate.refused(f"{path}.type is {described(kind)}, not 'Polygon'", name)
 
 
 def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
@@ -71,14 +71,14 @@ def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
     return found
 
 
-def _outline(rings: object, path: str, name: str | None) -> Outline:
+def _outline(rings: object, path: str, name: str | None) -> Candidate:
     """Make the outline of the rings of a Polygon."""
     if not isinstance(rings, list):
-        return Outline.refused(f"{path} is {described(rings)}, not a list of rings", name)
+        return Candidate.refused(f"{path} is {described(rings)}, not a list of rings", name)
     if not rings:
-        return Outline.refused(f"{path} is empty", name)
+        return Candidate.refused(f"{path} is empty", name)
     exterior, *inner = (
-        Outline(place, partial(_ring, ring, place))
+        Candidate(place, partial(_ring, ring, place))
         for place, ring in ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
     )
     return exterior._replace(place=path, name=name, holes=partial(tuple, inner))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import partial
 from math import lcm
 
-from exactsweep.formats.outline import Outline
+from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError, doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, LatticePoint, Point
@@ -59,8 +59,8 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[list[int]]:
     return [sorted(around) for around in found]
 
 
-def drawn(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[int]:
-    """Find the one region that several rings draw together.
+def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[list[int]]:
+    """Find the regions that several rings draw together.
 
     Args:
         rings: the vertices of subpaths as SVG has them, in either orientation.
@@ -68,51 +68,49 @@ def drawn(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[int]:
             around which the rings wind as often one way as the other (SVG 1.1, 11.3).
 
     Returns:
-        The index of the exterior, then those of its holes, in order. Rings with filled area on both
-        sides are left out.
+        For each region, the index of the exterior, then those of its holes, in order. Rings with
+        filled area on both sides are left out.
 
     Raises:
-        PolygonError: a ring is not simple, two cross, or the filled area has several parts.
+        PolygonError: a ring is not simple, or two cross.
 
     Cost: that of `nest`.
 
     Example:
         >>> rings = [Polygon([(0, 0), (k, 0), (0, k)]).vertices for k in (3, 1)]
-        >>> drawn(rings, even_odd=True), drawn(rings, even_odd=False)
-        ([0, 1], [0])
-        >>> drawn([rings[0], rings[1][::-1]], even_odd=False)
-        [0, 1]
+        >>> find_regions(rings, even_odd=True), find_regions(rings, even_odd=False)
+        ([[0, 1]], [[0]])
+        >>> find_regions([rings[0], rings[1][::-1]], even_odd=False)
+        [[0, 1]]
     """
     names = [f"subpath {k}" for k in range(len(rings))]
     around = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
     turns = [1 if even_odd or doubled_area(ring) > 0 else -1 for ring in rings]
-    exteriors, holes = [], []
+    regions: dict[int, list[int]] = {}
+    holes = []
     for k, turn in enumerate(turns):
         outside = sum(turns[j] for j in around[k])
         inside = outside + turn
         if even_odd:
             outside, inside = outside % 2, inside % 2
         if not outside:
-            exteriors.append(k)
+            regions[k] = [k]
         elif not inside:
             holes.append(k)
-    if len(exteriors) > 1:
-        first, second = (names[k] for k in exteriors[:2])
-        raise PolygonError(
-            f"not the rings of one region: {first} and {second} are two of the {len(exteriors)} "
-            "exteriors"
-        )
-    return exteriors + holes
+    for k in holes:
+        # The innermost exterior around it has the most rings around itself.
+        regions[max((j for j in around[k] if j in regions), key=lambda j: len(around[j]))].append(k)
+    return list(regions.values())
 
 
-def nest_outlines(outlines: Sequence[Outline]) -> list[Outline]:
+def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     """Make holes of what lies inside other outlines of the same layer.
 
     Args:
         outlines: those of a file; where there are no layers, all are on one.
 
     Returns:
-        list of Outline, one for each ring that an even number of others is around, in order; its
+        list of Candidate, one for each ring that an even number of others is around, in order; its
         holes are the rings just inside. The outlines of a layer of which one cannot be read, or two
         cross, all refuse to be read, for nobody knows what the holes are.
 
@@ -122,24 +120,24 @@ def nest_outlines(outlines: Sequence[Outline]) -> list[Outline]:
         >>> from exactsweep.formats.wkt import parse_wkt
         >>> text = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
         >>> squares = "".join(text.format(k, 6 - k) for k in range(3))
-        >>> found = nest_outlines(parse_wkt(squares))
+        >>> found = nest_candidates(parse_wkt(squares))
         >>> [outline.shape().area for outline in found]
         [Fraction(20, 1), Fraction(4, 1)]
     """
-    layers: defaultdict[str | None, list[tuple[int, Outline]]] = defaultdict(list)
+    layers: defaultdict[str | None, list[tuple[int, Candidate]]] = defaultdict(list)
     for place, outline in enumerate(outlines):
         layers[outline.layer].append((place, outline))
-    found: list[tuple[int, Outline]] = []
+    found: list[tuple[int, Candidate]] = []
     for members in layers.values():
         try:
             found += _nested(members)
         except ValueError as error:
             reason = f"nested outlines are read with all of their layer: {error}"
-            found += [(k, Outline.refused(reason, o.name, o.layer)) for k, o in members]
+            found += [(k, Candidate.refused(reason, o.name, o.layer)) for k, o in members]
     return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
 
 
-def _nested(members: Sequence[tuple[int, Outline]]) -> list[tuple[int, Outline]]:
+def _nested(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Make holes of what lies inside other outlines, each given with its number."""
     rings = [
         (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))

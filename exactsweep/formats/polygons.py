@@ -3,21 +3,33 @@
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from fractions import Fraction
+from typing import Unpack
 
-from exactsweep.formats.decimals import read_tolerance
+from exactsweep.formats.candidate import (
+    Candidate,
+    NamedPolygon,
+    NamedRegion,
+    choose,
+    read_each,
+    select,
+)
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
-from exactsweep.formats.nesting import nest_outlines
-from exactsweep.formats.outline import NamedPolygon, NamedRegion, Outline, choose
+from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
 
-def parse_polygon(text: str, choice: str | None = None, tolerance: object = None) -> Polygon:
+def parse_polygon(
+    text: str,
+    choice: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
+) -> Polygon:
     """Read a polygon from exact JSON, GeoJSON, WKT, SVG or DXF.
 
     Args:
@@ -25,6 +37,7 @@ def parse_polygon(text: str, choice: str | None = None, tolerance: object = None
         choice: the name, the index or the layer of one polygon, tried in this order; not needed
             where there is only one.
         tolerance: as for `parse_polygons`.
+        options: likewise.
 
     Returns:
         A Polygon.
@@ -44,10 +57,12 @@ def parse_polygon(text: str, choice: str | None = None, tolerance: object = None
         >>> print(parse_polygon(text, "a"), "and", parse_polygon(text, "1"))
         (0, 0) (2, 0) (2, 1) (0, 1) and (0, 0) (1, 0) (1, 1)
     """
-    return choose(parse_outlines(text, tolerance), choice).polygon()
+    return choose(parse_candidates(text, tolerance, **options), choice).polygon()
 
 
-def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
+def parse_polygons(
+    text: str, tolerance: object = None, **options: Unpack[Options]
+) -> list[NamedPolygon]:
     """Read all polygons of a text.
 
     Args:
@@ -57,6 +72,7 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
             such as "-7/2" are numbers, too.
         tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
             positive number as `to_fraction` reads it; None to refuse curves.
+        options: "nested", "join" and "unit", as `exactsweep.formats.reading.Options` has them.
 
     Returns:
         list of NamedPolygon, in order.
@@ -74,11 +90,14 @@ def parse_polygons(text: str, tolerance: object = None) -> list[NamedPolygon]:
         >>> print(b.polygon)
         (0, 0) (2, 0) (0, 2)
     """
-    return [outline.named_polygon() for outline in parse_outlines(text, tolerance)]
+    return read_each(parse_candidates(text, tolerance, **options), Candidate.named_polygon)
 
 
 def parse_region(
-    text: str, choice: str | None = None, tolerance: object = None, *, nested: bool = False
+    text: str,
+    choice: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
 ) -> Region:
     """Read a polygon with its holes.
 
@@ -86,7 +105,7 @@ def parse_region(
         text: as `parse_regions` takes it.
         choice: as for `parse_polygon`.
         tolerance: as for `parse_polygons`.
-        nested: as for `parse_regions`.
+        options: likewise.
 
     Returns:
         A Region, without holes where there are none.
@@ -101,11 +120,11 @@ def parse_region(
         >>> parse_region("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1))").area
         Fraction(15, 2)
     """
-    return choose(parse_outlines(text, tolerance, nested=nested), choice).region()
+    return choose(parse_candidates(text, tolerance, **options), choice).region()
 
 
 def parse_regions(
-    text: str, tolerance: object = None, *, nested: bool = False
+    text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedRegion]:
     """Read all polygons of a text with their holes.
 
@@ -114,9 +133,7 @@ def parse_regions(
             vertices as "exterior" and a list of these as "holes"; a path of SVG with several closed
             subpaths, of which its fill rule decides which are holes.
         tolerance: as for `parse_polygons`.
-        nested: whether closed outlines of one layer that lie inside others are their holes, and
-            those inside a hole polygons again, and so on; all are on one layer where there are no
-            layers, as there are in DXF.
+        options: likewise.
 
     Returns:
         list of NamedRegion, in order.
@@ -126,18 +143,17 @@ def parse_regions(
         PolygonError: not a region; the message names rings, and vertices by their index.
 
     Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
-        and with `nested`
-        that of `exactsweep.formats.nesting.nest`.
+        and with `nested` that of `exactsweep.formats.nesting.nest`.
 
     Example:
         >>> path = '<path fill-rule="evenodd" d="M0 0H4V4H0z M1 1h1v1z"/>'
         >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
         [Fraction(31, 2)]
     """
-    return [o.named_region() for o in parse_outlines(text, tolerance, nested=nested)]
+    return read_each(parse_candidates(text, tolerance, **options), Candidate.named_region)
 
 
-def read_polygon(path: str, tolerance: object = None) -> Polygon:
+def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]) -> Polygon:
     """Read a polygon from a file, or from standard input.
 
     Args:
@@ -151,18 +167,18 @@ def read_polygon(path: str, tolerance: object = None) -> Polygon:
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    file, choice = _split(path)
+    file, choice = split_choice(path)
     with _naming(file):
-        return parse_polygon(read_text(file), choice, tolerance)
+        return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
-def read_region(path: str, tolerance: object = None, *, nested: bool = False) -> Region:
+def read_region(path: str, tolerance: object = None, **options: Unpack[Options]) -> Region:
     """Read a polygon with its holes from a file, or from standard input.
 
     Args:
         path: as for `read_polygon`.
         tolerance: as for `parse_polygons`.
-        nested: as for `parse_regions`.
+        options: likewise.
 
     Returns:
         A Region, as `parse_region` does.
@@ -170,16 +186,18 @@ def read_region(path: str, tolerance: object = None, *, nested: bool = False) ->
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    file, choice = _split(path)
+    file, choice = split_choice(path)
     with _naming(file):
-        return parse_region(read_text(file), choice, tolerance, nested=nested)
+        return parse_region(read_text(file), choice, tolerance, **options)
 
 
-def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
+def read_polygons(
+    path: str, tolerance: object = None, **options: Unpack[Options]
+) -> list[NamedPolygon]:
     """Read all polygons of a file, or of standard input.
 
     Args:
-        path: as for `read_polygon`; with a choice, only the polygon that it names.
+        path: as for `read_polygon`; with a choice, only those that it names.
         tolerance: as for `parse_polygons`.
 
     Returns:
@@ -188,18 +206,20 @@ def read_polygons(path: str, tolerance: object = None) -> list[NamedPolygon]:
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    outlines = read_outlines(path, tolerance)
-    with _naming(_split(path)[0]):
-        return [outline.named_polygon() for outline in outlines]
+    candidates = read_candidates(path, tolerance, **options)
+    with _naming(split_choice(path)[0]):
+        return read_each(candidates, Candidate.named_polygon)
 
 
-def read_regions(path: str, tolerance: object = None, *, nested: bool = False) -> list[NamedRegion]:
+def read_regions(
+    path: str, tolerance: object = None, **options: Unpack[Options]
+) -> list[NamedRegion]:
     """Read all polygons of a file, or of standard input, with their holes.
 
     Args:
-        path: as for `read_polygon`; with a choice, only the polygon that it names.
+        path: as for `read_polygon`; with a choice, only those that it names.
         tolerance: as for `parse_polygons`.
-        nested: as for `parse_regions`.
+        options: likewise.
 
     Returns:
         list of NamedRegion, in order, as by `parse_regions`.
@@ -207,49 +227,52 @@ def read_regions(path: str, tolerance: object = None, *, nested: bool = False) -
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    outlines = read_outlines(path, tolerance, nested=nested)
-    with _naming(_split(path)[0]):
-        return [outline.named_region() for outline in outlines]
+    candidates = read_candidates(path, tolerance, **options)
+    with _naming(split_choice(path)[0]):
+        return read_each(candidates, Candidate.named_region)
 
 
-def read_outlines(
-    path: str, tolerance: object = None, *, nested: bool = False
-) -> Sequence[Outline]:
+def read_candidates(
+    path: str, tolerance: object = None, **options: Unpack[Options]
+) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
-    file, choice = _split(path)
+    file, choice = split_choice(path)
     with _naming(file):
-        outlines = parse_outlines(read_text(file), tolerance, nested=nested)
-        return outlines if choice is None else [choose(outlines, choice)]
+        candidates = parse_candidates(read_text(file), tolerance, **options)
+        return candidates if choice is None else select(candidates, choice)
 
 
-def parse_outlines(
-    text: str, tolerance: object = None, *, nested: bool = False
-) -> Sequence[Outline]:
+def parse_candidates(
+    text: str, tolerance: object = None, **options: Unpack[Options]
+) -> Sequence[Candidate]:
     """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
-    found = _parse(text, read_tolerance(tolerance))
-    return nest_outlines(found) if nested else found
+    reading = Reading(tolerance, **options)
+    found = _parse(text, reading)
+    return nest_candidates(found) if reading.nested else found
 
 
-def _parse(text: str, allowed: Fraction | None) -> Sequence[Outline]:
+def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     first = text.lstrip()[:1]
     if not first:
         raise FormatError("empty")
-    if first.isalpha():
-        return parse_wkt(text)
     if first == "<":
         from exactsweep.formats.curved.svg import parse_svg
 
-        return parse_svg(text, allowed)
-    if first in "[{":
-        return find_outlines(parse_json(text))
+        return parse_svg(text, reading)
     if DXF_SIGN.match(text):
         from exactsweep.formats.curved.dxf import parse_dxf
 
-        return parse_dxf(text, allowed)
+        return parse_dxf(text, reading)
+    # No other format says in which unit its numbers are.
+    reading.scale(None)
+    if first.isalpha():
+        return parse_wkt(text)
+    if first in "[{":
+        return find_candidates(parse_json(text))
     raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, SVG nor DXF")
 
 
-def find_outlines(document: object) -> Sequence[Outline]:
+def find_candidates(document: object) -> Sequence[Candidate]:
     """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON."""
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
         found = list(read_geojson(document))
@@ -257,8 +280,8 @@ def find_outlines(document: object) -> Sequence[Outline]:
     return read_exact(document)
 
 
-def _split(path: str) -> tuple[str, str | None]:
-    """Split a path from the choice after it; both may have the sign in their names."""
+def split_choice(path: str) -> tuple[str, str | None]:
+    """Split a path from the choice after it; both may have the sign "#" in their names."""
     if os.path.lexists(path):
         return path, None
     places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]

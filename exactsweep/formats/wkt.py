@@ -6,9 +6,9 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple, NoReturn
 
+from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.outline import Outline
 from exactsweep.geometry.number import NumberError, quoted
 from exactsweep.geometry.point import Point
 
@@ -25,7 +25,7 @@ class _Token(NamedTuple):
     offset: int
 
 
-def parse_wkt(text: str) -> list[Outline]:
+def parse_wkt(text: str) -> list[Candidate]:
     """Read WKT polygons.
 
     Args:
@@ -33,7 +33,7 @@ def parse_wkt(text: str) -> list[Outline]:
             in upper or lower case; numbers as `read_decimal` reads them.
 
     Returns:
-        list of Outline, the first point of each ring repeated at its end.
+        list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
         FormatError: other geometries, Z or M coordinates, a ring that is not closed, whatever is
@@ -58,7 +58,7 @@ class _Reader:
         self.token = next(self.tokens)
         self.line, self.line_start, self.counted = 1, 0, 0
 
-    def outlines(self) -> Iterator[Outline]:
+    def outlines(self) -> Iterator[Candidate]:
         while True:
             kind = self.token.text.upper()
             if kind not in ("POLYGON", "MULTIPOLYGON"):
@@ -82,7 +82,7 @@ class _Reader:
             if self.token.kind != "word":
                 self._refuse(f"{self._shown()} after the end of the polygon")
 
-    def _polygon(self) -> Outline:
+    def _polygon(self) -> Candidate:
         self._expect("(")
         exterior = self._ring(self._place())
         holes = []
@@ -93,7 +93,7 @@ class _Reader:
         self._expect(")")
         return exterior._replace(holes=partial(tuple, holes))
 
-    def _ring(self, place: str) -> Outline:
+    def _ring(self, place: str) -> Candidate:
         self._expect("(")
         ring = [self._point()]
         while self.token.text == ",":
@@ -104,7 +104,7 @@ class _Reader:
             raise FormatError(
                 f"{place}: the ring is not closed: its last vertex must repeat the first"
             )
-        return Outline(place, partial(list, ring))
+        return Candidate(place, partial(list, ring))
 
     def _point(self) -> Point:
         point = Point(self._number(), self._number())

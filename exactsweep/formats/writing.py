@@ -7,9 +7,9 @@ from html import escape
 from itertools import chain
 from typing import TypeVar
 
+from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.outline import NamedPolygon, NamedRegion
 from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon

@@ -2,13 +2,15 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
+from operator import eq
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import LatticePoint
-from exactsweep.geometry.simplicity import find_conflict
+from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
-class PolygonError(ValueError):
+class PolygonError(ExactSweepError):
     """Vertices that do not bound a simple polygon; the message names indices in the input."""
 
 
@@ -24,7 +26,7 @@ class Ring(NamedTuple):
 
 
 def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
-    """Bring a closed line of integer points into canonical form.
+    """Bring a closed line of lattice points into canonical form.
 
     Args:
         points: in either orientation; neighbours may be equal, the last and the first too, and
@@ -37,46 +39,55 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
         PolygonError: fewer than three distinct points, all on one line, a spike, or a line that
             touches or crosses itself.
 
-    Cost: that of `find_conflict`.
+    Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
 
     Example:
         >>> canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
         Ring(points=((0, 0), (2, 0), (2, 2)), vertex_index=(3, 1, 0), edge_index=(1, 0, 3))
     """
-    distinct = len(set(points))
-    if distinct < 3:
-        raise PolygonError(
-            f"fewer than three distinct vertices: {distinct} among the {len(points)} given"
-        )
-    # Runs of equal neighbours, round the end: the vertex is called by the least index of its run,
-    # its edge starts at the last.
-    starts = [i for i, point in enumerate(points) if point != points[i - 1]]
-    ring = [points[i] for i in starts]
-    edges = [(i - 1) % len(points) for i in (*starts[1:], starts[0])]
-    vertices = starts if starts[0] == 0 else [*starts[:-1], 0]
-
-    turns = turn_products(ring)
-    if not any(turns):
-        raise PolygonError("zero area: all vertices lie on one line")
-    _refuse_spikes(ring, turns, vertices)
-    _refuse_conflicts(ring, vertices, edges)
-
-    # Spikes are gone, so a vertex without a turn lies inside a straight edge.
-    corners = [i for i, turn in enumerate(turns) if turn]
-    if doubled_area(ring) < 0:
-        corners.reverse()
+    ring, vertices, edges = _join_equal(points)
+    turns = turn_products(ring) if len(ring) > 2 else []
+    corners: Sequence[int] = range(len(ring))
+    if not all(turns) or not turns:
+        _refuse_flat(points, turns)
+        _refuse_spikes(ring, turns, vertices)
+        # Spikes are gone, so a vertex without a turn lies inside a straight edge.
+        corners = [i for i, turn in enumerate(turns) if turn]
+        turns = [turn for turn in turns if turn]
+    found = ring if len(corners) == len(ring) else [ring[i] for i in corners]
+    least = found.index(min(found))
+    starts = corners
+    # A simple polygon turns at its least vertex the way that it goes round.
+    if turns[least] < 0:
+        corners = [*corners[least::-1], *corners[:least:-1]]
         # Read backwards, the edge from corner k to corner k + 1 starts at the latter.
-        edge_starts = [*corners[1:], corners[0]]
-    else:
-        edge_starts = corners
-    least = min(range(len(corners)), key=lambda k: ring[corners[k]])
-    corners = corners[least:] + corners[:least]
-    edge_starts = edge_starts[least:] + edge_starts[:least]
-    return Ring(
-        tuple(ring[i] for i in corners),
-        tuple(vertices[i] for i in corners),
-        tuple(edges[i] for i in edge_starts),
-    )
+        starts = [*corners[1:], corners[0]]
+        found = [*found[least::-1], *found[:least:-1]]
+    elif least:
+        corners = starts = [*corners[least:], *corners[:least]]
+        found = [*found[least:], *found[:least]]
+    convex = min(turns) > 0 or max(turns) < 0
+    if not is_simple_monotone(found, convex=convex):
+        _refuse_conflicts(ring, vertices, edges)
+    if len(ring) != len(points):
+        corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
+    return Ring(tuple(found), tuple(corners), tuple(starts))
+
+
+def _join_equal(
+    points: Sequence[LatticePoint],
+) -> tuple[Sequence[LatticePoint], Sequence[int], Sequence[int]]:
+    """Take each run of equal neighbours, round the end, for one vertex.
+
+    Returns the vertices, the least index of each run, and the last, at which its edge starts.
+    """
+    size = len(points)
+    if points[:1] != points[-1:] and not any(map(eq, points, points[1:])):
+        return points, range(size), range(size)
+    starts = [i for i, point in enumerate(points) if point != points[i - 1]]
+    edges = [(i - 1) % size for i in (*starts[1:], *starts[:1])]
+    vertices = starts if starts[:1] == [0] else [*starts[:-1], 0]
+    return [points[i] for i in starts], vertices, edges
 
 
 def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
@@ -90,6 +101,16 @@ def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
         bx, by, ux, uy = cx, cy, vx, vy
     # The first turn met belongs to the last vertex.
     return turns[1:] + turns[:1]
+
+
+def _refuse_flat(points: Sequence[LatticePoint], turns: Sequence[int | Fraction]) -> None:
+    if not any(turns):
+        distinct = len(set(points))
+        if distinct < 3:
+            raise PolygonError(
+                f"fewer than three distinct vertices: {distinct} among the {len(points)} given"
+            )
+        raise PolygonError("zero area: all vertices lie on one line")
 
 
 def _refuse_spikes(

@@ -20,9 +20,11 @@ from itertools import groupby
 from math import gcd
 from operator import ne, sub
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import LatticePoint
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.words import degrees
 
 Vector = tuple[int, int]
 
@@ -34,7 +36,7 @@ Y_AXIS: Vector = (0, 1)
 _SMALL: tuple[Vector, ...] = (Y_AXIS, (1, -1), (1, 1), (1, -2), (1, 2), (2, -1), (2, 1))
 
 
-class DirectionError(ValueError):
+class DirectionError(ExactSweepError):
     """Polygons that are not monotone to a shared direction, or not to the one asked for."""
 
 
@@ -51,7 +53,7 @@ class Directions:
 
     Example:
         >>> print(monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
-        all from (1, -2) to (1, 2)
+        all from (1, -2) to (1, 2), -63.4 to 63.4 degrees
     """
 
     critical: tuple[Vector, ...]
@@ -140,7 +142,9 @@ class Directions:
         if all(self.after):
             return "all directions"
         arcs = [
-            f"all from {first} to {last}" if first != last else f"just {first}"
+            f"all from {first} to {last}, {degrees(first)} to {degrees(last)} degrees"
+            if first != last
+            else f"just {first}, {degrees(first)} degrees"
             for first, last in self.arcs()
         ]
         return " and ".join(arcs) or "no direction"
@@ -262,7 +266,7 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
     """Refuse a polygon that is not monotone to a direction that somebody asked for."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
-            f"the {name} is not monotone to {direction}; "
+            f"the {name} is not monotone to {direction}, {degrees(direction)} degrees; "
             f"its directions of monotonicity: {monotone_directions(polygon)}"
         )
 
@@ -285,8 +289,6 @@ def _simplest_between(u: Vector, v: Vector) -> Vector:
         return Y_AXIS
     if u[0] <= 0 and v[0] <= 0:
         u, v = (-u[0], -u[1]), (-v[0], -v[1])
-    if v[0] == 0:
-        v = Y_AXIS
     if u[1] < 0:
         # Not both sides of the X axis: that would have been taken.
         p, q = _simplest_fraction(-v[1], v[0], -u[1], u[0])

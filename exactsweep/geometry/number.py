@@ -2,6 +2,7 @@
 
 import operator
 import re
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -9,21 +10,32 @@ from decimal import Decimal
 from fractions import Fraction
 from math import gcd
 from numbers import Rational, Real
+from operator import attrgetter
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
+
 _ECHO = 40
+
+_new = object.__new__
+
+# The names of the slots: the properties of a Fraction, written in Python, take four times as long.
+_numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
 # JSON's grammar of numbers, and fractions.
 _NUMBER = re.compile(
     r"(?P<numerator>-?(?:0|[1-9][0-9]*))"
-    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?)"
+    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?P<tail>(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?))"
 )
 
 
 _SHOWN_DIGITS = 24
 
+# Digits that int() reads whatever limit the interpreter was given.
+_SHORT = sys.int_info.str_digits_check_threshold
 
-class NumberError(ValueError):
+
+class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
@@ -47,7 +59,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
             (`d.ddd * 10**exponent`); 4000 unless changed.
 
     Raises:
-        ValueError: a limit below one.
+        NumberError: a limit below one.
 
     Example:
         >>> with limits(max_exponent=10_000):
@@ -61,7 +73,7 @@ def limits(*, max_digits: int | None = None, max_exponent: int | None = None) ->
     )
     for name, value in zip(new._fields, new, strict=True):
         if value < 1:
-            raise ValueError(f"{name} must be at least 1")
+            raise NumberError(f"{name} must be at least 1")
     token = _limits.set(new)
     try:
         yield
@@ -95,9 +107,11 @@ def to_fraction(value: object) -> Fraction:
     if type(value) is Fraction:
         return value
     if type(value) is int:
-        return Fraction(value)
+        return _reduced(value, 1)
     if isinstance(value, str):
         return _from_string(value)
+    if isinstance(value, float):
+        return _from_real(value)
     if isinstance(value, Decimal):
         return _from_decimal(value)
     if isinstance(value, bool):
@@ -122,10 +136,20 @@ def _reduced(numerator: int, denominator: int) -> Fraction:
 
     Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
     """
-    fraction = object.__new__(Fraction)
+    fraction = _new(Fraction)
     fraction._numerator = numerator  # type: ignore[attr-defined]
     fraction._denominator = denominator  # type: ignore[attr-defined]
     return fraction
+
+
+def ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
+    """Return the numerators and the denominators, many at a time.
+
+    Example:
+        >>> ratios([Fraction(1, 2), Fraction(3)])
+        ([1, 3], [2, 1])
+    """
+    return [*map(_numerator, values)], [*map(_denominator, values)]
 
 
 def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
@@ -135,9 +159,14 @@ def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
         >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
         (Fraction(3, 2), Fraction(1, 6))
     """
-    if type(value) is int and type(divisor) is int:
-        common = gcd(value, divisor)
-        return _reduced(value // common, divisor // common)
+    if type(divisor) is int:
+        if type(value) is int:
+            common = gcd(value, divisor)
+            return _reduced(value // common, divisor // common)
+        if type(value) is Fraction:
+            n, d = value.as_integer_ratio()
+            common = gcd(n, divisor)
+            return _reduced(n // common, d * (divisor // common))
     return Fraction(value, divisor)
 
 
@@ -150,7 +179,17 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """
     if divisor != 1:
         return [quotient(v, divisor) for v in values]
-    return [_reduced(v, 1) if type(v) is int else v for v in values]  # type: ignore[misc]
+    found: list[Fraction] = []
+    for v in values:
+        if type(v) is int:
+            # As `_reduced` does, without the call.
+            fraction = _new(Fraction)
+            fraction._numerator = v  # type: ignore[attr-defined]
+            fraction._denominator = 1  # type: ignore[attr-defined]
+            found.append(fraction)
+        else:
+            found.append(v)  # type: ignore[arg-type]
+    return found
 
 
 def negative(value: int | Fraction) -> int | Fraction:
@@ -202,7 +241,9 @@ def _from_string(text: str) -> Fraction:
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
-    numerator, denominator, exponent = match.group("numerator", "denominator", "exponent")
+    numerator, denominator, tail, exponent = match.groups()
+    if tail == "" and len(text) <= min(_SHORT, *_limits.get()):
+        return _reduced(int(text), 1)
     if denominator is not None:
         if denominator == "0":
             raise NumberError(f"{quoted(text)} has a zero denominator")
@@ -222,10 +263,10 @@ def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
     return Fraction(value)
 
 
-def _from_real(value: Real) -> Fraction:
+def _from_real(value: float | Real) -> Fraction:
     try:
         binary = float(value)
-        exact = Fraction(binary)
+        exact = _reduced(*binary.as_integer_ratio())
     except (OverflowError, ValueError):
         raise NumberError(f"{quoted(value)} is not a finite number") from None
     if binary != value:

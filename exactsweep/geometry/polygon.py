@@ -2,28 +2,30 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain
-from math import gcd, lcm
+from math import lcm
 from typing import TYPE_CHECKING, Any, Self
 
 from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
-from exactsweep.geometry.number import NumberError, abridged, to_fraction
+from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
+from exactsweep.geometry.number import abridged, quotients
 from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.geometry.point_set import AffineMap, PointSet
+from exactsweep.geometry.reading import read_point, rings_of_interface
 from exactsweep.words import pair, size
 
 if TYPE_CHECKING:
     import sympy
 
 _SHOWN_VERTICES = 8
-_LATTICE_BITS = 8192
 
 
-class Polygon:
+class Polygon(PointSet):
     """A simple polygon in canonical form; equal to another when both are the same set of points.
 
     Args:
-        vertices: pairs of numbers as `to_fraction` reads them, or a Polygon. Either orientation,
-            the first vertex repeated at the end, equal neighbours and collinear vertices are fine.
+        vertices: pairs of numbers as `to_fraction` reads them, a Polygon, or an object with a
+            `__geo_interface__`, such as a polygon of shapely. Either orientation, the first vertex
+            repeated at the end, equal neighbours and collinear vertices are fine.
 
     Raises:
         PolygonError: not pairs, fewer than three distinct vertices, zero area, a spike, a boundary
@@ -31,7 +33,8 @@ class Polygon:
             input; edge i runs from vertex i to the next.
         NumberError: a coordinate that is not an exact number.
 
-    Cost: O(n) for a convex polygon of n vertices, O(n log n) for any other.
+    Cost: O(n) for a polygon of n vertices that is convex or monotone to the X axis, O(n log n) for
+    any other.
 
     Example:
         >>> Polygon([(0, 0), (0, 2), ("1/2", 1), (0, 0)])
@@ -50,10 +53,10 @@ class Polygon:
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
-        scale, points = _to_lattice(_read(vertices))
+        scale, points = _read(vertices)
         ring = canonical_ring(points)
         self._vertices = None
-        self._lattice = _reduced(scale, ring.points)
+        self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
 
     @classmethod
@@ -68,7 +71,7 @@ class Polygon:
     def _from_lattice(cls, points: Sequence[LatticePoint], scale: int = 1) -> Self:
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice = None, _reduced(scale, tuple(points))
+        polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 
@@ -77,7 +80,8 @@ class Polygon:
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
             scale, points = self.lattice()
-            self._vertices = tuple(Point(Fraction(x, scale), Fraction(y, scale)) for x, y in points)
+            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
+            self._vertices = tuple(map(Point, xs, ys))
         return self._vertices
 
     @property
@@ -99,7 +103,7 @@ class Polygon:
         """
         if self._lattice is None:
             assert self._vertices is not None
-            scale, points = _to_lattice(self._vertices)
+            scale, points = to_lattice(*zip(*self._vertices, strict=True))
             self._lattice = scale, tuple(points)
         return self._lattice
 
@@ -140,49 +144,31 @@ class Polygon:
         xs, ys = zip(*self.vertices, strict=True)
         return Point(min(xs), min(ys)), Point(max(xs), max(ys))
 
-    def translated(self, by: Iterable[object]) -> "Polygon":
-        """Return the polygon moved by a vector.
-
-        Args:
-            by: a pair of numbers.
-
-        Returns:
-            A Polygon with the same indices into the input.
-
-        Example:
-            >>> Polygon([(0, 0), (1, 0), (0, 1)]).translated((2, "1/2"))
-            Polygon([(2, '1/2'), (3, '1/2'), (2, '3/2')])
-        """
-        return self._mapped(1, read_point(by, "translation"), 0)
-
-    def reflected(self, center: Iterable[object] = (0, 0)) -> "Polygon":
-        """Return the polygon turned by half a turn, the point reflection I of the paper.
-
-        Args:
-            center: a pair of numbers, the point that stays.
-
-        Returns:
-            A Polygon with the same indices into the input.
-
-        Example:
-            >>> Polygon([(0, 0), (1, 0), (0, 1)]).reflected()
-            Polygon([(-1, 0), (0, -1), (0, 0)])
-        """
-        x, y = read_point(center, "center")
-        points = self.lattice()[1]
-        return self._mapped(-1, Point(2 * x, 2 * y), points.index(max(points)))
-
-    def _mapped(self, sign: int, shift: Point, first: int) -> "Polygon":
-        """Return the image under v -> sign * v + shift, the vertex `first` leading."""
+    def _image(self, under: AffineMap) -> "Polygon":
+        """Return the image under an affine map, vertices and edges numbered as before."""
         old, points = self.lattice()
-        scale = lcm(old, shift.x.denominator, shift.y.denominator)
-        factor = sign * (scale // old)
-        x, y = int(shift.x * scale), int(shift.y * scale)
-        image = [(factor * px + x, factor * py + y) for px, py in points]
-        polygon = Polygon._from_lattice(image[first:] + image[:first], scale)
-        for name in ("_vertex_index", "_edge_index"):
-            index = tuple(getattr(self, name))
-            setattr(polygon, name, index[first:] + index[:first])
+        denominator = lcm(*(c.denominator for c in under[:4]))
+        scale = lcm(denominator * old, under.dx.denominator, under.dy.denominator)
+        a, b, c, d = (int(part * denominator) * (scale // denominator // old) for part in under[:4])
+        dx, dy = int(under.dx * scale), int(under.dy * scale)
+        image = [(a * x + b * y + dx, c * x + d * y + dy) for x, y in points]
+        vertex_index, edge_index = list(self._vertex_index), list(self._edge_index)
+        if a * d < b * c:
+            # Walked backwards; the edge after a vertex is then the one that was before it.
+            image.reverse()
+            vertex_index.reverse()
+            edge_index = [*edge_index[-2::-1], edge_index[-1]]
+        first = image.index(min(image))
+        image = image[first:] + image[:first]
+        if all(type(part) is int for point in image for part in point):
+            polygon = Polygon._from_lattice(image, scale)
+        else:
+            # Of unrelated denominators: the lattice of such a polygon is its vertices.
+            polygon = Polygon._from_canonical(
+                [Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in image]
+            )
+        polygon._vertex_index = vertex_index[first:] + vertex_index[:first]
+        polygon._edge_index = edge_index[first:] + edge_index[:first]
         return polygon
 
     def to_sympy(self) -> "sympy.Polygon":
@@ -266,12 +252,22 @@ class Polygon:
         return [f"... {hidden} more"] if hidden > 0 else []
 
 
-def _read(vertices: Iterable[Iterable[object]]) -> list[Point]:
+def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
+    rings = rings_of_interface(vertices)
+    if rings is not None:
+        if len(rings) > 1:
+            raise PolygonError("it has holes: make a Region of it")
+        (vertices,) = rings
     try:
         pairs = iter(vertices)
     except TypeError:
         raise PolygonError(f"{type(vertices).__name__} is not a sequence of vertices") from None
-    return [read_point(pair, f"vertex {i}") for i, pair in enumerate(pairs)]
+    rows = list(pairs)
+    found = read_columns(rows)
+    if found is None:
+        points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
+        found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
+    return found
 
 
 def _area(vertices: Sequence[Point]) -> Fraction:
@@ -292,47 +288,3 @@ def _area(vertices: Sequence[Point]) -> Fraction:
         terms = [(n * e + m * d, d * e) if d != e else (n + m, d) for (n, d), (m, e) in pairs]
         terms += odd
     return Fraction(terms[0][0], 2 * terms[0][1])
-
-
-def read_point(pair: Iterable[object], name: str) -> Point:
-    """Read a pair of numbers; a refusal calls it by the name."""
-    # Text, sets and mappings unpack too, but not into coordinates.
-    if isinstance(pair, (str, bytes, set, frozenset, dict)):
-        raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")
-    try:
-        x, y = pair
-    except (TypeError, ValueError):
-        raise PolygonError(f"{name} is not a pair of numbers") from None
-    try:
-        return Point(to_fraction(x), to_fraction(y))
-    except NumberError as error:
-        raise NumberError(f"{name}: {error}") from None
-
-
-def _to_lattice(vertices: Sequence[Point]) -> tuple[int, Sequence[LatticePoint]]:
-    scale = 1
-    for denominator in {c.denominator for v in vertices for c in v}:
-        scale = lcm(scale, denominator)
-        if scale.bit_length() > _LATTICE_BITS:
-            # Unrelated denominators: numbers on the common lattice would be longer than all the
-            # coordinates together, and Fractions are the faster rationals.
-            return 1, vertices
-    return scale, [
-        (
-            v.x.numerator * (scale // v.x.denominator),
-            v.y.numerator * (scale // v.y.denominator),
-        )
-        for v in vertices
-    ]
-
-
-def _reduced(scale: int, points: tuple[LatticePoint, ...]) -> tuple[int, tuple[LatticePoint, ...]]:
-    # With a scale above one all coordinates are ints.
-    common = scale
-    for coordinate in chain.from_iterable(points):
-        if common == 1:
-            break
-        common = gcd(common, int(coordinate))
-    if common == 1:
-        return scale, points
-    return scale // common, tuple((x // common, y // common) for x, y in points)

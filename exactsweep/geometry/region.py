@@ -9,21 +9,25 @@ from itertools import chain
 from math import lcm
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, abridged
+from exactsweep.geometry.error import named
+from exactsweep.geometry.number import abridged
 from exactsweep.geometry.overlap import Places, is_inside, points_between, touch
 from exactsweep.geometry.point import LatticePoint, Point, Vertex
-from exactsweep.geometry.polygon import Polygon, read_point
+from exactsweep.geometry.point_set import AffineMap, PointSet
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import rings_of_interface
 from exactsweep.words import pair, size
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
 
-class Region:
+class Region(PointSet):
     """A polygon with holes; equal to another when both are the same set of points.
 
     Args:
         exterior: the outer boundary, a Polygon or its vertices as `Polygon` takes them; or a
-            Region, whose holes then count with the others.
+            Region, or another object with a `__geo_interface__`, whose holes then count with the
+            others.
         holes: the holes, likewise, in any order and orientation.
 
     Raises:
@@ -55,6 +59,9 @@ class Region:
         if isinstance(exterior, Region):
             inner += exterior.holes
             exterior = exterior.exterior
+        elif not isinstance(exterior, Polygon):
+            exterior, *told = rings_of_interface(exterior) or [exterior]
+            inner += [_named(hole, f"hole {k}") for k, hole in enumerate(told)]
         outer = _named(exterior, "exterior")
         try:
             given = list(holes)
@@ -118,32 +125,14 @@ class Region:
         """The lower left and the upper right corner of the least axis-parallel rectangle."""
         return self.exterior.bounding_box
 
-    def translated(self, by: Iterable[object]) -> Region:
-        """Return the region moved by a vector, a pair of numbers. Cost: O(n).
-
-        >>> Region([(0, 0), (1, 0), (0, 1)]).translated((1, 0)).exterior
-        Polygon([(1, 0), (2, 0), (1, 1)])
-        """
-        vector = read_point(by, "translation")
-        return self._like([ring.translated(vector) for ring in (self.exterior, *self.holes)])
-
-    def reflected(self, center: Iterable[object] = (0, 0)) -> Region:
-        """Return the region turned by half a turn about a point. Cost: O(n).
-
-        >>> Region([(0, 0), (1, 0), (0, 1)]).reflected().exterior
-        Polygon([(-1, 0), (0, -1), (0, 0)])
-        """
-        middle = read_point(center, "center")
-        return self._like([ring.reflected(middle) for ring in (self.exterior, *self.holes)])
+    def _image(self, under: AffineMap) -> Region:
+        return self._like([ring._image(under) for ring in (self.exterior, *self.holes)])
 
     def _like(self, rings: Sequence[Polygon]) -> Region:
         """The region of other rings, in the order of this one's, which need no checking."""
         order = sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)
-        region = Region(rings[0])
-        object.__setattr__(region, "holes", tuple(rings[k] for k in order))
-        object.__setattr__(region, "_order", (0, *(self._order[k] for k in order)))
-        object.__setattr__(region, "_given", self._given)
-        return region
+        holes = tuple(rings[k] for k in order)
+        return _restore(rings[0], holes, (0, *(self._order[k] for k in order)), self._given)
 
     def vertex_index(self, k: int) -> int:
         """Return the index in the caller's input of vertex k, counted through all `rings`.
@@ -188,7 +177,7 @@ class Region:
         return hash((self.exterior, self.holes))
 
     def __reduce__(self) -> tuple[object, ...]:
-        return Region, (self.exterior, self.holes)
+        return _restore, (self.exterior, self.holes, self._order, self._given)
 
     def __repr__(self) -> str:
         holes = ", ".join(repr(hole).removeprefix("Polygon(")[:-1] for hole in self.holes)
@@ -216,6 +205,19 @@ class Region:
         return put_beside(self._repr_svg_(), rows)
 
 
+def _restore(
+    exterior: Polygon,
+    holes: tuple[Polygon, ...],
+    order: tuple[int, ...],
+    given: tuple[Polygon, ...],
+) -> Region:
+    """Make a copy, which has the numbers of the input and needs no checking."""
+    region = Region(exterior)
+    for name, value in (("holes", holes), ("_order", order), ("_given", given)):
+        object.__setattr__(region, name, value)
+    return region
+
+
 def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
     """Count the vertices through all rings of a shape.
 
@@ -236,12 +238,8 @@ def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
 
 
 def _named(ring: Vertices, name: str) -> Polygon:
-    try:
+    with named(name):
         return Polygon(ring)
-    except PolygonError as error:
-        raise PolygonError(f"{name}: {error}") from None
-    except NumberError as error:
-        raise NumberError(f"{name}: {error}") from None
 
 
 def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:

@@ -32,14 +32,12 @@ def find_conflict(ring: Sequence[LatticePoint]) -> Conflict | None:
     Returns:
         None when the ring is simple, otherwise one conflict; edge i runs from vertex i to the next.
 
-    Cost: O(n) for a convex ring, else O(n log n) comparisons, and moves in the status list.
+    Cost: O(n log n) comparisons, and moves in the status list.
 
     Example:
         >>> find_conflict([(0, 0), (2, 2), (2, 0), (0, 2)])
         Conflict(kind='edges cross', first=0, second=2)
     """
-    if _goes_round_once(ring):
-        return None
     order = sorted(range(len(ring)), key=ring.__getitem__)
     for i, j in pairwise(order):
         if ring[i] == ring[j]:
@@ -47,22 +45,65 @@ def find_conflict(ring: Sequence[LatticePoint]) -> Conflict | None:
     return _sweep(ring, order)
 
 
-def _goes_round_once(ring: Sequence[LatticePoint]) -> bool:
-    """Tell a convex ring: all turns to one side, and the lexicographic direction changes twice."""
-    turns = set()
-    changes = 0
-    (ax, ay), (bx, by) = ring[-2], ring[-1]
-    ux, uy = bx - ax, by - ay
-    for cx, cy in ring:
-        vx, vy = cx - bx, cy - by
-        turn = ux * vy - uy * vx
-        if turn:
-            turns.add(turn > 0)
-        changes += ((ux, uy) > (0, 0)) != ((vx, vy) > (0, 0))
-        if changes > 2 or len(turns) > 1:
+# A canonical ring that is monotone to the X axis, weakly: its bottom chain runs from the least
+# vertex p to the greatest one q, its top chain from q back to p. As closed graphs over [p.x, q.x]
+# both are intervals at each x, and between the x of two vertices all ends of these are linear. So
+#
+#     (1)  the ring is simple if, at the x of each vertex but p and q, the whole of the bottom chain
+#          lies below the whole of the top chain;
+#     (2)  at x in (p.x, q.x), an end of either interval is a vertex or lies inside an edge that is
+#          not vertical; so it is enough that each vertex of one chain lies strictly on its side of
+#          the edge of the other chain above or below it, and, where both have vertices at x, of
+#          each of these: of the other chain's there are two at most, the ends of a wall;
+#     (3)  at p.x the bottom chain has p alone, as the ring turns left there; a vertex of the top
+#          chain at q.x is not above the last edge of the bottom chain, so that (2) refuses it.
+
+
+def is_simple_monotone(ring: Sequence[LatticePoint], *, convex: bool) -> bool:
+    """Tell that a ring is monotone to the X axis, perhaps with vertical edges, and simple.
+
+    Args:
+        ring: least vertex first, and a left turn there; no two neighbours equal, no vertex inside a
+            straight edge or a spike.
+        convex: whether all of its turns are to the left. Then it needs no more than to be monotone:
+            a boundary that turns left goes round as often as it goes to the right.
+
+    Returns:
+        Whether it is both. A ring that is not may be simple.
+
+    Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
+
+    Example:
+        >>> is_simple_monotone([(0, 0), (2, 1), (4, 0), (2, 2)], convex=False)
+        True
+        >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
+        False
+    """
+    right = ring.index(max(ring))
+    xs = [x for x, _ in ring]
+    forth, back = xs[: right + 1], xs[right:]
+    if forth != sorted(forth) or back != sorted(back, reverse=True):
+        return False
+    if convex:
+        return True
+    top = [ring[0], *ring[: right - 1 : -1]]
+    k = 1
+    (ax, ay), (bx, by), (px, py) = top[0], top[1], ring[0]
+    for x, y in ring[1:right]:
+        while bx < x:
+            if (x - px) * (by - py) <= (y - py) * (bx - px):
+                return False
+            ax, ay = bx, by
+            k += 1
+            bx, by = top[k]
+        if (bx - ax) * (y - ay) >= (by - ay) * (x - ax):
             return False
-        bx, by, ux, uy = cx, cy, vx, vy
-    return True
+        # The vertex at the near end of a wall has been met by now, that at its far end not yet.
+        if bx == x and k + 1 < len(top) and top[k + 1][0] == x and top[k + 1][1] <= y:
+            return False
+        px, py = x, y
+    x, y = ring[right]
+    return all((x - px) * (v - py) > (y - py) * (u - px) for u, v in top[k:-1])
 
 
 def _sweep(ring: Sequence[LatticePoint], order: Sequence[int]) -> Conflict | None:

@@ -14,7 +14,7 @@ from time import process_time
 from typing import NamedTuple
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.paper.growth import Growth
+from exactsweep.paper.growth import LIMITS, Growth
 
 Corners = Sequence[tuple[int, int]]
 
@@ -28,6 +28,12 @@ class Verdict(Enum):
     REFUTED = "refuted as stated"
     BY_THEOREM = "refuted by theorem"
     MISPRINT = "misprint"
+    ADDED = "added"
+
+    @property
+    def objects(self) -> bool:
+        """Whether it says that the statement does not hold as printed."""
+        return self not in (Verdict.REPRODUCED, Verdict.SHARPENED, Verdict.ADDED)
 
 
 KINDS = {
@@ -78,6 +84,7 @@ class Evidence:
         tables: measured numbers.
         growth: counted operations or vertices over doubling sizes.
         sampled: how many random pairs each law was tried on, at least.
+        searched: how many cases of finite sets were tried.
     """
 
     tried: str
@@ -87,6 +94,7 @@ class Evidence:
     tables: tuple[Table, ...] = ()
     growth: tuple[Growth, ...] = ()
     sampled: int = 0
+    searched: int = 0
 
     @property
     def cases(self) -> tuple[Counterexample, ...]:
@@ -143,15 +151,31 @@ class Row(NamedTuple):
     @property
     def disagreement(self) -> str:
         """Why the evidence does not bear out the verdict; empty if it does."""
-        verdict, evidence = self.claim.verdict, self.evidence
+        evidence, objected = self.evidence, self.claim.verdict.objects
         if evidence.failure:
             return evidence.failure
-        objected = verdict not in (Verdict.REPRODUCED, Verdict.SHARPENED)
         if objected and evidence.against is None:
             return "no counterexample to the statement as printed was found"
         if not objected and evidence.against is not None:
             return f"the statement as printed fails: {evidence.against.text}"
+        named = {kind for kind in self.claim.evidence if kind not in ("case", "cited")}
+        if amiss := sorted(named ^ self._kinds):
+            return f"evidence that is named and not given, or given and not named: {amiss}"
         return ""
+
+    @property
+    def _kinds(self) -> set[str]:
+        """The kinds of evidence that are there, but for cases and what is cited."""
+        found = self.evidence
+        units = {series.unit in LIMITS for series in found.growth}
+        given = {
+            "proved": bool(self.claim.proof),
+            "exhaustive": found.searched > 0,
+            "sampled": found.sampled > 0,
+            "counted": False in units,
+            "measured": True in units,
+        }
+        return {kind for kind, is_given in given.items() if is_given}
 
 
 def first_failure(failures: Iterator[str]) -> str:

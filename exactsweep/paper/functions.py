@@ -8,6 +8,7 @@ from functools import cache
 from itertools import pairwise
 
 from exactsweep.check import ReferenceLoops, reference_loops
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.pairs import Pair
 from exactsweep.procedures.chain import corners, split
@@ -29,7 +30,7 @@ def value(chain: Points, x: Fraction) -> Fraction:
     for (px, py), (qx, qy) in pairwise(chain):
         if px < qx and px <= x <= qx:
             return Fraction(py) + Fraction(qy - py) * (x - px) / (qx - px)
-    raise ValueError(f"the chain does not reach {x}")
+    raise ExactSweepError(f"the chain does not reach {x}")
 
 
 def between(*chains: Points) -> Iterator[Fraction]:

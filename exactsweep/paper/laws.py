@@ -46,14 +46,27 @@ def shrink(law: Law, pair: Pair) -> Pair:
 
 def _smaller(pair: Pair) -> Iterator[Pair]:
     for which, ring in enumerate(pair):
+        monotone = is_x_monotone(ring)
         for changed in _smaller_rings(ring):
             try:
                 corners = [(int(x), int(y)) for x, y in Polygon(changed).vertices]
-                split(corners)
             except ValueError:
                 continue
-            if corners != ring:
+            if corners != ring and is_x_monotone(corners) >= monotone:
                 yield Pair(corners, pair[1]) if which == 0 else Pair(pair[0], corners)
+
+
+def is_x_monotone(ring: Ring) -> bool:
+    """Whether a canonical ring falls apart into two X-monotone chains.
+
+    >>> is_x_monotone([(0, 0), (2, 1), (3, 3)]), is_x_monotone([(0, 0), (4, 1), (1, 2), (3, 3)])
+    (True, False)
+    """
+    try:
+        split(ring)
+    except ValueError:
+        return False
+    return True
 
 
 def _smaller_rings(ring: Ring) -> Iterator[Ring]:

@@ -9,18 +9,19 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
-from functools import partial
+from functools import cache, partial
 from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict, first_failure
 from exactsweep.paper.laws import Trial
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
 
 
-class UnknownClaimError(ValueError):
+class UnknownClaimError(ExactSweepError):
     """A name that no row of the ledger has."""
 
 
@@ -45,6 +46,7 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
         tuple(table for one in found for table in one.tables),
         tuple(series for one in found for series in one.growth),
         max(one.sampled for one in found),
+        sum(one.searched for one in found),
     )
 
 
@@ -72,12 +74,24 @@ def _read(row: Mapping[str, Any]) -> Claim:
     )
 
 
-def read_rows() -> list[dict[str, Any]]:
-    """The tables of ledger.toml."""
+@cache
+def _load() -> dict[str, Any]:
+    """All of ledger.toml."""
     text = files("exactsweep.paper").joinpath("ledger.toml").read_text(encoding="utf-8")
-    rows: list[dict[str, Any]] = tomllib.loads(text)["claim"]
+    return tomllib.loads(text)
+
+
+def read_rows() -> list[dict[str, Any]]:
+    """The tables of the rows."""
+    rows: list[dict[str, Any]] = _load()["claim"]
     return rows
 
+
+ABSTRACT = _join(_load()["abstract"])
+"""What is wrong in the paper, in short."""
+
+OPEN = tuple((question["name"], _join(question["words"])) for question in _load()["open"])
+"""What is still open: names, and in words."""
 
 CLAIMS: tuple[Claim, ...] = tuple(map(_read, read_rows()))
 _BY_NAME = {claim.name: claim for claim in CLAIMS}

@@ -1,6 +1,7 @@
 """Seeded random pairs for the checks: small integer grids, where features meet often.
 
-"CC", "CM" and "MM" are the paper's classes. Strict polygons have no vertical edge, as the paper
+"CC", "CM" and "MM" are the paper's classes, each letter being a polygon's; "S" is one of any shape,
+monotone to no direction as a rule. Strict polygons have no vertical edge, as the paper
 takes for granted; weak ones have vertical edges, at the ends and inside their chains.
 """
 
@@ -10,7 +11,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, Ring, convex, monotone
+from exactsweep.corpus.generator.shapes import Grid, Ring, convex, monotone, untangle
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Effort
@@ -26,7 +28,7 @@ class Chains(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """An X-monotone generatrix and directrix."""
+    """A generatrix and a directrix, X-monotone unless they are drawn as of any shape."""
 
     generatrix: Ring
     directrix: Ring
@@ -55,7 +57,9 @@ def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> Pair:
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
-    """A convex or a monotone ring; where it is strict, no edge is vertical."""
+    """A convex or a monotone ring, strict if no edge is vertical; or one of any shape."""
+    if letter == "S":
+        return _draw_any(random)
     if letter == "C":
         side = random.choice([2, 4, 9])
         found = convex(random, 9, side)
@@ -64,6 +68,18 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
     ends = {"walls": 0, "pointed": 8} if strict else {"walls": 3, "pointed": 4}
     ring = monotone(random, Grid(cells=(1, 5), widths=(1, 1, 2, 3), height=height, **ends))
     return [(x, y + slope * x) for x, y in ring]
+
+
+def _draw_any(random: Prng) -> Ring:
+    """A way through random points that does not cross itself."""
+    side = random.choice([4, 6, 9])
+    while True:
+        points = range(random.between(4, 9))
+        drawn = [(random.between(0, side), random.between(0, side)) for _ in points]
+        try:
+            return _corners(untangle(drawn))
+        except PolygonError:
+            continue
 
 
 def _corners(ring: Ring) -> Ring:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -20,19 +20,18 @@ from exactsweep.draw import save
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.paper import plots
 from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
+from exactsweep.paper.ledger import ABSTRACT, OPEN
 from exactsweep.paper.pairs import Pair
 
 SIZE, MARGIN = 200, 6
 
 XY = Sequence[tuple[float, float]]
 
-GROWTH = (
-    *("what", "family", "doubled", "m", "n", "divided by"),
-    *("first", "last", "exponent", "of the bound", "found"),
-)
+GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
 WEIGHTS = {
     1: "False claims",
@@ -94,9 +93,29 @@ def render(
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
             bibtex=bibtex(),
+            contents=_list_contents(sections),
+            abstract=ABSTRACT,
+            open=OPEN,
+            bounds=tabulate(g for row in rows for g in row.evidence.growth),
         )
     )
     return f"{text.rstrip()}\n"
+
+
+def title_section(section: str) -> str:
+    """The heading of a section of the paper.
+
+    >>> title_section("5.1"), title_section("Appendix")
+    ('Section 5.1', 'Appendix')
+    """
+    return f"Section {section}" if section[0].isdigit() else section
+
+
+def _list_contents(sections: Iterable[str]) -> list[tuple[str, str]]:
+    """The anchors and the names of the parts of the HTML report."""
+    own = [(slug(title), title) for title in map(title_section, sections)]
+    before = [("errata", "What is wrong"), ("bounds", "Bounds"), ("evidence", "Evidence")]
+    return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
 def totals(rows: Sequence[Row]) -> str:
@@ -144,6 +163,7 @@ def _environment(*, html: bool) -> Environment:
         "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
+        "section_title": title_section,
         "slug": slug,
     }
     environment.filters.update(filters)
@@ -183,16 +203,21 @@ def growth_row(series: Growth) -> list[str]:
     """
     first, end = series.points[0], series.points[-1]
     last = 3 if series.unit == "seconds" else 0
+    ratios = (f"{point.ratio:.3g}" for point in (first, end))
     return [
         series.what,
         series.family,
-        series.varied,
-        *(f"{a} to {b}" if a != b else str(a) for a, b in ((first.m, end.m), (first.n, end.n))),
+        *(_span(*map(str, sizes)) for sizes in ((first.m, end.m), (first.n, end.n))),
         series.bound,
-        *(f"{point.ratio:.3g}" for point in (first, end)),
+        _span(*ratios),
         *(f"{power(last):.2f}" for power in (series.exponent, series.claimed)),
         series.verdict,
     ]
+
+
+def _span(first: str, last: str) -> str:
+    """From the first to the last, or both at once."""
+    return first if first == last else f"{first} to {last}"
 
 
 def miss(sampled: int) -> str:
@@ -200,9 +225,11 @@ def miss(sampled: int) -> str:
 
     >>> miss(300)
     '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'
+    >>> miss(3)
+    '3 pairs a law, as examples.'
     """
-    if not sampled:
-        return ""
+    if sampled < 10:
+        return f"{sampled} pairs a law, as examples." if sampled else ""
     return (
         f"{sampled:,} pairs a law: a fault of more than one pair in {max(1, sampled // 3):,} is "
         "missed with a chance below 5%."
@@ -238,9 +265,9 @@ def write_citation(folder: Path) -> list[Path]:
 def cite(key: str) -> str:
     """A work of references.bib in one line.
 
-    >>> cite("hershberger1989finding")
-    'Hershberger 1989, Finding the upper envelope of n line segments in O(n log n) time, \
-doi:10.1016/0020-0190(89)90136-1'
+    >>> cite("oks2006minkowski")
+    'Oks and Sharir 2006, Minkowski sums of monotone and general simple polygons, \
+doi:10.1007/s00454-005-1206-y'
     """
     (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", bibtex(), re.S)
     fields = dict(re.findall(r"^  (\w+) *= \{(.*)\},?$", entry, re.M))

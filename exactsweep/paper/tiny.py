@@ -117,5 +117,6 @@ def search(pairs: Iterable[Pair], fails: Callable[[Pair], str], where: str) -> E
         if text := fails(pair):
             how = f"the first of all pairs {where}, smallest first"
             tried = f"The first {number:,} pairs {where}."
-            return Evidence(tried, against=Counterexample(text, how, *pair))
-    return Evidence(f"All {number:,} pairs {where}.")
+            against = Counterexample(text, how, *pair)
+            return Evidence(tried, against=against, searched=number)
+    return Evidence(f"All {number:,} pairs {where}.", searched=number)

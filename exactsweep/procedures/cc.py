@@ -15,12 +15,7 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.chain import inverse
 
 
-def merge_by_slope(
-    first: Sequence[Vertex],
-    second: Sequence[Vertex],
-    first_cut: tuple[bool, bool] = (False, False),
-    second_cut: tuple[bool, bool] = (False, False),
-) -> list[Vertex]:
+def merge_by_slope(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Vertex]:
     """Merge the edges of two convex chains in order of slope, from the sum of their left ends.
 
     This is the infimal convolution of the two chains as functions of x. Parallel edges add up
@@ -29,17 +24,12 @@ def merge_by_slope(
     Args:
         first: points from left to right, strictly convex, no vertical edge.
         second: the same.
-        first_cut: whether the other chain's edges that are flatter than this one's first edge are
-            left out, and those that are steeper than its last edge.
-        second_cut: the same for the second chain.
 
-    Returns the vertices from left to right; if nothing is left, one point.
+    Returns the vertices from left to right.
     Cost: O(m + n), one cross product an edge.
 
     >>> merge_by_slope([(0, 0), (1, -1), (2, 0)], [(0, 0), (2, 0)])
     [(0, 0), (1, -1), (3, -1), (4, 0)]
-    >>> merge_by_slope([(0, 0), (1, -1), (2, 0)], [(0, 0), (2, 0)], second_cut=(True, False))
-    [(1, -1), (3, -1), (4, 0)]
     """
     px, py = first[0]
     qx, qy = second[0]
@@ -48,20 +38,6 @@ def merge_by_slope(
     if i < last_i and j < last_j:
         (ax, ay), (bx, by) = first[1], second[1]
         adx, ady, bdx, bdy = ax - px, ay - py, bx - qx, by - qy
-        if second_cut[0]:
-            while i < last_i and adx * bdy > ady * bdx:
-                px, py = ax, ay
-                i += 1
-                if i < last_i:
-                    ax, ay = first[i]
-                    adx, ady = ax - px, ay - py
-        if first_cut[0] and i == 1:
-            while j < last_j and adx * bdy < ady * bdx:
-                qx, qy = bx, by
-                j += 1
-                if j < last_j:
-                    bx, by = second[j]
-                    bdx, bdy = bx - qx, by - qy
     merged: list[Vertex] = [(px + qx, py + qy)]
     while i < last_i and j < last_j:
         turn = adx * bdy - ady * bdx
@@ -78,10 +54,8 @@ def merge_by_slope(
                 bx, by = second[j]
                 bdx, bdy = bx - qx, by - qy
         merged.append((px + qx, py + qy))
-    if not first_cut[1]:
-        merged += [(px + x, py + y) for x, y in second[j:]]
-    if not second_cut[1]:
-        merged += [(x + qx, y + qy) for x, y in first[i:]]
+    merged += [(px + x, py + y) for x, y in second[j:]]
+    merged += [(x + qx, y + qy) for x, y in first[i:]]
     return merged
 
 

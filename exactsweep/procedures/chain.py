@@ -16,13 +16,14 @@ from collections.abc import Container, Sequence
 from itertools import pairwise
 from typing import TypeVar
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import negative
 from exactsweep.geometry.point import Edge, Vertex
 
 T = TypeVar("T")
 
 
-class ChainError(ValueError):
+class ChainError(ExactSweepError):
     """A sequence of points that is not an X-monotone chain."""
 
 

@@ -19,16 +19,16 @@ from functools import reduce
 from typing import cast
 
 from exactsweep.geometry.number import sums
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
 from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts, take_whole
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
+    Piece,
     cross,
     height,
-    line_of,
     point_on,
 )
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
@@ -118,25 +118,25 @@ def sweep_inner_cm(
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
     top = inverse(reversed_edges)
-    edges, sources = cast(list[Edge], trajectory.edges), trajectory.sources
+    pieces, sources = trajectory.pieces, trajectory.sources
     inner: list[Vertex] = []
     joints: set[int] = set()
     done = 0
-    for k in range(1, len(edges)):
+    for k in range(1, len(pieces)):
         if sources[k] == sources[k - 1]:
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _contact(reversed_edges, before, edges[k - 1], at, rightmost=True)
-        j, right, in_right = _contact(reversed_edges, after, edges[k], at, rightmost=False)
-        step = height(line_of(edges[k - 1]), line_of(edges[k]), at)
+        i, left, in_left = _contact(reversed_edges, before, pieces[k - 1], at, rightmost=True)
+        j, right, in_right = _contact(reversed_edges, after, pieces[k], at, rightmost=False)
+        step = height(pieces[k - 1], pieces[k], at)
         # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
         plain = step == 0 and in_left and in_right
-        higher = edges[k] if step < 0 else edges[k - 1]
+        higher = trajectory.point(k if step < 0 else k - 1, at)
         inner += before[done : i + 1]
         first = len(inner)
         inner.append(point_on((before[i], before[i + 1]), left))
-        inner += _placed(top, at, higher, left, right, touching=not plain)
+        inner += _placed(top, higher, at, left, right, touching=not plain)
         inner.append(point_on((after[j], after[j + 1]), right))
         if not plain:
             joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
@@ -146,24 +146,25 @@ def sweep_inner_cm(
 
 
 def _contact(
-    moving: Sequence[Vertex], points: Sequence[Vertex], edge: Edge, at: Break, *, rightmost: bool
+    moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break, *, rightmost: bool
 ) -> tuple[int, Break, bool]:
-    """Where G touches a convex part of D_b when it stands at a break on an edge of the trajectory.
+    """Where G touches a convex part of D_b when it stands at a break on a piece of the trajectory.
 
-    In order of slope, the edge follows all flatter edges of D_i and of reversed G_t: VE if D_i has
+    In order of slope, the piece follows all flatter edges of D_i and of reversed G_t: VE if D_i has
     an edge of its slope, EV if G_t has one, EE if both; an EE contact is a segment.
 
     Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
     Cost: O(log m + log n).
     """
-    k, h = count_flatter(points, edge), count_flatter(moving, edge)
+    dx, dy, _, start, _ = piece
+    k, h = count_flatter(points, dx, dy), count_flatter(moving, dx, dy)
     n, d = at
-    travelled = n - edge[0][0] * d
+    travelled = n - cast(Vertex, start)[0] * d
     along: Rational
     inside = False
-    if k == len(points) - 1 or cross(points[k], points[k + 1], edge) > 0:
+    if k == len(points) - 1 or cross(points[k], points[k + 1], piece) > 0:
         along = 0
-    elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], edge) > 0:
+    elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], piece) > 0:
         along = travelled
         inside = 0 < along < (points[k + 1][0] - points[k][0]) * d
     elif rightmost:
@@ -175,14 +176,14 @@ def _contact(
 
 def _placed(
     generatrix: Sequence[Vertex],
+    position: Vertex,
     at: Break,
-    edge: Edge,
     left: Break,
     right: Break,
     *,
     touching: bool,
 ) -> list[Vertex]:
-    """Vertices of G_t between two breaks, left to right, when G is at a break on an edge of T.
+    """Vertices of G_t between two breaks, left to right, when G is at a position, at a break.
 
     With those that are at the breaks, if `touching`. All three breaks have one denominator.
     Cost: O(log n + vertices returned).
@@ -195,5 +196,5 @@ def _placed(
     if first >= last:
         return []
     placed = generatrix[count - last : count - first][::-1]
-    xs, ys = (sums(p, [v[k] for v in placed]) for k, p in enumerate(point_on(edge, at)))
+    xs, ys = (sums(p, [v[k] for v in placed]) for k, p in enumerate(position))
     return list(zip(xs, ys, strict=True))

@@ -25,38 +25,24 @@ which for most pairs of real outlines is nothing.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import islice, pairwise
+from itertools import pairwise
 from math import inf
 from operator import itemgetter
 from typing import NamedTuple, cast
 
-from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.procedures.cc import merge_by_slope
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.chain import convex_parts
-from exactsweep.procedures.envelope import (
-    Break,
-    Envelope,
-    Line,
-    bound_slope,
-    cross,
-    difference,
-    line_of,
-    lower_bound,
-)
+from exactsweep.procedures.envelope import Break, Envelope, Piece, bound_slope, take_edges
 
+Box = tuple[Rational, Rational, Rational, Rational | float, Rational | float]
+"""Bounds of a convex part: (left, right, low, flattest, steepest).
 
-class Box(NamedTuple):
-    """Bounds of a convex part: of its x-range, its least y, and the slopes in which it matters.
+They are those of its x-range, its least y, and the slopes in which it matters. x and y are rounded
+outwards to ints. Slopes are ints as `bound_slope` gives them, or infinite where the other polygon
+turns about an end of the part.
+"""
 
-    x and y are rounded outwards to ints. Slopes are ints as `bound_slope` gives them, or infinite
-    where the other polygon turns about an end of the part.
-    """
-
-    left: Rational
-    right: Rational
-    low: Rational
-    flattest: Rational | float
-    steepest: Rational | float
+_height = itemgetter(1)
 
 
 class ConvexPart(NamedTuple):
@@ -68,6 +54,7 @@ class ConvexPart(NamedTuple):
         right: the same on the last edge.
         turns_left: whether the other polygon has to turn about the left end, (5).
         turns_right: the same for the right end.
+        edges: its edges as pieces.
     """
 
     points: Sequence[Vertex]
@@ -75,17 +62,18 @@ class ConvexPart(NamedTuple):
     right: Break
     turns_left: bool
     turns_right: bool
+    edges: Sequence[Piece]
 
     @property
     def box(self) -> Box:
         """Its box."""
-        points, (left, left_d), (right, right_d), turns_left, turns_right = self
-        return Box(
+        points, (left, left_d), (right, right_d), turns_left, turns_right, edges = self
+        return (
             left // left_d,
             -(-right // right_d),
-            min(points, key=itemgetter(1))[1],
-            -inf if turns_left else bound_slope(line_of((points[0], points[1]))),
-            inf if turns_right else bound_slope(line_of((points[-2], points[-1]))),
+            min(points, key=_height)[1],
+            -inf if turns_left else bound_slope(edges[0]),
+            inf if turns_right else bound_slope(edges[-1]),
         )
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
@@ -95,42 +83,53 @@ class ConvexPart(NamedTuple):
             chain: the part of G_t, not cut.
             source: the number of what is swept.
 
-        Returns an envelope, which has no edges if nothing matters. Cost: O(m_i + n_t).
+        Returns an envelope, which has no pieces if nothing matters. Cost: O(m_i + n_t).
         """
-        points, left, right, turns_left, turns_right = self
-        others, _, _, others_turn_left, others_turn_right = chain
-        merged = merge_by_slope(
-            others,
-            points,
-            (not others_turn_left, not others_turn_right),
-            (not turns_left, not turns_right),
-        )
-        piece = Envelope.of_convex(merged, source)
-        if len(merged) == 1:
-            return piece
+        points, (left, left_d), (right, right_d), _, _, own = self
+        others = chain.edges
+        i, last_i, j, last_j = _find_what_matters(self, chain)
+        (x, y), (ox, oy) = points[i], chain.points[j]
+        x, y = x + ox, y + oy
         # Whole, an end edge goes beyond the break; it may have been left out for its slope, (4).
-        if not turns_left and (
-            others_turn_left or cross(points[0], points[1], (others[0], others[1])) >= 0
-        ):
-            piece.breaks[0] = left[0] + (merged[0][0] - points[0][0]) * left[1], left[1]
-        if not turns_right and (
-            others_turn_right or cross(points[-2], points[-1], (others[-2], others[-1])) <= 0
-        ):
-            piece.breaks[-1] = right[0] + (merged[-1][0] - points[-1][0]) * right[1], right[1]
-        return piece
+        cuts_left = i == 0 < last_i and left != points[0][0] * left_d
+        cuts_right = i < last_i == len(own) and right != points[-1][0] * right_d
+        breaks: list[Break] = [(left + ox * left_d, left_d) if cuts_left else (x, 1)]
+        pieces: list[Piece] = []
+        while i < last_i and j < last_j:  # (1)
+            dx, dy, _, _, _ = own[i]
+            edx, edy, _, _, _ = others[j]
+            turn = edx * dy - edy * dx
+            if turn > 0:
+                dx, dy = edx, edy
+                j += 1
+            else:
+                i += 1
+                if turn == 0:
+                    dx, dy = dx + edx, dy + edy
+                    j += 1
+            pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
+            x, y = x + dx, y + dy
+            breaks.append((x, 1))
+        for dx, dy, _, _, _ in own[i:last_i] or others[j:last_j]:
+            pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
+            x, y = x + dx, y + dy
+            breaks.append((x, 1))
+        if cuts_right:
+            breaks[-1] = right + (x - points[-1][0]) * right_d, right_d
+        return Envelope(breaks, pieces)
 
 
 class CrossingPart(NamedTuple):
     """A convex part whose vertices are crossings: edges by their lines.
 
     Attributes:
-        lines: of the edges.
+        edges: its edges as pieces.
         breaks: edge k holds from break k to break k + 1.
         turns_left: whether the other polygon has to turn about the left end, (5).
         turns_right: the same for the right end.
     """
 
-    lines: Sequence[Line]
+    edges: Sequence[Piece]
     breaks: Sequence[Break]
     turns_left: bool
     turns_right: bool
@@ -138,14 +137,18 @@ class CrossingPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
-        lines, breaks, turns_left, turns_right = self
+        edges, breaks, turns_left, turns_right = self
         (left, left_d), (right, right_d) = breaks[0], breaks[-1]
-        return Box(
+        lows = [
+            (dy * n + c * d) // (dx * d)
+            for (dx, dy, c, _, _), (n, d) in zip((*edges, edges[-1]), breaks, strict=True)
+        ]
+        return (
             left // left_d,
             -(-right // right_d),
-            min(lower_bound(lines[0], breaks[0]), *map(lower_bound, lines, breaks[1:])),
-            -inf if turns_left else bound_slope(lines[0]),
-            inf if turns_right else bound_slope(lines[-1]),
+            min(lows),
+            -inf if turns_left else bound_slope(edges[0]),
+            inf if turns_right else bound_slope(edges[-1]),
         )
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
@@ -156,57 +159,66 @@ class CrossingPart(NamedTuple):
 
         Arguments, result and cost as for `ConvexPart.sweep`.
         """
-        own, breaks, turns_left, turns_right = self
-        points = chain.points
-        steps = list(map(line_of, pairwise(points)))
-        first, last, at, end = 0, len(own), 0, len(steps)
-        if not turns_left:  # (2)
-            dx, dy, _ = own[0]
-            while at < end and steps[at][1] * dx < steps[at][0] * dy:
-                at += 1
-        if not turns_right:  # (3)
-            dx, dy, _ = own[-1]
-            while at < end and steps[end - 1][1] * dx > steps[end - 1][0] * dy:
-                end -= 1
-        if not chain.turns_left:  # (4)
-            dx, dy, _ = steps[0]
-            while first < last and own[first][1] * dx < own[first][0] * dy:
-                first += 1
-        if not chain.turns_right:  # (4)
-            dx, dy, _ = steps[-1]
-            while first < last and own[last - 1][1] * dx > own[last - 1][0] * dy:
-                last -= 1
+        own, breaks, _, _ = self
+        points, steps = chain.points, chain.edges
+        first, last, at, end = _find_what_matters(self, chain)
         n, d = breaks[first]
-        lines: list[Line | None] = []
+        pieces: list[Piece] = []
         found: list[Break] = [(n + points[at][0] * d, d)]
         for k in range(first, last + 1):
             # About vertex k, G turns up to the slope of edge k, in the end up to its own last edge.
-            dx, dy, c = own[k] if k < len(own) else own[-1]
+            dx, dy, c, _, _ = own[k] if k < len(own) else own[-1]
             start = at
             while at < end and (k == last or steps[at][1] * dx < steps[at][0] * dy):
                 at += 1
             if at > start:
                 n, d = breaks[k]
                 x, y, w = n * dx, dy * n + c * d, dx * d
-                for (ex, ey, ec), (px, _) in zip(
+                for (ex, ey, ec, _, _), (px, _) in zip(
                     steps[start:at], points[start + 1 : at + 1], strict=True
                 ):
-                    lines.append((ex * w, ey * w, ec * w + y * ex - x * ey))
+                    pieces.append((ex * w, ey * w, ec * w + y * ex - x * ey, None, source))
                     found.append((n + px * d, d))
             if k < last:
                 px, py = points[at]
                 if at < end and steps[at][1] * dx == steps[at][0] * dy:
                     at += 1
-                lines.append((dx, dy, c + py * dx - px * dy))
+                pieces.append((dx, dy, c + py * dx - px * dy, None, source))
                 n, d = breaks[k + 1]
                 found.append((n + points[at][0] * d, d))
-        return Envelope(found, [None] * len(lines), [source] * len(lines), lines)
+        return Envelope(found, pieces)
 
 
-def count_flatter(points: Sequence[Vertex], edge: Edge) -> int:
-    """How many edges of a convex chain are flatter than an edge. Cost: O(log n)."""
-    (px, py), (qx, qy) = edge
-    dx, dy = qx - px, qy - py
+def _find_what_matters(
+    part: ConvexPart | CrossingPart, chain: ConvexPart
+) -> tuple[int, int, int, int]:
+    """Which edges of a part and of a part of reversed G_t matter.
+
+    Returns (first of the part, first that does not matter after it, the same two of the other).
+    """
+    own, others = part.edges, chain.edges
+    i, last_i, j, last_j = 0, len(own), 0, len(others)
+    if not part.turns_left:  # (2)
+        dx, dy, _, _, _ = own[0]
+        while j < last_j and others[j][1] * dx < others[j][0] * dy:
+            j += 1
+    if not part.turns_right:  # (3)
+        dx, dy, _, _, _ = own[-1]
+        while j < last_j and others[last_j - 1][1] * dx > others[last_j - 1][0] * dy:
+            last_j -= 1
+    if not chain.turns_left:  # (4)
+        dx, dy, _, _, _ = others[0]
+        while i < last_i and own[i][1] * dx < own[i][0] * dy:
+            i += 1
+    if not chain.turns_right:  # (4)
+        dx, dy, _, _, _ = others[-1]
+        while i < last_i and own[last_i - 1][1] * dx > own[last_i - 1][0] * dy:
+            last_i -= 1
+    return i, last_i, j, last_j
+
+
+def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
+    """How many edges of a convex chain are flatter than the slope dy / dx. Cost: O(log n)."""
     low, high = 0, len(points) - 1
     while low < high:
         middle = (low + high) // 2
@@ -219,8 +231,8 @@ def count_flatter(points: Sequence[Vertex], edge: Edge) -> int:
 
 
 def take_whole(chain: Sequence[Vertex]) -> ConvexPart:
-    """A strictly convex chain as the only part. Cost: O(1)."""
-    return ConvexPart(chain, (chain[0][0], 1), (chain[-1][0], 1), True, True)
+    """A strictly convex chain as the only part. Cost: O(n)."""
+    return ConvexPart(chain, (chain[0][0], 1), (chain[-1][0], 1), True, True, take_edges(chain))
 
 
 def split_chain(chain: Sequence[Vertex]) -> list[ConvexPart]:
@@ -228,27 +240,30 @@ def split_chain(chain: Sequence[Vertex]) -> list[ConvexPart]:
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
-    chains = convex_parts(chain)
+    parts = convex_parts(chain)
     # Not zero at a wall, of which the lower end has to be turned about.
-    rises = [after[0][1] - before[-1][1] for before, after in pairwise(chains)]
+    rises = [after[0][1] - before[-1][1] for before, after in pairwise(parts)]
     return [
-        ConvexPart(part, (part[0][0], 1), (part[-1][0], 1), before < 0, after > 0)
-        for part, before, after in zip(chains, [-1, *rises], [*rises, 1], strict=True)
+        ConvexPart(part, (part[0][0], 1), (part[-1][0], 1), before < 0, after > 0, take_edges(part))
+        for part, before, after in zip(parts, [-1, *rises], [*rises, 1], strict=True)
     ]
 
 
 def split_envelope(envelope: Envelope) -> Iterator[CrossingPart]:
     """Step 1: the convex parts of an envelope without gaps, from left to right. Cost: O(m)."""
-    breaks, lines = envelope.breaks, cast(list[Line], envelope.lines())
-    start, turns_left = 0, True
-    for k in range(1, len(lines)):
+    breaks, pieces = envelope.breaks, envelope.pieces
+    first, turns_left = 0, True
+    adx, ady, ac, _, _ = pieces[0]
+    for k in range(1, len(pieces)):
+        bdx, bdy, bc, _, _ = pieces[k]
         n, d = breaks[k]
-        u, v = difference(lines[k - 1], lines[k])
-        above = u * n + v * d
+        u = ady * bdx - bdy * adx
+        above = u * n + (ac * bdx - bc * adx) * d
         if above != 0 or u >= 0:
-            yield CrossingPart(lines[start:k], breaks[start : k + 1], turns_left, above < 0)
-            start, turns_left = k, above > 0
-    yield CrossingPart(lines[start:], breaks[start:], turns_left, True)
+            yield CrossingPart(pieces[first:k], breaks[first : k + 1], turns_left, above < 0)
+            first, turns_left = k, above > 0
+        adx, ady, ac = bdx, bdy, bc
+    yield CrossingPart(pieces[first:], breaks[first:], turns_left, True)
 
 
 def split_parts(directrix: Sequence[Vertex] | Envelope) -> list[ConvexPart]:
@@ -269,9 +284,10 @@ def split_parts(directrix: Sequence[Vertex] | Envelope) -> list[ConvexPart]:
     """
     if not isinstance(directrix, Envelope):
         return split_chain(directrix)
-    edges, parts = iter(cast(list[Edge], directrix.edges)), []
-    for _, breaks, turns_left, turns_right in split_envelope(directrix):
-        whole = list(islice(edges, len(breaks) - 1))
-        points = [whole[0][0], *[q for _, q in whole]]
-        parts.append(ConvexPart(points, breaks[0], breaks[-1], turns_left, turns_right))
+    parts = []
+    for edges, breaks, turns_left, turns_right in split_envelope(directrix):
+        points = [cast(Vertex, start) for _, _, _, start, _ in edges]
+        (x, y), (dx, dy, _, _, _) = points[-1], edges[-1]
+        points.append((x + dx, y + dy))
+        parts.append(ConvexPart(points, breaks[0], breaks[-1], turns_left, turns_right, edges))
     return parts

@@ -1,14 +1,14 @@
 """Lower envelopes of chains: the edges they are made of, and the breaks between which each holds.
 
-An envelope is kept as the edges it is made of, each whole, with the breaks between which each one
-is the lowest. An edge that a crossing cuts short keeps the end points it was given with: on
-integer input all edges stay integer, a crossing is only a break n/d, and no Fraction is made
-before somebody reads the vertices. Of an edge whose ends are not on the lattice only the line is
-kept, which is integer all the same. Where there is no chain the envelope has a gap, which counts
-as infinitely high.
+An envelope is kept as pieces of edges, each edge by its whole line, with the breaks between which
+it is the lowest. An edge that a crossing cuts short keeps the vertex at which it began: on integer
+input all lines stay integer, a crossing is only a break n/d, and no Fraction is made before
+somebody reads the vertices. Of an edge whose ends are not on the lattice only the line is known,
+which is integer all the same. Where there is no chain the envelope has a gap, which counts as
+infinitely high.
 
-Edges and lines between breaks are compared by integer arithmetic: which of two lines is lower at
-x = n / d is the sign of u * n + v * d, with u and v from the lines alone, without a division.
+Pieces are compared between breaks by integer arithmetic: which of two lines is lower at x = n / d
+is the sign of u * n + v * d, with u and v from the lines alone, without a division.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import cast
 
 from exactsweep.geometry.number import quotient
 from exactsweep.geometry.point import Edge, Rational, Vertex
@@ -29,43 +28,37 @@ Break = tuple[Rational, Rational]
 Span = tuple[Break, Break]
 """An x-range between two breaks."""
 
-Line = tuple[Rational, Rational, Rational]
-"""(dx, dy, c) with dx > 0: y = (dy * x + c) / dx."""
+Piece = tuple[Rational, Rational, Rational, Vertex | None, int]
+"""(dx, dy, c, start, source): a piece of the line y = (dy * x + c) / dx with dx > 0.
 
-NO_CHAIN = -1
-"""The source of a gap."""
+It is of the edge from `start` to start + (dx, dy), or of one whose ends are not on the lattice if
+`start` is None; and that edge is of the chain number `source`.
+"""
+
+GAP: Piece = (0, 0, 1, None, -1)
+"""Where there is no chain: the line at infinity, above all others, of chain -1."""
 
 _SLOPE_UNITS = 2**32
 
 
 class Envelope:
-    """The lower envelope of chains: edge k is the lowest from break k to break k + 1.
+    """The lower envelope of chains: piece k is the lowest from break k to break k + 1.
 
     Iterating gives the vertices from left to right, vertical edges included, no three collinear.
 
     Attributes:
-        breaks: one more than there are edges, ascending.
-        edges: each whole; None for one that is not on the lattice, and for a gap.
-        sources: of each edge the number of the chain that it comes from, NO_CHAIN for a gap.
+        breaks: one more than there are pieces, ascending.
+        pieces: from left to right, `GAP` where there is no chain.
 
     >>> list(Envelope.of([(0, 0), (1, -1), (2, 0)]))
     [(0, 0), (1, -1), (2, 0)]
     """
 
-    __slots__ = ("_lines", "breaks", "edges", "sources")
+    __slots__ = ("breaks", "pieces")
 
-    def __init__(
-        self,
-        breaks: list[Break],
-        edges: list[Edge | None],
-        sources: list[int],
-        lines: list[Line | None] | None = None,
-    ) -> None:
+    def __init__(self, breaks: list[Break], pieces: list[Piece]) -> None:
         self.breaks = breaks
-        self.edges = edges
-        self.sources = sources
-        # Made when they are first asked for; until then all edges are on the lattice.
-        self._lines = lines
+        self.pieces = pieces
 
     @classmethod
     def of(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
@@ -73,51 +66,38 @@ class Envelope:
 
         Raises ChainError when it is not X-monotone. Cost: O(n).
         """
-        breaks: list[Break] = [(chain[0][0], 1)] if chain else []
-        edges: list[Edge | None] = []
-        for part in convex_parts(chain):
-            breaks += [(x, 1) for x, _ in part[1:]]
-            edges += pairwise(part)
-        return cls(breaks, edges, [source] * len(edges))
+        first, *rest = (cls.of_convex(part, source) for part in convex_parts(chain))
+        for part in rest:
+            first.breaks += part.breaks[1:]
+            first.pieces += part.pieces
+        return first
 
     @classmethod
     def of_convex(cls, chain: Sequence[Vertex], source: int = 0) -> Envelope:
         """Wrap a strictly convex chain. Cost: O(n)."""
-        edges: list[Edge | None] = list(pairwise(chain))
-        return cls([(x, 1) for x, _ in chain], edges, [source] * len(edges))
+        return cls([(x, 1) for x, _ in chain], take_edges(chain, source))
 
-    def lines(self) -> list[Line | None]:
-        """The lines of the edges, kept from one merge to the next; None for a gap."""
-        if self._lines is None:
-            self._lines = list(map(line_of, cast(list[Edge], self.edges)))
-        return self._lines
-
-    def line(self, k: int) -> Line:
-        """The line of edge k. Raises ChainError where there is a gap. Cost: O(1)."""
-        if self._lines is None:
-            (px, py), (qx, qy) = cast(Edge, self.edges[k])
-            dx, dy = qx - px, qy - py
-            return dx, dy, py * dx - px * dy
-        line = self._lines[k]
-        if line is None:
-            raise ChainError("the envelope has a gap: its chains do not overlap in x")
-        return line
+    @property
+    def sources(self) -> list[int]:
+        """Of each piece the number of the chain that it comes from."""
+        return [piece[4] for piece in self.pieces]
 
     def point(self, k: int, at: Break) -> Vertex:
-        """The point of edge k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
-        edge = self.edges[k]
-        return point_on_line(self.line(k), at) if edge is None else point_on(edge, at)
-
-    def follows(self, other: Envelope) -> bool:
-        """Whether it starts over another one, and ends where that ends or right of it."""
-        return not (
-            precedes(self.breaks[0], other.breaks[0])
-            or precedes(other.breaks[-1], self.breaks[0])
-            or precedes(self.breaks[-1], other.breaks[-1])
-        )
+        """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
+        dx, dy, c, start, _ = self.pieces[k]
+        n, d = at
+        if start is not None and n == start[0] * d:
+            return start
+        if not dx:
+            raise ChainError("the envelope has a gap: its chains do not overlap in x")
+        if d == 1:
+            y = (dy * n + c) // dx
+            if y * dx == dy * n + c:
+                return n, y
+        return quotient(n, d), quotient(dy * n + c * d, dx * d)
 
     def edge_before(self, at: Break, first: int = 0) -> int:
-        """The number of the edge, from the first, that holds just left of a break.
+        """The number of the piece, from the first, that holds just left of a break.
 
         Cost: O(log n).
         """
@@ -125,158 +105,108 @@ class Envelope:
         return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d >= n * b[1]) - 1
 
     def edge_after(self, at: Break) -> int:
-        """The number of the edge that holds just right of a break. Cost: O(log n)."""
+        """The number of the piece that holds just right of a break. Cost: O(log n)."""
         n, d = at
         return bisect_left(self.breaks, True, key=lambda b: b[0] * d > n * b[1]) - 1
 
     def take(self, chain: Envelope, first: int, last: int, end: Break) -> None:
-        """Append edges first to last of a chain, cut at the break `end`.
+        """Append pieces first to last of a chain, cut at the break `end`.
 
-        The break lies on the last edge or where it starts. Cost: O(edges appended).
+        The break lies on the last piece or where it starts. Cost: O(pieces appended).
         """
-        if last == len(chain.edges) or not precedes(chain.breaks[last], end):
+        if last == len(chain.pieces) or not precedes(chain.breaks[last], end):
             last -= 1
         if last >= first:
-            self.lines().extend(chain.lines()[first : last + 1])
-            self.edges += chain.edges[first : last + 1]
-            self.sources += chain.sources[first : last + 1]
+            self.pieces += chain.pieces[first : last + 1]
             self.breaks += chain.breaks[first + 1 : last + 1]
             self.breaks.append(end)
 
     def take_all(self, chain: Envelope) -> None:
         """Append a chain that starts where this one ends, or right of that. Cost: O(its size)."""
         self.take_gap(chain.breaks[0])
-        self.take(chain, 0, len(chain.edges), chain.breaks[-1])
+        self.pieces += chain.pieces
+        self.breaks += chain.breaks[1:]
 
     def take_gap(self, end: Break) -> None:
         """Append a gap up to a break, if that is right of the end."""
         if precedes(self.breaks[-1], end):
-            self.lines().append(None)
-            self.edges.append(None)
-            self.sources.append(NO_CHAIN)
+            self.pieces.append(GAP)
             self.breaks.append(end)
 
     def replace_end(self, kept: int, at: Break, chain: Envelope, first: int) -> None:
-        """Keep some edges, up to a break; from there on it is a chain from its edge `first` on.
+        """Keep some pieces, up to a break; from there on it is a chain from its piece `first` on.
 
-        Cost: O(edges left out and appended).
+        Cost: O(pieces left out and appended).
         """
-        if self._lines is not None or chain._lines is not None:
-            self.lines()[kept:] = chain.lines()[first:]
-        self.edges[kept:] = chain.edges[first:]
-        self.sources[kept:] = chain.sources[first:]
+        self.pieces[kept:] = chain.pieces[first:]
         self.breaks[kept:] = chain.breaks[first:]
         self.breaks[kept] = at
-
-    def pad(self, start: Break, end: Break) -> Envelope:
-        """The same over a wider x-range, with gaps at the ends. Cost: O(n)."""
-        padded = Envelope([min(start, self.breaks[0], key=value)], [], [])
-        padded.take_all(self)
-        padded.take_gap(end)
-        return padded
 
     def restrict(self, start: Rational, end: Rational) -> Envelope:
         """Cut to the x-range from start to end, which must overlap it. Cost: O(n)."""
         first = max(self.edge_after((start, 1)), 0)
-        last = min(self.edge_before((end, 1)), len(self.edges) - 1)
-        cut = Envelope([(start, 1)], [], [])
+        last = min(self.edge_before((end, 1)), len(self.pieces) - 1)
+        cut = Envelope([(start, 1)], [])
         cut.take(self, first, last, (end, 1))
         return cut
 
     def __iter__(self) -> Iterator[Vertex]:
-        edges = self.edges
-        yield self.point(0, self.breaks[0])
-        for k, (before, after) in enumerate(pairwise(edges), 1):
-            if before is not None and after is not None and before[1] == after[0]:
-                (px, py), q, (rx, ry) = before[0], after[0], after[1]
-                if (q[0] - px) * (ry - q[1]) != (q[1] - py) * (rx - q[0]):
-                    yield q
-                continue
-            at = self.breaks[k]
-            u, v = difference(self.line(k - 1), self.line(k))
-            step = u * at[0] + v * at[1] != 0
-            if step or u != 0:
-                yield self.point(k - 1, at)
+        breaks, pieces = self.breaks, self.pieces
+        found = [self.point(0, breaks[0])]
+        adx, ady, ac, _, _ = pieces[0]
+        for k in range(1, len(pieces)):
+            bdx, bdy, bc, _, _ = pieces[k]
+            n, d = at = breaks[k]
+            u = ady * bdx - bdy * adx
+            step = u * n + (ac * bdx - bc * adx) * d
             if step:
-                yield self.point(k, at)
-        yield self.point(len(edges) - 1, self.breaks[-1])
+                found.append(self.point(k - 1, at))
+            if step or u:
+                found.append(self.point(k, at))
+            adx, ady, ac = bdx, bdy, bc
+        found.append(self.point(len(pieces) - 1, breaks[-1]))
+        return iter(found)
 
     def __str__(self) -> str:
         return " ".join(f"({x}, {y})" for x, y in self)
 
 
-def line_of(edge: Edge) -> Line:
-    """The line through an edge. Cost: O(1)."""
-    (px, py), (qx, qy) = edge
-    dx, dy = qx - px, qy - py
-    return dx, dy, py * dx - px * dy
+def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
+    """The edges of a chain without vertical edges, as pieces. Cost: O(n)."""
+    return [
+        (dx := qx - px, dy := qy - py, py * dx - px * dy, start, source)
+        for start, (qx, qy) in pairwise(chain)
+        for px, py in [start]
+    ]
 
 
 def point_on(edge: Edge, at: Break) -> Vertex:
     """The point of an edge at a break. Cost: O(1)."""
-    n, d = at
-    p, q = edge
-    if n == p[0] * d:
-        return p
-    if n == q[0] * d:
-        return q
-    return point_on_line(line_of(edge), at)
+    return Envelope.of_convex(edge).point(0, at)
 
 
-def point_on_line(line: Line, at: Break) -> Vertex:
-    """The point of a line at a break. Cost: O(1)."""
-    n, d = at
-    dx, dy, c = line
-    return quotient(n, d), quotient(dy * n + c * d, dx * d)
+def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
+    """Positive when start to end is steeper than a piece, zero when parallel. Cost: O(1)."""
+    return piece[0] * (end[1] - start[1]) - piece[1] * (end[0] - start[0])
 
 
-def cross(start: Vertex, end: Vertex, edge: Edge) -> Rational:
-    """Positive when start to end is steeper than the edge, zero when parallel. Cost: O(1)."""
-    (px, py), (qx, qy) = edge
-    return (qx - px) * (end[1] - start[1]) - (qy - py) * (end[0] - start[0])
-
-
-def bound_slope(line: Line) -> Rational:
+def bound_slope(piece: Piece) -> Rational:
     """The slope of a line in units of 2**-32, rounded down to an int.
 
     One that is greater than another's is the slope of a steeper line.
     """
-    dx, dy, _ = line
-    return dy * _SLOPE_UNITS // dx
+    return piece[1] * _SLOPE_UNITS // piece[0]
 
 
-def difference(first: Line, second: Line) -> tuple[Rational, Rational]:
-    """Return (u, v) such that at x = n/d the first line minus the second has the sign of u*n + v*d.
-
-    The lines cross at x = -v/u. Cost: O(1), four products.
-    """
-    adx, ady, ac = first
-    bdx, bdy, bc = second
-    return ady * bdx - bdy * adx, ac * bdx - bc * adx
-
-
-def height(first: Line, second: Line, at: Break) -> Rational:
-    """Positive when the first line is above the second at a break."""
-    u, v = difference(first, second)
-    return u * at[0] + v * at[1]
-
-
-def lower_bound(line: Line, at: Break) -> Rational:
-    """The y of a line at a break, rounded down to an int."""
-    dx, dy, c = line
-    n, d = at
-    return (dy * n + c * d) // (dx * d)
-
-
-def upper_bound(line: Line, at: Break) -> Rational:
-    """The y of a line at a break, rounded up to an int."""
-    dx, dy, c = line
-    n, d = at
-    return -(-(dy * n + c * d) // (dx * d))
+def height(first: Piece, second: Piece, at: Break) -> Rational:
+    """Positive when the line of the first piece is above that of the second one at a break."""
+    adx, ady, ac, _, _ = first
+    bdx, bdy, bc, _, _ = second
+    return (ady * bdx - bdy * adx) * at[0] + (ac * bdx - bc * adx) * at[1]
 
 
 def crossing(u: Rational, v: Rational) -> Break:
-    """Where two lines cross whose `difference` is (u, v), u not zero."""
+    """Where lines cross whose difference has the sign of u * n + v * d at n / d, u not zero."""
     return (-v, u) if u > 0 else (v, -u)
 
 
@@ -288,8 +218,3 @@ def value(at: Break) -> Fraction:
 def precedes(first: Break, second: Break) -> bool:
     """Whether a break lies left of another."""
     return first[0] * second[1] < second[0] * first[1]
-
-
-def shares_vertex(before: Edge | None, after: Edge | None) -> bool:
-    """Whether both are on the lattice and one ends where the other one starts."""
-    return before is not None and after is not None and before[1] == after[0]

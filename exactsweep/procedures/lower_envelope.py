@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.geometry.point import Rational
 from exactsweep.procedures.chain import ChainError
 from exactsweep.procedures.envelope import (
     Break,
@@ -22,7 +21,6 @@ from exactsweep.procedures.envelope import (
     crossing,
     height,
     precedes,
-    shares_vertex,
 )
 
 
@@ -56,17 +54,17 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
     start, end = piece.breaks[0], partial.breaks[-1]
     if precedes(start, partial.breaks[0]) or precedes(end, start):
         raise ChainError("the piece does not start over the partial trajectory")
-    i, j = len(partial.edges) - 1, 0
+    i, j = len(partial.pieces) - 1, 0
     if precedes(piece.breaks[-1], end):
         end = piece.breaks[-1]
-        i, j = partial.edge_before(end), len(piece.edges) - 1
-        if height(partial.line(i), piece.line(j), end) <= 0:
+        i, j = partial.edge_before(end), len(piece.pieces) - 1
+        if height(partial.pieces[i], piece.pieces[j], end) <= 0:
             return partial
         partial.replace_end(*_find_takeover(partial, i, piece, j))
         return partial
     if precedes(start, end):
         j = piece.edge_before(end)
-        if height(partial.line(i), piece.line(j), end) > 0:
+        if height(partial.pieces[i], piece.pieces[j], end) > 0:
             partial.replace_end(*_find_takeover(partial, i, piece, j))
             return partial
         if not precedes(end, piece.breaks[j + 1]):
@@ -104,14 +102,15 @@ def _find_takeover(
     Returns what `Envelope.replace_end` takes: the number of edges of the partial trajectory that
     are kept, the break, the piece, and its edge there.
     """
-    breaks, piece_breaks, edges = partial.breaks, piece.breaks, partial.edges
-    adx, ady, ac = partial.line(i)
-    bdx, bdy, bc = piece.line(j)
+    breaks, piece_breaks = partial.breaks, piece.breaks
+    edges, piece_edges = partial.pieces, piece.pieces
+    adx, ady, ac, _, _ = edges[i]
+    bdx, bdy, bc, _, _ = piece_edges[j]
+    u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
     while True:
         mine, others = breaks[i], piece_breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
         n, d = at = others if order > 0 else mine
-        u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
         above = u * n + v * d
         if above < 0:  # (2)
             return i + 1, crossing(u, v), piece, j
@@ -122,17 +121,16 @@ def _find_takeover(
             if above == 0 or i == 0:  # (3), (5)
                 return i, at, piece, j
             i -= 1  # (6)
-            adx, ady, ac = partial.line(i)
-            if (
-                not shares_vertex(edges[i], edges[i + 1])
-                and (ady * bdx - bdy * adx) * n + (ac * bdx - bc * adx) * d <= 0
-            ):
+            adx, ady, ac, _, _ = edges[i]
+            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+            if u * n + v * d <= 0:
                 return i + 1, at, piece, j
         if order >= 0:  # (7)
             if j == 0:
                 return i + 1, at, piece, j
             j -= 1
-            bdx, bdy, bc = piece.line(j)
+            bdx, bdy, bc, _, _ = piece_edges[j]
+            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
 
 
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
@@ -173,8 +171,8 @@ def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
 #          at the crossing, which lies between x_k and x_{k+1}.
 #     (5)  s <= 0 and e <= 0: own is the lower one or they are equal; no change. On one line, s = e
 #          = 0, the envelope stays on the chain that it is on.
-#     (6)  Over a gap of one chain, f has the sign of infinity: change at x_k if own is the gap, and
-#          not before the gap ends; all edges of the other one up to there are passed over at once.
+#     (6)  A gap is the line at infinity: over a gap of one chain s and e have its sign, and nothing
+#          crosses; over gaps of both, s = e = 0.
 #
 # Where one chain ends the other one goes on alone, in its edge at that place.
 
@@ -187,7 +185,7 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
     a_breaks, b_breaks = first.breaks, second.breaks
     on_first = not precedes(b_breaks[0], a_breaks[0])
     left, right = (first, second) if on_first else (second, first)
-    merged = Envelope([left.breaks[0]], [], [])
+    merged = Envelope([left.breaks[0]], [])
     n, d = right.breaks[0]
     if not precedes((n, d), left.breaks[-1]):
         merged.take_all(left)
@@ -195,29 +193,17 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
         return merged
     start = left.edge_after((n, d))
     i, j = (start, 0) if on_first else (0, start)
-    a_lines, b_lines = first.lines(), second.lines()
-    size_a, size_b = len(a_lines), len(b_lines)
+    a_pieces, b_pieces = first.pieces, second.pieces
+    size_a, size_b = len(a_pieces), len(b_pieces)
+    adx, ady, ac, _, _ = a_pieces[i]
+    bdx, bdy, bc, _, _ = b_pieces[j]
     changes: list[tuple[Break, int, int]] = []
-    while i < size_a and j < size_b:
-        a, b = a_lines[i], b_lines[j]
-        begin = n, d
-        u: Rational = 0
-        v: Rational = 0
-        if a is None or b is None:  # (6)
-            if on_first != (a is not None):
-                changes.append((begin, i, j))
-                on_first = not on_first
-            if a is None:
-                j = min(second.edge_before(a_breaks[i + 1], j), size_b - 1)
-            else:
-                i = min(first.edge_before(b_breaks[j + 1], i), size_a - 1)
-        else:
-            adx, ady, ac = a
-            bdx, bdy, bc = b
-            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+    while True:
+        u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
         end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
         order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
         at_start = u * n + v * d
+        begin = n, d
         n, d = end_a if order <= 0 else end_b
         at_end = u * n + v * d
         if not on_first:
@@ -231,8 +217,15 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
             on_first = not on_first
         if order <= 0:
             i += 1
+            if i == size_a:
+                j += order == 0
+                break
+            adx, ady, ac, _, _ = a_pieces[i]
         if order >= 0:
             j += 1
+            if j == size_b:
+                break
+            bdx, bdy, bc, _, _ = b_pieces[j]
     # What has ended cannot be own any more.
     if on_first == (i == size_a):
         changes.append(((n, d), i, j))
@@ -241,5 +234,5 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
         last, following = (i, j) if own is first else (j, i)
         merged.take(own, since, last, at)
         own, other, since = other, own, following
-    merged.take(own, since, len(own.edges), own.breaks[-1])
+    merged.take(own, since, len(own.pieces), own.breaks[-1])
     return merged

@@ -22,7 +22,7 @@ from collections.abc import Iterable, Sequence
 from itertools import chain, pairwise, repeat
 from typing import cast
 
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.chain import complement, corners, inverse
 from exactsweep.procedures.convex_part import (
     ConvexPart,
@@ -33,7 +33,6 @@ from exactsweep.procedures.convex_part import (
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
-    Line,
     Span,
     precedes,
     value,
@@ -43,12 +42,9 @@ from exactsweep.procedures.part_pairs import sweep_pairs
 
 def take_inside(trajectory: Envelope) -> Envelope:
     """The inverse of the complement of a lower trajectory, its edges as lines. Cost: O(t)."""
-    size = len(trajectory.edges)
     return Envelope(
         [(-n, d) for n, d in reversed(trajectory.breaks)],
-        [None] * size,
-        trajectory.sources[::-1],
-        [(dx, dy, -c) for dx, dy, c in reversed(cast(list[Line], trajectory.lines()))],
+        [(dx, dy, -c, None, source) for dx, dy, c, _, source in reversed(trajectory.pieces)],
     )
 
 
@@ -74,17 +70,14 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     """
     touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
     last, v, turn = -1, 0, cast(Rational, 0)
-    for k, piece in enumerate(trajectory.edges):
-        p, q = edge = cast(Edge, piece)
-        dx, dy = q[0] - p[0], q[1] - p[1]
-        source = trajectory.sources[k]
+    for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
         points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
         if source != last:
-            last, v = source, count_flatter(points, edge)
+            last, v = source, count_flatter(points, dx, dy)
         # Edges from one source become steeper.
         while v < len(spans):
-            (start, y), (end, z) = points[v], points[v + 1]
-            turn = (z - y) * dx - (end - start) * dy
+            (left, y), (right, z) = points[v], points[v + 1]
+            turn = (z - y) * dx - (right - left) * dy
             if turn >= 0:
                 break
             v += 1
@@ -93,12 +86,13 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
             spans[min(v, len(spans) - 1)].append((at, at))
             continue
         # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
-        (n, d), g_right = trajectory.breaks[k], q[0] - end
-        (m, e), g_left = trajectory.breaks[k + 1], p[0] - start
+        x, _ = cast(Vertex, start)
+        (n, d), g_right = trajectory.breaks[k], x + dx - right
+        (m, e), g_left = trajectory.breaks[k + 1], x - left
         spans[v].append(
             (
-                (start, 1) if n <= (start + g_right) * d else (n - g_right * d, d),
-                (end, 1) if m >= (end + g_left) * e else (m - g_left * e, e),
+                (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
+                (right, 1) if m >= (right + g_left) * e else (m - g_left * e, e),
             )
         )
     found: list[Span] = []
@@ -106,17 +100,17 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     for of_edge in chain.from_iterable(touched):
         if any(precedes(after[0], before[0]) for before, after in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
-        for left, right in of_edge:
-            if precedes(reach, left):
-                found.append((reach, left))
-            if precedes(reach, right):
-                reach = right
+        for begin, end in of_edge:
+            if precedes(reach, begin):
+                found.append((reach, begin))
+            if precedes(reach, end):
+                reach = end
     return found
 
 
 def open_gaps(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
     """An envelope without what it has over gaps, given from left to right. Cost: O(n log n)."""
-    left_over = Envelope([envelope.breaks[0]], [], [])
+    left_over = Envelope([envelope.breaks[0]], [])
     end = envelope.breaks[-1]
     for left, right in [*gaps, (end, end)]:
         since = left_over.breaks[-1]
@@ -147,7 +141,7 @@ def inner_mm(
     slots = list(split_envelope(inside))
     # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
     guess: list[set[int]] = [set() for _ in chains]
-    owners = chain.from_iterable(repeat(k, len(slot.lines)) for k, slot in enumerate(slots))
+    owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
     for source, k in zip(inside.sources, owners, strict=True):
         guess[source // len(parts)].add(k)
     floor = Envelope.of(inverse(complement(directrix)))

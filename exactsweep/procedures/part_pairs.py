@@ -11,13 +11,14 @@ rounded downwards, which keeps their order but for ties, and ties count as in co
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
 from exactsweep.geometry.point import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
-from exactsweep.procedures.envelope import Break, Envelope, Span, upper_bound
+from exactsweep.procedures.envelope import Break, Envelope, Span
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 STRIPS_PER_EDGE = 2
@@ -39,7 +40,7 @@ class Boxes(NamedTuple):
     def of(cls, parts: Iterable[ConvexPart | CrossingPart]) -> Boxes:
         """Collect the boxes of parts, from left to right."""
         boxes = [part.box for part in parts]
-        return cls(boxes, [box.left for box in boxes], [box.right for box in boxes])
+        return cls(boxes, [box[0] for box in boxes], [box[1] for box in boxes])
 
     def find_facing(self, part: Box) -> list[int]:
         """The numbers of the boxes that may have slopes in common with a part. Cost: O(m)."""
@@ -56,6 +57,7 @@ class Ceiling:
 
     Args:
         envelope: what is known of the envelope to be found.
+        span: bounds of all sums.
         chains: how many convex chains of G_t and D_b there are. There
             are no more strips than in proportion, so that a pair crosses O(1) of them on average
             however large the envelope is.
@@ -65,26 +67,30 @@ class Ceiling:
     Cost: O(size of the envelope).
     """
 
-    def __init__(self, envelope: Envelope, chains: int, gaps: Sequence[Span] | None = None) -> None:
-        self.start: Rational
-        breaks, lines = envelope.breaks, envelope.lines()
-        (start, start_d), (end, end_d) = breaks[0], breaks[-1]
-        self.start = start // start_d
-        width = end // end_d + 1 - self.start
-        count = min(STRIPS_PER_EDGE * len(lines), STRIPS_PER_CHAIN * chains, int(width))
+    def __init__(
+        self, envelope: Envelope, span: Box, chains: int, gaps: Sequence[Span] | None = None
+    ) -> None:
+        breaks, pieces = envelope.breaks, envelope.pieces
+        self.start, end, _, _, _ = span
+        width = end - self.start + 1
+        count = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
         self.width = -(-width // count)
         # One strip more: the end of the x-range may lie on its border.
         tops: list[Rational | float] = [-inf] * (count + 1)
         strips = [self._strip(at) for at in breaks]
-        for k, line in enumerate(lines):
-            left, right = breaks[k], breaks[k + 1]
-            top = inf if line is None else max(upper_bound(line, left), upper_bound(line, right))
+        tops[: strips[0] + 1] = [inf] * (strips[0] + 1)
+        tops[strips[-1] :] = [inf] * (count + 1 - strips[-1])
+        for k, (dx, dy, c, _, _) in enumerate(pieces):
+            top: Rational | float = inf
+            if dx:
+                (n, d), (m, e) = breaks[k], breaks[k + 1]
+                top = -min(-(dy * n + c * d) // (dx * d), -(dy * m + c * e) // (dx * e))
             for strip in range(strips[k], strips[k + 1] + 1):
                 if top > tops[strip]:
                     tops[strip] = top
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
-        for left, right in [(breaks[0], breaks[-1])] if gaps is None else gaps:
+        for left, right in [((self.start, 1), (end, 1))] if gaps is None else gaps:
             first, last = self._strip(left), self._strip(right)
             if self.windows and first <= self.windows[-1][1]:
                 first = self.windows.pop()[0]
@@ -108,7 +114,8 @@ class Ceiling:
 
         Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
         """
-        left, right, low = part.left - self.start, part.right - self.start, part.low
+        left, right, low, _, _ = part
+        left, right = left - self.start, right - self.start
         width, tops = self.width, self.tops
         reached: list[int] = []
         done = 0
@@ -126,25 +133,27 @@ class Ceiling:
 
 
 # How the sub-trajectories of a batch become few envelopes. Let c be a part of G_t, p_1, p_2, ...
-# the parts of D_b from left to right, s_j the whole sub-trajectory of c along p_j, and s'_j what
-# matters of it, s_j cut at its ends (see `convex_part`). E is the envelope of all pairs.
+# the parts of D_b from left to right; or, since a sum does not know which of its chains moves, c a
+# part of D_b and p_1, p_2, ... those of reversed G_t, if these are more. Let s_j be the whole
+# sub-trajectory of c and p_j, and s'_j what matters of it, s_j cut at its ends (see `convex_part`).
+# E is the envelope of all pairs.
 #
 #     (1)  For j < k, wherever p_j and p_k lie, s_j - s_k never decreases along x: they cross once
 #          at most, and on the right it is s_k that is lower (Lemma A.3; `cm` has the reason).
 #     (2)  At each x some s'_j is on E; and s_j >= E everywhere.
 #
-# A run R joins s'_j for ascending j by LowerEnvelope_CM, as long as s'_k starts over R and does not
-# end before it; else a new run begins. It keeps
+# A run R joins s'_j for ascending j: by LowerEnvelope_CM, where s'_k starts over R and does not end
+# before it, with a gap between, where it starts right of R; else a new run begins. It keeps
 #
 #     (3)  where s'_j, of those that R has taken in, is on E, so is R.
 #
 # For (3) let s'_k be taken in, over x >= w from then on.
 #
 #     (4)  Right of w, R is lost: there it is not below s'_k, so that s'_k is on E where R was.
-#     (5)  Left of w, s'_k is left out: just left of w, R is on some s'_j, and s_j <= s_k; further
-#          left as well, by (1). If s'_k is on E at some x there, so is s_j, by (2). Either s'_j is
-#          there too, and R is on E by (3); or s_j is cut off there, where it is above E but for
-#          single points.
+#     (5)  Something of s'_k is left out, left of w, only if some s'_j in R is not above it at w:
+#          s_j <= s_k there, and further left as well, by (1). If s'_k is on E at some x there, so
+#          is s_j, by (2). Either s'_j is there too, and R is on E by (3); or s_j is cut off there,
+#          where it is above E but for single points.
 #
 # So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
 # what it has taken in.
@@ -177,40 +186,53 @@ def sweep_pairs(
 
     Cost: O(m n log k) for k runs, one for each part of G_t at best, and at most one for each pair.
     """
-    boxes = Boxes.of(parts)
-    chain_boxes = [chain.box for chain in chains]
-    order = sorted(range(len(chains)), key=lambda i: chain_boxes[i].low)
+    exchanged = len(parts) < len(chains)
+    rows, columns = (parts, chains) if exchanged else (chains, parts)
+    row_boxes, boxes = [row.box for row in rows], Boxes.of(columns)
+    order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
+    size, pairs = len(rows) + len(columns), 0
 
-    start: Break = (min(box.left for box in chain_boxes) + boxes.lefts[0], 1)
-    end: Break = (max(box.right for box in chain_boxes) + boxes.rights[-1], 1)
+    span: Box = (
+        row_boxes[0][0] + boxes.lefts[0],
+        row_boxes[-1][1] + boxes.rights[-1],
+        0,
+        -inf,
+        inf,
+    )
 
     def sweep_batch(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
         runs: list[Envelope] = []
         ceiling = None
         if envelope is not None:
             runs.append(envelope)
-            ceiling = Ceiling(envelope.pad(start, end), len(chains) + len(parts), gaps)
+            ceiling = Ceiling(envelope, span, len(rows) + len(columns), gaps)
         for i, numbers in batch.items():
-            chain, first = chains[i], i * len(parts)
             if ceiling is not None:
-                numbers = ceiling.find_reaching(chain_boxes[i], boxes, numbers)
+                numbers = ceiling.find_reaching(row_boxes[i], boxes, numbers)
             since = len(runs)
-            for j in numbers:
-                piece = parts[j].sweep(chain, first + j)
-                if len(runs) > since and piece.follows(runs[-1]):
-                    lower_envelope_cm(runs[-1], piece)
-                elif piece.edges:
+            for k in numbers:
+                chain, part = (k, i) if exchanged else (i, k)
+                piece = parts[part].sweep(chains[chain], chain * len(parts) + part)
+                if not piece.pieces:
+                    continue
+                if len(runs) == since or not add_to_run(runs[-1], piece):
                     runs.append(piece)
         return lower_envelope_mm(runs) if runs else None
 
     envelope = known
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        envelope = sweep_batch(envelope, {i: sorted(guess[i]) for i in order})
-    size, pairs = len(chains) + len(parts), 0
+        guessed: Mapping[int, Collection[int]] = dict(enumerate(guess))
+        if exchanged:
+            turned = defaultdict(list)
+            for chain, numbers in enumerate(guess):
+                for part in numbers:
+                    turned[part].append(chain)
+            guessed = turned
+        envelope = sweep_batch(envelope, {i: sorted(guessed[i]) for i in order if guessed.get(i)})
     batch: dict[int, list[int]] = {}
     for i in order:
-        facing = boxes.find_facing(chain_boxes[i])
+        facing = boxes.find_facing(row_boxes[i])
         if batch and pairs + len(facing) > size:
             envelope = sweep_batch(envelope, batch)
             batch, size, pairs = {}, 3 * size, 0
@@ -219,3 +241,19 @@ def sweep_pairs(
     envelope = sweep_batch(envelope, batch)
     assert envelope is not None, "some pair draws the trajectory"
     return envelope
+
+
+def add_to_run(run: Envelope, piece: Envelope) -> bool:
+    """Join a piece to a run, if it starts over the run or right of it, and does not end before it.
+
+    Returns whether it did. Cost: as for `lower_envelope_cm`.
+    """
+    (a, a_d), (b, b_d) = run.breaks[0], run.breaks[-1]
+    (start, start_d), (end, end_d) = piece.breaks[0], piece.breaks[-1]
+    if b * start_d <= start * b_d:
+        run.take_all(piece)
+    elif start * a_d >= a * start_d and end * b_d >= b * end_d:
+        lower_envelope_cm(run, piece)
+    else:
+        return False
+    return True

@@ -12,7 +12,7 @@ from exactsweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.check import verify
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.corpus.case import given_rings
-from exactsweep.geometry.polygon import read_point
+from exactsweep.geometry.reading import read_point
 
 _NAMES = (
     "caves",

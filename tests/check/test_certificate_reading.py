@@ -3,6 +3,7 @@
 import copy
 import random
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -20,10 +21,9 @@ from shape_certificates import (
 )
 from tampering import changes
 
-from exactsweep import sweep
-from exactsweep.check import (
-    verify,
-)
+from exactsweep import Point, sweep
+from exactsweep.check import size, verify
+from exactsweep.check.certificate import CertificateError
 
 NESTED: list[Any] = []
 for _ in range(10**5):
@@ -140,6 +140,18 @@ def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
     assert verify(certificate).reason == (
         "too large: a common denominator has more than 400000 bits"
     )
+
+
+def test_the_limit_on_the_common_denominator_is_what_it_says(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(size, "MAX_BITS", 8)
+    third, fifth = Fraction(1, 3), Fraction(1, 5)
+    assert size.common_scale([Point(third, fifth), Point(Fraction(1, 17), third)]) == 255
+    for axis in (0, 1):
+        finer = Point(*(Fraction(1, 2), Fraction(1))[:: 1 - 2 * axis])
+        with pytest.raises(CertificateError, match="more than 8 bits"):
+            size.common_scale([Point(third, fifth), Point(Fraction(1, 17), third), finer])
 
 
 def test_more_steps_may_be_allowed() -> None:

@@ -43,7 +43,7 @@ def test_help_has_an_example_that_can_be_given(name: str, command: click.Command
         (["sweeep"], "sweep"),
         (["exlpain"], "explain"),
         (["corpus", "lst"], "list"),
-        (["sweep", "--jsom"], "--json"),
+        (["sweep", "--certifcate"], "--certificate"),
         (["batch", "--worker", "2"], "--workers"),
     ],
 )

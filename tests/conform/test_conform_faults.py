@@ -3,9 +3,9 @@
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 
 import pytest
+from judged import CORRECT, FAULTY, SLOT, SQUARE
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
@@ -13,11 +13,6 @@ from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.corpus import Case, cases
 
-IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
-FAULTY = [sys.executable, str(IMPLEMENTATIONS / "faulty.py")]
-
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
-SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
 CASES = {
     # An undercut, crossings that are no integers, and a reference point off the origin.
     "notch": Case.of("notch", "", DIRECTRIX, GENERATRIX, ("1/2", 1)),
@@ -113,7 +108,10 @@ def test_a_second_answer_spoils_the_next_case_and_not_the_one_after(peer: Proces
 @pytest.mark.parametrize("peer", ["crash"], indirect=True)
 def test_what_it_said_last_is_kept(peer: ProcessPeer) -> None:
     outcome = judge_case(peer, CASES["notch"])
-    assert (outcome.reason, outcome.stderr) == ("exited with code 3", "about to fail\n")
+    assert (outcome.reason, outcome.stderr) == (
+        "exited with code 3; it says: about to fail",
+        "about to fail\n",
+    )
 
 
 @pytest.mark.parametrize("peer", ["unsupported"], indirect=True)
@@ -122,7 +120,7 @@ def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
 
 
 def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
-    peer = ProcessPeer([sys.executable, *command])
+    peer = ProcessPeer(command)
     try:
         outcomes = [judge_case(peer, case) for case in chosen]
         assert peer.close() is None
@@ -134,7 +132,7 @@ def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
 def test_the_correct_one_is_exact_where_it_is_asked() -> None:
     """It speaks the old protocol: it is not asked of pairs that share no direction."""
     chosen = [*CASES.values(), *cases()]
-    outcomes = outcomes_of([str(IMPLEMENTATIONS / "correct.py")], chosen)
+    outcomes = outcomes_of(CORRECT, chosen)
     for case, outcome in zip(chosen, outcomes, strict=True):
         expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
         assert outcome.verdict is expected, outcome
@@ -144,5 +142,5 @@ def test_the_correct_one_is_exact_where_it_is_asked() -> None:
 
 def test_the_correct_one_of_any_shape_is_exact_everywhere() -> None:
     chosen = [*CASES.values(), *cases()]
-    outcomes = outcomes_of(["-m", "exactsweep.conform.examples.shapes"], chosen)
+    outcomes = outcomes_of([sys.executable, "-m", "exactsweep.conform.examples.shapes"], chosen)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

@@ -8,6 +8,7 @@ from uuid import uuid4
 
 import pytest
 from command import eventually, processes
+from judged import HOSTILE, SQUARE
 
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.conform.run.outcome import judge_case
@@ -15,11 +16,6 @@ from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError
 from exactsweep.corpus import Case
 
-HOSTILE = [
-    sys.executable,
-    str(Path(__file__).parents[1] / "support" / "implementations" / "hostile.py"),
-]
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 CASE = Case.of("square", "", SQUARE, SQUARE)
 MEGABYTES = 1024  # of ru_maxrss
 

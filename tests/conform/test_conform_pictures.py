@@ -106,11 +106,11 @@ def test_roots_are_near(number: Fraction) -> None:
     assert abs(root(square) ** 2 - square) <= square / 2**50
 
 
-def test_a_smaller_case_with_another_verdict_is_dropped() -> None:
+def test_a_smaller_case_with_another_fault_is_dropped() -> None:
     run = Run(Hello("mine"))
     case: dict[str, Any] = {"directrix": [], "generatrix": []}
-    run.add(Outcome("a", "CC", (), Verdict.WRONG, "why", case=case))
-    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH))
+    run.add(Outcome("a", "CC", (), Verdict.CRASH, "why", "crash: why", case=case))
+    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "what", "crash: what"))
     assert run.shrunk == {}
-    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.WRONG))
+    run.add_smaller("a", Outcome("a-shrunk", "CC", (), Verdict.CRASH, "why", "crash: why"))
     assert set(run.shrunk) == {"a"}

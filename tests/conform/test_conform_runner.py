@@ -5,7 +5,6 @@ import os
 import resource
 import signal
 import subprocess
-import sys
 import time
 from collections import Counter
 from dataclasses import replace
@@ -14,6 +13,7 @@ from typing import Any
 
 import pytest
 from command import EXACTSWEEP, eventually, processes, run
+from judged import CORRECT, FAULTY, HOSTILE, SQUARE, WATCHED, write_cases
 
 from exactsweep import sweep
 from exactsweep.conform import Verdict
@@ -30,15 +30,10 @@ from exactsweep.conform.run.protocol import (
 )
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.runner import conduct, conform
-from exactsweep.corpus import Case, case_to_json, cases
+from exactsweep.corpus import Case, cases
 from exactsweep.processes import lock
 
-IMPLEMENTATIONS = Path(__file__).parents[1] / "support" / "implementations"
-CORRECT = [sys.executable, str(IMPLEMENTATIONS / "correct.py")]
-WATCHED = [sys.executable, str(IMPLEMENTATIONS / "watched.py")]
-FAULTY = [sys.executable, str(IMPLEMENTATIONS / "faulty.py")]
 LOOPS = ("trajectory", "inner", "outer")
-SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 THIRDS = Case.of("thirds", "", [("1/3", 0), (1, "1/3"), (0, 1)], SQUARE, ("1/2", 0))
 FEW = [Case.of(f"case-{k}", "", [(0, 0), (k + 1, 0), (0, 1)], SQUARE) for k in range(20)]
 
@@ -46,11 +41,6 @@ FEW = [Case.of(f"case-{k}", "", [(0, 0), (k + 1, 0), (0, 1)], SQUARE) for k in r
 def exact(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
     s = sweep(generatrix, directrix, reference=reference)
     return {**{name: getattr(s, name).vertices for name in LOOPS}, "exact_fits": s.exact_fits}
-
-
-def write_cases(path: Path, few: list[Case]) -> str:
-    path.write_text("".join(f"{json.dumps(case_to_json(case))}\n" for case in few))
-    return str(path)
 
 
 # In this process.
@@ -209,7 +199,7 @@ def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.Monkey
     monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
     peer: Any = CallablePeer(exact, Hello("mine"))
     outcome = judging.judge_in_time(peer, THIRDS)
-    assert outcome.verdict == "malformed"
+    assert outcome.verdict == "undecided"
     assert "comparing it takes more than 0.05 s" in outcome.reason
 
 
@@ -249,7 +239,10 @@ def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -
         file.write(b'{"id": "case-19", "verd')
     again = run("conform", "--resume", *command[1:])
     assert again.exit_code == 0
-    assert "watched: passed, 20 cases, 0 worse than equivalent but for exact fits" in again.stdout
+    assert (
+        "watched: passed, 20 of 20 cases judged, 0 worse than equivalent but for exact fits"
+        in again.stdout
+    )
     kept = [json.loads(line)["id"] for line in journal.read_text().splitlines()[1:]]
     assert sorted(kept) == sorted(case.id for case in FEW)
     times = Counter(log.read_text().split())
@@ -259,7 +252,7 @@ def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -
 def test_what_is_started_ends_at_once_with_a_killed_run(tmp_path: Path) -> None:
     path = write_cases(tmp_path / "cases", FEW)
     mark = f"--{os.urandom(8).hex()}"
-    hostile = [sys.executable, str(IMPLEMENTATIONS / "hostile.py"), "ignores-termination", mark]
+    hostile = [*HOSTILE, "ignores-termination", mark]
     command = [EXACTSWEEP, "conform", "--cases", path, "--timeout", "600", "--", *hostile]
 
     with subprocess.Popen(command, stdout=-1, stderr=-1) as process:
@@ -345,7 +338,7 @@ def test_a_case_that_changed_is_asked_again(tmp_path: Path) -> None:
 
 def test_an_outcome_is_read_as_it_was_written() -> None:
     run = conform(lambda d, g, r: {"trajectory": [(0.5, 0), (1, 0), (0, 1)]}, FEW[:1], name="mine")
-    (outcome,) = run.outcomes
+    (outcome,) = run.show()
     text = json.dumps(outcome.to_json())
     assert json.dumps(outcome_from_json(json.loads(text)).to_json()) == text
     assert outcome.result is not None
@@ -356,7 +349,8 @@ def test_of_many_failures_the_smallest_are_kept_whole() -> None:
     run = Run(Hello("mine"))
     for size in range(3 * SHOWN, 0, -1):
         case = {"directrix": [0] * size, "generatrix": []}
-        run.add(Outcome(f"case-{size}", "CC", (), Verdict.WRONG, "why", case=case))
-    assert [outcome.id for outcome in run.shown()] == [f"case-{k + 1}" for k in range(SHOWN)]
-    assert sum(outcome.case is not None for outcome in run.outcomes) == SHOWN
-    assert run.summary.total(Verdict.WRONG) == 3 * SHOWN
+        run.add(Outcome(f"case-{size}", "CC", (), Verdict.WRONG, "why", "wrong: why", case=case))
+    assert [outcome.id for outcome in run.show()] == [f"case-{k + 1}" for k in range(SHOWN)]
+    assert not any(outcome.case for outcome in run.outcomes)
+    assert sum("case" in outcome for outcome in run.to_json()["outcomes"]) == SHOWN
+    assert run.summary.total(Verdict.WRONG) == len(run.outcomes) == 3 * SHOWN

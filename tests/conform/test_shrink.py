@@ -2,6 +2,7 @@
 
 from collections import Counter
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -9,6 +10,7 @@ from exactsweep import Polygon
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.shrink import ShrinkError, shrink
 from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.runner import conform
 from exactsweep.corpus import Case, find_case
 from exactsweep.geometry.point import ORIGIN
 
@@ -48,7 +50,7 @@ def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
     assert loses_fits(case) is Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
     small = shrink(case, loses_fits)
     assert len(small.exact_fits) == 1
-    assert small.size <= 10
+    assert small.size <= 12
 
 
 def test_numbers_are_no_larger_than_the_failure_needs() -> None:
@@ -76,6 +78,35 @@ def test_fractions_and_the_reference_point_go() -> None:
     assert small.integer_scale == 1
     assert small.size == 6
     assert small.reference == ORIGIN
+
+
+def test_no_flag_comes_in_that_was_not_there() -> None:
+    """A program that loses what is long fails on repeated vertices, too: that is another story."""
+
+    def loses_long_rings(case: Case) -> Verdict:
+        fails = len(case.directrix) > 4 or "repeated-vertex" in case.flags
+        return Verdict.WRONG if fails else Verdict.EXACT
+
+    case = find_case("gen-monotone-1-0")
+    small = shrink(case, loses_long_rings)
+    assert len(small.directrix) == 5
+    assert set(small.flags) <= set(case.flags)
+
+
+def test_a_fault_stays_the_same() -> None:
+    """What crashes in one way for triangles must not become what crashes in another way."""
+    case = find_case("gen-monotone-1-0")
+
+    def crash(directrix: Any, generatrix: Any, reference: Any) -> Any:
+        if len(directrix) + len(generatrix) > 8:
+            raise IndexError(f"vertex {len(directrix)} of {len(generatrix)}")
+        raise IndexError("no such chain")
+
+    run = conform(crash, [case], name="crashes", made_smaller=1)
+    small = run.shrunk[case.id]
+    assert small.fault.startswith("crash: IndexError: vertex # of #; test_shrink.py line ")
+    assert small.case is not None
+    assert len(small.case["directrix"]) + len(small.case["generatrix"]) == 9
 
 
 def test_the_budget_is_kept() -> None:

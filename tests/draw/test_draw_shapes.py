@@ -23,8 +23,8 @@ from exactsweep import (
 )
 from exactsweep.canvas import style
 from exactsweep.draw import DrawError, new_figure, plot_inner_fit, plot_no_fit, save
-from exactsweep.draw.sweeps import is_on
 from exactsweep.geometry.point import Point
+from exactsweep.geometry.point_set import is_on
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 # Holes in which the square has room, just slides, and just fits.
@@ -209,8 +209,8 @@ def test_the_summary_tells_the_sizes() -> None:
 def test_a_point_is_on_a_loop_or_not() -> None:
     square = Polygon(SQUARE)
     half = Polygon([("1/2", 0), (1, 0), (0, 1)]).vertices[1]
-    assert is_on(half, square)
-    assert not is_on(Point(half.x, half.x), square)
+    assert is_on(half, square.vertices)
+    assert not is_on(Point(half.x, half.x), square.vertices)
 
 
 def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:

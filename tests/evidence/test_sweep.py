@@ -316,6 +316,18 @@ def test_kind_is_the_least_class(pair: Pair) -> None:
     assert repr(s).startswith(f"<Sweep {kind} of {len(generatrix)} around {len(directrix)} vert")
 
 
+def test_sweeps_and_their_loops_tell_about_themselves() -> None:
+    s = sweep(UNIT, [(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)])
+    assert [loop.is_convex for loop in loops(s)] == [False, False, False]
+    assert [loop.is_convex for loop in loops(sweep(UNIT, UNIT))] == [True, True, True]
+    assert str(s).splitlines() == [
+        "CM sweep, monotone to (1, 0), area 83/4",
+        "trajectory, 7 vertices: (-1, -1) (4, -1) (4, 3) (3, 3) (3/2, 3/2) (0, 3) (-1, 3)",
+        "inner, 6 vertices: (0, 0) (4, 0) (4, 3) (5/2, 3/2) (3/2, 3/2) (0, 3)",
+        "outer, 7 vertices: (-1, -1) (5, -1) (5, 4) (3, 4) (2, 3) (1, 4) (-1, 4)",
+    ]
+
+
 # Notches, seen from the side: no line across both arms meets them in one piece.
 LYING = [(0, 0), (2, 1), (0, 2), (3, 2), (3, 0)]
 STANDING = [(y, x) for x, y in LYING]

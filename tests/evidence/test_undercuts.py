@@ -237,3 +237,14 @@ def test_wall_of_the_generatrix_belongs_to_the_bottom_chain() -> None:
     assert undercut.polygon == Polygon([(5, 3), (6, 3), (6, 4), (5, 4)])
     assert undercut.bottom == own.points((6, 4), (5, 4), (5, 3))
     assert undercut.positions == own.points((-1, 3))
+
+
+def test_one_corner_of_the_generatrix_closes_a_bent_pocket() -> None:
+    """The bottom chain is bent at (9, 9/5), where the corner (0, -4) of G has the same two edges.
+
+    From the end of the chain, not the bend, no translation is found, and two were given for one.
+    """
+    bent = [(0, -4), (5, -1), (5, -9), (10, -6), (8, 2), (0, 0)]
+    (undercut,) = sweep(bent, [(6, -6), (11, 3), ("35/4", "5/4"), (9, 5)]).undercuts
+    assert undercut.bottom == own.points((11, 3), (9, "9/5"), (9, 5))
+    assert undercut.positions == own.points((9, "29/5"))

@@ -13,17 +13,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from exactsweep.formats import FormatError, parse_polygon
+from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
+from exactsweep.formats.curved.arc import unit_point
 from exactsweep.formats.curved.curves import (
-    MAX_VERTICES,
     chord_arc_center,
     flatten_arc,
     flatten_bezier,
     root_above,
 )
-from exactsweep.formats.curved.dxf_arc import unit_point
 from exactsweep.formats.curved.svg_path import elliptic_arc
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
 
 fewer = settings(max_examples=25)
@@ -79,7 +79,7 @@ def test_circles_stay_within_the_tolerance(
 ) -> None:
     tolerance = max(tolerance, radius / 10**4)
     start = Point(center.x + radius, center.y)
-    line = flatten_arc(center, start, start, True, IDENTITY, tolerance)
+    line = flatten_arc(center, start, start, True, IDENTITY, Reading(tolerance))
     assert line[0] == line[-1] == start
     assert_close_to_circle(line, center, radius * radius, tolerance)
     assert len(line) <= 16 + 8 * root_above(radius / tolerance)
@@ -93,7 +93,7 @@ def test_arcs_over_a_chord_stay_within_the_tolerance(
     if first == last or bulge == 0:
         return
     center = chord_arc_center(first, last, (1 - bulge**2) / (2 * bulge))
-    line = flatten_arc(center, first, last, bulge > 0, IDENTITY, tolerance)
+    line = flatten_arc(center, first, last, bulge > 0, IDENTITY, Reading(tolerance))
     assert (line[0], line[-1]) == (first, last)
     square = (first.x - center.x) ** 2 + (first.y - center.y) ** 2
     assert_close_to_circle(line, center, square, tolerance)
@@ -108,7 +108,7 @@ def test_arcs_over_a_chord_stay_within_the_tolerance(
 def test_bezier_curves_stay_within_the_tolerance(
     controls: list[Point], tolerance: Fraction, t: Fraction
 ) -> None:
-    line = flatten_bezier(controls, tolerance)
+    line = flatten_bezier(controls, IDENTITY, Reading(tolerance))
     assert (line[0], line[-1]) == (controls[0], controls[-1])
     assert distance(bernstein(controls, t), line) <= tolerance**2
 
@@ -125,23 +125,31 @@ def bernstein(controls: list[Point], t: Fraction) -> Point:
 radii = st.fractions(Fraction(1, 10), 20, max_denominator=10)
 
 
-@given(points, points, radii, radii, st.booleans(), st.booleans(), tolerances)
+@given(
+    st.tuples(points, points),
+    st.tuples(radii, radii),
+    st.fractions(-400, 400, max_denominator=7),
+    st.tuples(st.booleans(), st.booleans()),
+    tolerances,
+)
 @fewer
 def test_elliptic_arcs_stay_within_the_tolerance(
-    first: Point,
-    last: Point,
-    rx: Fraction,
-    ry: Fraction,
-    large: bool,
-    left: bool,
+    ends: tuple[Point, Point],
+    both: tuple[Fraction, Fraction],
+    degrees: Fraction,
+    flags: tuple[bool, bool],
     tol: Fraction,
 ) -> None:
+    (first, last), (rx, ry), (large, left) = ends, both, flags
     if first == last:
         return
-    line = elliptic_arc(first, last, (rx, ry), large, left, IDENTITY, tol)
+    line = elliptic_arc((first, last), (rx, ry), degrees, (large, left), IDENTITY, Reading(tol))
     assert (line[0], line[-1]) == (first, last)
     # The center, found again in floats; it is as good as it needs to be.
-    x0, y0, x1, y1 = (float(c) for c in (*first, *last))
+    cosine, sine = cos(float(degrees) * pi / 180), sin(float(degrees) * pi / 180)
+    (x0, y0), (x1, y1) = (
+        (float(x) * cosine + float(y) * sine, float(y) * cosine - float(x) * sine) for x, y in ends
+    )
     a, b = float(rx), float(ry)
     hx, hy = (x0 - x1) / 2, (y0 - y1) / 2
     need = hx * hx / a / a + hy * hy / b / b
@@ -156,7 +164,8 @@ def test_elliptic_arcs_stay_within_the_tolerance(
     span = span if left else span - tau
     for k in range(1, 8):
         angle = start + span * k / 8
-        true = Point(Fraction(cx + a * cos(angle)), Fraction(cy + b * sin(angle)))
+        x, y = cx + a * cos(angle), cy + b * sin(angle)
+        true = Point(Fraction(x * cosine - y * sine), Fraction(x * sine + y * cosine))
         assert distance(true, line) <= (tol + Fraction(1, 10**6)) ** 2
 
 
@@ -205,9 +214,15 @@ def test_areas_come_close_to_the_true_ones(shape: str) -> None:
     assert abs(float(polygon.area) - SHAPES[shape]) < 2e-4
 
 
-def test_too_many_vertices_are_refused() -> None:
-    with pytest.raises(FormatError, match=f"more than {MAX_VERTICES} vertices"):
+def test_too_many_lines_are_refused_before_they_are_made() -> None:
+    with pytest.raises(FormatError, match=r"circle: a curve would become 4,756,828,464 lines at"):
+        parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
+    with pytest.raises(FormatError, match=r"a curve would become 5e\+15 lines at this tolerance"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-30")
+    text = "<svg>" + '<circle r="1"/>' * 70 + "</svg>"
+    assert len(parse_polygons(text, tolerance="1e-6")) == 70
+    with pytest.raises(FormatError, match=r"the curves of the file would become 1,0\d\d,\d+ lines"):
+        parse_polygons(text, tolerance="1e-7")
 
 
 @pytest.mark.parametrize("tolerance", [0, "-1", "x", float("nan"), True])

@@ -166,10 +166,10 @@ def test_choice_serves_every_pair_with_a_shared_direction(
     [
         (UNIT, "all directions"),
         # Perpendicular to the notch's edges, (2, 1) and (2, -1).
-        (NOTCHED, "all from (1, 2) to (-1, 2)"),
-        ([(y, x) for x, y in NOTCHED], "all from (2, -1) to (2, 1)"),
-        (SLOT, "just (1, 0)"),
-        (PLUS, "just (1, 0) and just (0, 1)"),
+        (NOTCHED, "all from (1, 2) to (-1, 2), 63.4 to 116.6 degrees"),
+        ([(y, x) for x, y in NOTCHED], "all from (2, -1) to (2, 1), -26.6 to 26.6 degrees"),
+        (SLOT, "just (1, 0), 0 degrees"),
+        (PLUS, "just (1, 0), 0 degrees and just (0, 1), 90 degrees"),
         (STAR, "no direction"),
     ],
 )
@@ -205,7 +205,7 @@ def test_not_monotone_at_all_is_said() -> None:
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
     with pytest.raises(DirectionError) as caught:
         sweep(UNIT, NOTCHED, direction=("1/2", 0))
-    assert str(caught.value).startswith("the directrix is not monotone to (1, 0); ")
+    assert str(caught.value).startswith("the directrix is not monotone to (1, 0), 0 degrees; ")
     assert str(caught.value).endswith(str(monotone_directions(Polygon(NOTCHED))))
 
 

@@ -14,7 +14,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactsweep import NumberError, Point, Polygon, PolygonError
+from exactsweep import NumberError, Point, Polygon, PolygonError, limits
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 
@@ -36,6 +36,16 @@ def test_vertices_are_canonical(polygon: Polygon) -> None:
     )
     assert polygon.area > 0
     assert len(polygon) == len(v)
+
+
+@pytest.mark.parametrize("scale", [1, 3, Fraction(1, 2), Fraction(1, 2**9000)])
+def test_the_least_triangles_are_turned_counter_clockwise(scale: Fraction) -> None:
+    """Twice their area is one unit of the lattice, so that a sign is all there is to go by."""
+    corners = [(0, 0), (scale, 0), (0, scale)]
+    for k in range(3):
+        spelled = corners[k:] + corners[:k]
+        for ring in (spelled, spelled[::-1]):
+            assert Polygon(ring).vertices == strategies.points(*corners)
 
 
 @given(strategies.simple_polygons(), st.data())
@@ -248,3 +258,37 @@ def test_what_sympy_would_flatten_is_refused() -> None:
     minute = Polygon([(0, 0), ("1e-8", 0), (0, "1e-8")])
     with pytest.raises(PolygonError, match="sympy takes vertices for collinear"):
         minute.to_sympy()
+
+
+@given(strategies.simple_polygons())
+def test_columns_read_as_single_vertices_do(polygon: Polygon) -> None:
+    """Vertices that are no tuples or lists, read one by one, give the same polygon."""
+    rows = [tuple(map(str, vertex)) for vertex in polygon.vertices]
+    one_by_one = Polygon([iter(row) for row in rows])
+    assert Polygon(rows) == one_by_one == polygon
+    assert Polygon([list(row) for row in rows]).lattice() == one_by_one.lattice()
+
+
+def test_ints_stay_ints(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No number is looked at by itself, and no Fraction made until somebody reads the vertices."""
+
+    def refuse(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("exactsweep.geometry.lattice.to_fraction", refuse)
+    monkeypatch.setattr("exactsweep.geometry.lattice.ratios", refuse)
+    monkeypatch.setattr("exactsweep.geometry.polygon.quotients", refuse)
+    zigzag = [(x, x % 2) for x in range(100)] + [(x, x % 2 + 2) for x in reversed(range(100))]
+    polygon = Polygon(zigzag)
+    assert polygon.lattice()[0] == 1
+    assert polygon.area == 198
+    assert not polygon.is_convex
+
+
+@pytest.mark.parametrize("bad", [True, math.nan, "0x1", None, 1j, "1" * 11])
+@pytest.mark.parametrize("row", [tuple, list])
+def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]) -> None:
+    ring = [row((x, x * x)) for x in range(1000)]
+    ring[700] = row((700, bad))
+    with limits(max_digits=10), pytest.raises(NumberError, match=r"^vertex 700: "):
+        Polygon(ring)

@@ -144,3 +144,52 @@ def test_many_vertices_are_checked_by_a_sweep() -> None:
     ring[7000] = (ring[7000][0], ring[7000][1] - 2)
     with pytest.raises(PolygonError, match=r"edges 2998 and 7000 cross|edges 2999 and 6999 cross"):
         Polygon(ring)
+
+
+def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[LatticePoint]:
+    """Two chains from left to right on a small grid, walls among them, that may touch or cross."""
+
+    def chain() -> list[LatticePoint]:
+        xs = sorted(rng.randrange(width) for _ in range(rng.randint(1, 5)))
+        return [(x, rng.randrange(height)) for x in xs]
+
+    return chain() + chain()[::-1]
+
+
+@pytest.mark.parametrize(("width", "height"), [(3, 3), (4, 5), (8, 5)])
+def test_monotone_rings_are_told_without_a_sweep(
+    width: int, height: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A ring of two chains from left to right is refused exactly where the definition refuses it.
+
+    Whatever is simple is told by `is_simple_monotone`: the sweep only says why others are not.
+    """
+    rng = random.Random(width)
+    swept = []
+
+    def sweep(ring: list[LatticePoint]) -> Conflict | None:
+        conflict = find_conflict(ring)
+        swept.append(conflict)
+        return conflict
+
+    monkeypatch.setattr("exactsweep.geometry.canonical.find_conflict", sweep)
+    simple = sum(agrees(random_monotone_ring(rng, width, height)) for _ in range(4000))
+    assert simple > 200
+    assert len(swept) > 200
+    assert None not in swept
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        # A wall of the top chain whose far end is below the near end of a wall of the bottom chain.
+        [(0, 0), (2, 2), (2, 0), (4, 0), (4, 5), (2, 1), (2, 3), (0, 3)],
+        # The chains cross at the last vertex, behind all others.
+        [(0, 0), (3, 1), (4, 4), (4, 3), (3, 2)],
+        [(0, 0), (1, 1), (1, 0), (4, 0), (1, 1), (0, 1)],
+    ],
+)
+def test_chains_that_meet_at_walls_are_refused(ring: list[LatticePoint]) -> None:
+    assert not agrees(ring)
+    assert not agrees(ring[::-1])
+    assert not agrees([(-x, -y) for x, y in ring])

@@ -26,7 +26,6 @@ from exactsweep.paper.pairs import Pair, draw_pair, random_pairs
 from exactsweep.paper.tiny import is_any, is_convex, polygons, search_grid
 from exactsweep.procedures.chain import split
 
-RIGHT = (Verdict.REPRODUCED, Verdict.SHARPENED)
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
 NUMBERED = {
     "Definition": "1.1 1.2 1.3 2.1 3.1 5.1 5.2",
@@ -63,7 +62,7 @@ def test_a_claim_names_code_that_exists(claim: Claim) -> None:
 def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
     assert set(claim.evidence) <= set(KINDS)
     assert claim.words.endswith((".", ")."))
-    assert claim.verdict is Verdict.REPRODUCED or claim.correction
+    assert claim.verdict in (Verdict.REPRODUCED, Verdict.ADDED) or claim.correction
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
@@ -93,9 +92,24 @@ def test_a_failure_disagrees_with_every_status() -> None:
 def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
     against = Evidence("much", against=Counterexample("a case", "by chance"))
     for status in Verdict:
-        announced = status not in RIGHT
+        announced = status.objects
         assert bool(row_of(status, Evidence("much")).disagreement) == announced
         assert bool(row_of(status, against).disagreement) != announced
+
+
+def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
+    def disagreement(named: tuple[str, ...], given: Evidence) -> str:
+        claim = Claim("A", "1", "It holds.", Verdict.REPRODUCED, named, (), lambda effort: given)
+        return next(reproduce([claim], Effort())).disagreement
+
+    assert disagreement(("sampled", "exhaustive"), Evidence("much", sampled=9, searched=9)) == ""
+    assert "'sampled'" in disagreement(("sampled",), Evidence("much"))
+    assert "'exhaustive'" in disagreement((), Evidence("much", searched=9))
+    assert "'proved'" in disagreement(("proved",), Evidence("much"))
+    assert "'counted'" in disagreement((), Evidence("much", growth=(series(1),)))
+    assert "'counted'" in disagreement(
+        ("counted",), Evidence("m", growth=(series(1, "bytes of f"),))
+    )
 
 
 def test_a_check_that_breaks_off_fails() -> None:
@@ -169,7 +183,9 @@ def test_the_smallest_pair_comes_first() -> None:
     assert found.against is not None
     assert found.against[2:] == ([(0, 0), (1, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 1)])
     nothing = search_grid(2, 6, is_any, is_any, lambda p: "")
-    assert nothing == Evidence("All 256 pairs with up to 6 vertices on the 3 by 3 grid.")
+    assert nothing == Evidence(
+        "All 256 pairs with up to 6 vertices on the 3 by 3 grid.", searched=256
+    )
 
 
 def test_a_broken_law_is_shown_with_a_small_pair() -> None:
@@ -229,5 +245,5 @@ def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
 def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
     assert ("sampled" in row["evidence"]) or not row.get("laws")
     assert ("figure" in row) == ("against" in row) != bool({"check", "laws", "costs"} & set(row))
-    assert ("weight" in row) == (Verdict(row["verdict"]) not in RIGHT)
+    assert ("weight" in row) == Verdict(row["verdict"]).objects
     assert ("measured" in row["evidence"]) == ("costs" in row)

@@ -12,7 +12,6 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.convex_part import CrossingPart, take_whole
-from exactsweep.procedures.envelope import line_of
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(max_examples=100)
@@ -80,7 +79,12 @@ def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
     one, other = (split(polygon.vertices)[0] for polygon in pair)
-    found = merge_by_slope(one, other, cut[:2], cut[2:])
+    first, second = (
+        take_whole(chain)._replace(turns_left=not left, turns_right=not right)
+        for chain, left, right in ((one, *cut[:2]), (other, *cut[2:]))
+    )
+    swept = second.sweep(first, 0)
+    found = list(swept) if swept.pieces else []
     slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
@@ -104,11 +108,10 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
         take_whole(points)._replace(turns_left=left, turns_right=right)
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
-    lines = list(map(line_of, pairwise(other)))
-    same = CrossingPart(lines, [(x, 1) for x, _ in other], *turns[2:])
+    same = CrossingPart(part.edges, [(x, 1) for x, _ in other], *turns[2:])
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
-    assert len(found.edges) == len(again.edges)
-    if found.edges:
+    assert len(found.pieces) == len(again.pieces)
+    if found.pieces:
         assert list(found) == list(again)
 
 

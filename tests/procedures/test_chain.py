@@ -14,6 +14,7 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.chain import (
     ChainError,
     complement,
+    convex_chain,
     convex_parts,
     corners,
     graph_edges,
@@ -168,6 +169,21 @@ def test_chains_that_run_back_are_refused() -> None:
 def test_polygons_that_are_not_monotone_are_not_split() -> None:
     with pytest.raises(ChainError, match="not monotone to the X axis"):
         split([(0, 0), (3, 0), (3, 3), (0, 3), (2, 1)])
+
+
+@pytest.mark.parametrize(
+    ("chain", "place"),
+    [
+        ([(0, 0), (1, 2), (4, 1), (5, 5)], r"\(1, 2\)"),
+        ([(0, 0), (2, 0), (2, 3), (5, 3)], r"\(2, 3\)"),
+        ([(0, 5), (2, 0), (3, 2), (5, 1), (7, 0)], r"\(3, 2\)"),
+    ],
+)
+def test_a_chain_of_two_parts_is_refused_where_the_second_one_begins(
+    chain: list[Vertex], place: str
+) -> None:
+    with pytest.raises(ChainError, match=f"at {place}$"):
+        convex_chain(chain)
 
 
 @pytest.mark.parametrize("chain", [[], [(0, 0)], [(0, 0), (0, 1)]])

@@ -14,7 +14,7 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, convex_parts, corners, split
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import Envelope, point_on, value
+from exactsweep.procedures.envelope import GAP, Envelope, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 Chain = list[Vertex]
@@ -68,9 +68,10 @@ def test_where_there_is_no_chain_there_is_a_hole(chains: list[Chain]) -> None:
         x = Fraction(k, 7) + Fraction(1, 97)
         if not value(start) < x < value(end):
             continue
-        piece = found.edges[found.edge_before(x.as_integer_ratio())]
+        at = x.as_integer_ratio()
+        k = found.edge_before(at)
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
-        low = None if piece is None else point_on(piece, x.as_integer_ratio())[1]
+        low = None if found.pieces[k] == GAP else found.point(k, at)[1]
         assert low == min(heights, default=None)
 
 
@@ -98,9 +99,10 @@ def test_envelopes_of_envelopes_are_envelopes(chains: list[Chain]) -> None:
 @usually
 def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
     found = lower_envelope_mm([Envelope.of(chain, k) for k, chain in enumerate(chains)])
-    assert len(found.sources) == len(found.edges) == len(found.breaks) - 1
-    for k, (edge, source) in enumerate(zip(found.edges, found.sources, strict=True)):
-        assert edge in [*pairwise(chains[source])]
+    assert len(found.sources) == len(found.pieces) == len(found.breaks) - 1
+    for k, (dx, dy, _, start, source) in enumerate(found.pieces):
+        assert start is not None
+        assert (start, (start[0] + dx, start[1] + dy)) in [*pairwise(chains[source])]
         (a, b), (c, d) = found.breaks[k : k + 2]
         x = (Fraction(a) / b + Fraction(c) / d) / 2
         heights = [y for chain in chains if (y := height(chain, x)) is not None]
@@ -248,6 +250,24 @@ def test_partial_trajectory_and_piece(partial: Chain, piece: Chain, expected: Ch
 )
 def test_envelopes_of_any_chains(chains: list[Chain], expected: Chain) -> None:
     assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == expected
+
+
+def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
+    """The walk goes on over a gap, and over what lies left of it, as long as the piece is lower."""
+    for left, expected in (
+        (-1, [(0, 0), (2, 0), (2, -1), (9, -1)]),
+        (1, [(0, 0), (1, 0), (1, -1), (9, -1)]),
+    ):
+        partial = Envelope.of([(0, 0), (2, 0)])
+        partial.take_all(Envelope.of([(4, 0), (6, 0)], 1))
+        assert partial.pieces[1] == GAP
+        piece: Chain = [(2, -1), (9, -1)] if left < 0 else [(left, -1), (9, -1)]
+        assert list(lower_envelope_cm(partial, Envelope.of(piece, 2))) == expected
+    partial = Envelope.of([(0, 0), (2, 0)])
+    partial.take_all(Envelope.of([(4, 1), (6, 1)], 1))
+    late = lower_envelope_cm(partial, Envelope.of([(3, 1), (5, -1), (9, -1)], 2))
+    assert late.pieces[1] == GAP
+    assert [value(at) for at in late.breaks] == [0, 2, 3, 5, 9]
 
 
 @pytest.mark.parametrize("piece", [[(-1, 2), (6, 2)], [(5, 0), (6, 2)]])

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, cast
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
 from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
@@ -19,7 +20,7 @@ Shape = list[Ring]
 Rings = Sequence[Sequence[Sequence[Number]]]
 
 
-class MissingError(ValueError):
+class MissingError(ExactSweepError):
     """A program that is not installed here; the message says how to get it."""
 
 

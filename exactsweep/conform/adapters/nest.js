@@ -58,7 +58,6 @@ function orbit(part, d, g) {
   const geometry = world.GeometryUtil;
   const [exterior, ...holes] = d;
   if (part === 'inner_fit') {
-    if (holes.length) throw new Error('a container with holes');
     if (geometry.isRectangle(exterior, 0.001)) return geometry.noFitPolygonRectangle(exterior, g) || [];
     return geometry.noFitPolygon(exterior, g, true, true) || [];
   }

@@ -75,6 +75,8 @@ def _adapter(
     def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
         if len(generatrix) > 1:
             raise NotImplementedError("holes of G")
+        if part == "inner_fit" and len(directrix) > 1:
+            raise NotImplementedError("a container with holes")
         ring = _from_least(generatrix[0])
         corner = to_fraction(ring[0][0]), to_fraction(ring[0][1])
         found = orbit(part, directrix, [ring])

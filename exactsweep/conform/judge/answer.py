@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.formats.exact_json import described
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, quoted, to_fraction
 from exactsweep.geometry.point import Point
 
@@ -17,7 +18,7 @@ MAX_VERTICES = 10_000
 Ring = tuple[Point, ...]
 
 
-class AnswerError(ValueError):
+class AnswerError(ExactSweepError):
     """An answer, or a part of it, that does not say which points it means; with the place."""
 
 

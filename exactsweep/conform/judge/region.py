@@ -25,6 +25,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
 
 Rings = Iterable[Sequence[Point]]
@@ -83,7 +84,7 @@ class _Edge(NamedTuple):
 Ordered = Sequence[tuple[Height, _Edge]]
 
 
-class RegionError(ValueError):
+class RegionError(ExactSweepError):
     """Rings with too many edges above each other, or that cross too often."""
 
 

@@ -2,15 +2,16 @@
 
 Greedy, in rounds, until a round changes nothing: vertices are left out, many at once and then one
 by one; the pair is moved to the origin and freed of common factors; numbers are made shorter, all
-together and then one by one. A candidate is taken if it is smaller, `sweep` takes it, and the
-verdict on it is the same. What is smaller is a total order on cases by numbers of vertices and
-sizes of numbers, so rounds end.
+together and then one by one. A candidate is taken if it is smaller, `sweep` takes it, it shows the
+same fault, and it has no flag that the case has not: a lost notch is not to become a repeated
+vertex, which would be another story. What is smaller is a total order on cases by numbers of
+vertices and sizes of numbers, so rounds end.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain
 from math import gcd, lcm
@@ -18,54 +19,69 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 
-Judge = Callable[[Case], Verdict]
+Judge = Callable[[Case], str]
 Ring = tuple[Point, ...]
+Rings = tuple[Ring, ...]
 
 
-class ShrinkError(ValueError):
+class ShrinkError(ExactSweepError):
     """A case that does not fail."""
 
 
 class _Pair(NamedTuple):
-    directrix: Ring
-    generatrix: Ring
+    """The exterior and the holes of each polygon, as given, and the reference point."""
+
+    directrix: Rings
+    generatrix: Rings
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
         """What is to become smaller: vertices, then digits, then numbers."""
         numbers = [c for point in self.points() for c in point]
         digits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
-        vertices = len(self.directrix) + len(self.generatrix)
+        vertices = sum(map(len, (*self.directrix, *self.generatrix)))
         return vertices, digits, sum(map(abs, numbers), Fraction(0))
 
     def points(self) -> Iterator[Point]:
-        return chain(self.directrix, self.generatrix, (self.reference,))
+        return chain(*self.directrix, *self.generatrix, (self.reference,))
 
-    def with_ring(self, name: str, ring: Ring) -> _Pair:
-        """The pair with another ring of that name."""
+    def rings(self) -> Iterator[tuple[str, int, Ring]]:
+        """The rings, each with the name of its polygon and its number there."""
+        for name, rings in (("directrix", self.directrix), ("generatrix", self.generatrix)):
+            yield from ((name, k, ring) for k, ring in enumerate(rings))
+
+    def with_ring(self, name: str, k: int, *ring: Ring) -> _Pair:
+        """The pair with another ring in the place of one, or with none."""
+        rings: Rings = getattr(self, name)
+        changed = (*rings[:k], *ring, *rings[k + 1 :])
         if name == "directrix":
-            return self._replace(directrix=ring)
-        return self._replace(generatrix=ring)
+            return self._replace(directrix=changed)
+        return self._replace(generatrix=changed)
 
-    def mapped(self, function: Callable[[Fraction], Fraction]) -> _Pair:
-        """The pair with a function applied to each number."""
-        d, g, (r,) = (
-            tuple(Point(function(x), function(y)) for x, y in ring)
-            for ring in (self.directrix, self.generatrix, (self.reference,))
+    def put(self, function: Callable[[Point], Point]) -> _Pair:
+        """The pair with a function applied to each point."""
+        d, g = (
+            tuple(tuple(map(function, ring)) for ring in rings)
+            for rings in (self.directrix, self.generatrix)
         )
-        return _Pair(d, g, r)
+        return _Pair(d, g, function(self.reference))
+
+    def map(self, function: Callable[[Fraction], Fraction]) -> _Pair:
+        """The pair with a function applied to each number."""
+        return self.put(lambda p: Point(function(p.x), function(p.y)))
 
 
 def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0) -> Case:
-    """Find a small case with the same verdict.
+    """Find a small case that shows the same fault.
 
     Args:
         case: a case that fails.
-        judge: gives the verdict on a case, as by an implementation and `compare`; what it raises
-            ends the search.
+        judge: gives the verdict on a case, as by an implementation and `compare`, or more than
+            the verdict: what is to stay the same. What it raises ends the search.
         tries: how often it may be asked.
         seconds: after which it is not asked again.
 
@@ -87,11 +103,11 @@ def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0
         >>> print(small.generatrix, "into", small.directrix)
         (0, 0) (1, 1) (0, 1) into (0, 2) (1, 0) (1, 1) (2, 1) (2, 0) (3, 1)
     """
-    verdict = judge(case)
-    if verdict in (Verdict.EXACT, Verdict.EQUIVALENT):
-        raise ShrinkError(f"case {case.id} does not fail: {verdict}")
-    search = _Search(case, judge, verdict, tries - 1, time.monotonic() + seconds)
-    while search.improved() and not search.is_over:
+    fault = judge(case)
+    if fault in (Verdict.EXACT, Verdict.EQUIVALENT):
+        raise ShrinkError(f"case {case.id} does not fail: {fault}")
+    search = _Search(case, judge, fault, tries - 1, time.monotonic() + seconds)
+    while search.improve() and not search.is_over:
         pass
     return search.best
 
@@ -99,113 +115,123 @@ def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0
 class _Search:
     """The smallest case so far, and how long the search may go on."""
 
-    def __init__(
-        self, case: Case, judge: Judge, verdict: Verdict, tries: int, deadline: float
-    ) -> None:
-        self._judge, self._verdict = judge, verdict
+    def __init__(self, case: Case, judge: Judge, fault: str, tries: int, deadline: float) -> None:
+        self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
         self._id, self._title = f"{case.id}-shrunk", f"shrunk: {case.title}"
-        self._pair = _Pair(case.directrix_ring, case.generatrix_ring, case.reference)
+        self._pair = _Pair(case.directrix_rings, case.generatrix_rings, case.reference)
+        self._inner_fit = case.inner_regions is not None
         self._size = self._pair.size()
         self._seen: set[_Pair] = set()
-        self.best = self._case(self._pair)
+        self.best = self._make(self._pair)
+        self._flags = {*case.flags, *self.best.flags}
 
     @property
     def is_over(self) -> bool:
         """Whether no more may be asked."""
         return self._tries <= 0 or time.monotonic() >= self._deadline
 
-    def improved(self) -> bool:
+    def improve(self) -> bool:
         """Go through all ways to a smaller pair once; tell whether one was found."""
         before = self._size
-        for candidates in (_moved, _without_vertices, _with_shorter_numbers, _with_other_numbers):
+        for candidates in (_move, _leave_out, _shorten_all, _shorten_one):
             # Each way goes on from the pair as it is now, and begins again when that has changed.
-            while any(self._takes(pair) for pair in candidates(self._pair)):
+            while any(self._take(pair) for pair in candidates(self._pair)):
                 pass
         return self._size < before
 
-    def _takes(self, pair: _Pair) -> bool:
+    def _take(self, pair: _Pair) -> bool:
         if self.is_over or pair in self._seen or pair.size() >= self._size:
             return False
         self._seen.add(pair)
         try:
-            case = self._case(pair)
+            case = self._make(pair)
         except ValueError:
             return False
+        if not self._flags.issuperset(case.flags):
+            return False
         self._tries -= 1
-        if self._judge(case) != self._verdict:
+        if self._judge(case) != self._fault:
             return False
         self._pair, self._size, self.best = pair, pair.size(), case
         return True
 
-    def _case(self, pair: _Pair) -> Case:
-        return Case.of(self._id, self._title, *pair)
+    def _make(self, pair: _Pair) -> Case:
+        (d, *d_holes), (g, *g_holes), reference = pair
+        return Case.of(
+            self._id,
+            self._title,
+            d,
+            g,
+            reference,
+            directrix_holes=d_holes,
+            generatrix_holes=g_holes,
+            inner_fit=self._inner_fit,
+        )
 
 
-def _moved(pair: _Pair) -> Iterator[_Pair]:
+def _move(pair: _Pair) -> Iterator[_Pair]:
     """Canonical rings, the reference at the origin, each polygon with its corner there."""
-    yield _Pair(Polygon(pair.directrix).vertices, Polygon(pair.generatrix).vertices, ORIGIN)
+    d, g = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair[:2])
+    yield _Pair(d, g, ORIGIN)
     yield pair._replace(reference=ORIGIN)
-    corners = [Point(*map(min, zip(*ring, strict=True))) for ring in pair[:2]]
-    d, g = (_shifted(ring, corner) for ring, corner in zip(pair[:2], corners, strict=True))
+    corners = [Point(*map(min, zip(*rings[0], strict=True))) for rings in pair[:2]]
+    d, g = (_shift(rings, corner) for rings, corner in zip(pair[:2], corners, strict=True))
     yield pair._replace(directrix=d, generatrix=g)
     yield pair._replace(directrix=d)
     yield pair._replace(generatrix=g)
 
 
-def _without_vertices(pair: _Pair) -> Iterator[_Pair]:
-    for name in ("directrix", "generatrix"):
-        ring: Ring = getattr(pair, name)
+def _leave_out(pair: _Pair) -> Iterator[_Pair]:
+    """Holes, and vertices."""
+    for name, k, ring in pair.rings():
+        if k > 0:
+            yield pair.with_ring(name, k)
         length = len(ring) // 2
         while length:
             for start in range(0, len(ring), length):
                 rest = ring[:start] + ring[start + length :]
                 if len(rest) > 2:
-                    yield pair.with_ring(name, rest)
+                    yield pair.with_ring(name, k, rest)
             length //= 2
 
 
-def _with_shorter_numbers(pair: _Pair) -> Iterator[_Pair]:
+def _shorten_all(pair: _Pair) -> Iterator[_Pair]:
     """All numbers at once: as integers without a common factor; rounded to fewer digits."""
     numbers = [c for point in pair.points() for c in point]
     scale = lcm(*(c.denominator for c in numbers))
     common = gcd(*(int(c * scale) for c in numbers)) or 1
-    yield pair.mapped(lambda c: c * scale / common)
+    yield pair.map(lambda c: c * scale / common)
     digits = max(abs(c.numerator) for c in numbers).bit_length()
     while digits := digits // 2:
         power = 2**digits
-        yield pair.mapped(lambda c, power=power: Fraction(round(c / power)))  # type: ignore[misc]
-    yield pair.mapped(lambda c: Fraction(round(c)))
+        yield pair.map(lambda c, power=power: Fraction(round(c / power)))  # type: ignore[misc]
+    yield pair.map(lambda c: Fraction(round(c)))
     for axis in (0, 1):
-        yield _ranked(pair, axis)
+        yield _rank(pair, axis)
 
 
-def _ranked(pair: _Pair, axis: int) -> _Pair:
+def _rank(pair: _Pair, axis: int) -> _Pair:
     """The pair with the coordinates of one axis numbered by their order."""
     rank = {c: Fraction(k) for k, c in enumerate(sorted({p[axis] for p in pair.points()}))}
-    d, g, (r,) = (
-        tuple(p._replace(**{"xy"[axis]: rank[p[axis]]}) for p in ring)
-        for ring in (pair.directrix, pair.generatrix, (pair.reference,))
-    )
-    return _Pair(d, g, r)
+    return pair.put(lambda p: p._replace(**{"xy"[axis]: rank[p[axis]]}))
 
 
-def _with_other_numbers(pair: _Pair) -> Iterator[_Pair]:
+def _shorten_one(pair: _Pair) -> Iterator[_Pair]:
     """One number at a time, or all numbers of a polygon that are equal to it on its axis."""
-    for name in ("directrix", "generatrix"):
-        ring: Ring = getattr(pair, name)
+    for name, number, ring in pair.rings():
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
-                for other in _smaller(value):
+                for other in _find_simpler(value):
                     where = [k for k, p in enumerate(ring) if getattr(p, axis) == value]
                     for chosen in [where, *([k] for k in where if len(where) > 1)]:
                         changed = list(ring)
                         for k in chosen:
                             changed[k] = ring[k]._replace(**{axis: other})
-                        yield pair.with_ring(name, tuple(changed))
+                        yield pair.with_ring(name, number, tuple(changed))
 
 
-def _smaller(value: Fraction) -> list[Fraction]:
+def _find_simpler(value: Fraction) -> list[Fraction]:
     """Numbers that are simpler than another one, the simplest first."""
     towards_zero = 1 if value < 0 else -1
     found = [Fraction(0), Fraction(round(value)), Fraction(int(value / 2))]
@@ -214,5 +240,5 @@ def _smaller(value: Fraction) -> list[Fraction]:
     return [other for other in dict.fromkeys(found) if other != value]
 
 
-def _shifted(ring: Sequence[Point], by: Point) -> Ring:
-    return tuple(Point(p.x - by.x, p.y - by.y) for p in ring)
+def _shift(rings: Rings, by: Point) -> Rings:
+    return tuple(tuple(Point(p.x - by.x, p.y - by.y) for p in ring) for ring in rings)

@@ -23,7 +23,7 @@ class Verdict(StrEnum):
       unreadable; a vertex has not two coordinates; any of the rings encloses nothing (fewer than
       three distinct vertices, or zero area), or has a spike, or touches or crosses itself; two
       rings overlap, neither inside the other; a loop that was promised is missing or empty; it is
-      too large to be judged (`answer.MAX_VERTICES`, `loops.MOST_RINGS`, `outcome.TO_COMPARE`).
+      too large to be judged (`answer.MAX_VERTICES`, `loops.MOST_RINGS`).
       Two things are not malformed: what rounding each vertex does to the exact loop, and spikes
       along exact fits.
     - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come
@@ -49,7 +49,9 @@ class Verdict(StrEnum):
     is "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
     or equivalent.
 
-    The runner adds timeout, crash, and unsupported: no answer that could be judged.
+    The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
+    could be judged; and undecided, where there is one that could not be compared in time, by no
+    fault of the implementation.
 
     Example:
         >>> max(Verdict.EXACT, Verdict.WITHIN, key=lambda verdict: verdict.severity).value
@@ -65,7 +67,9 @@ class Verdict(StrEnum):
     WRONG = "wrong"
     MALFORMED = "malformed"
     TIMEOUT = "timeout"
+    MEMORY = "memory"
     CRASH = "crash"
+    UNDECIDED = "undecided"
     UNSUPPORTED = "unsupported"
 
     @property

@@ -23,6 +23,7 @@ from exactsweep.check.location import locate
 from exactsweep.conform.judge.region import Cell, differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -69,7 +70,7 @@ def exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
     return tuple(loop.vertices for loop in loops[name])
 
 
-class WitnessError(ValueError):
+class WitnessError(ExactSweepError):
     """A case whose expected answer is refuted by the definition; the message names the place."""
 
 

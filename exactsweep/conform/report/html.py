@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from importlib.resources import files
+from itertools import count, islice
 from typing import Any, NamedTuple
 
 from exactsweep import __version__
@@ -21,9 +22,10 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import path_data
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import root, witness_lines
+from exactsweep.conform.report.text import root, tell_costs, witness_lines
 from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
 from exactsweep.conform.run.run import SHOWN, Run, fails
+from exactsweep.corpus.case_json import FITS, OF_POSITIONS, expected_rings
 from exactsweep.geometry.number import NumberError, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.text.report import approximation
@@ -76,8 +78,10 @@ def html(run: Run) -> str:
     template = (
         files("exactsweep.conform.report").joinpath("report.html.j2").read_text(encoding="utf-8")
     )
-    failed = [outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted)]
+    failed = (outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted))
     summary = run.summary
+    failures = summary.failures(run.accepted)
+    numbers = count(1)
     return environment.from_string(template).render(
         run=run,
         summary=summary,
@@ -94,14 +98,23 @@ def html(run: Run) -> str:
             ]
             for name, worst in summary.worst.items()
         },
-        judged=summary.total() - summary.total(Verdict.UNSUPPORTED),
-        failed=failed[:_MOST_LISTED],
-        more=len(failed[_MOST_LISTED:]),
-        failures=[_failure(outcome, run.shrunk.get(outcome.id)) for outcome in run.shown()],
+        costs=tell_costs(summary),
+        objections=run.find_objections(),
+        diagnosis=summary.diagnosis(),
+        failures=failures,
+        failed=islice(failed, _MOST_LISTED),
+        more=max(0, failures - _MOST_LISTED),
+        faults=[
+            (
+                fault,
+                [(next(numbers), _show(o, run.shrunk.get(o.id))) for o in fault.kept],
+            )
+            for fault in run.list_faults()
+        ],
     )
 
 
-def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
+def _show(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
     case = outcome.case
     return Failure(
         outcome,
@@ -110,7 +123,7 @@ def _failure(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
         [_part(part) for part in outcome.parts],
         json.dumps(case, indent=1) if case else "",
         json.dumps(outcome.result, indent=1) if outcome.result else "",
-        _failure(smaller) if smaller else None,
+        _show(smaller) if smaller else None,
     )
 
 
@@ -132,6 +145,8 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
         "distance": _about(root(read_exact(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
+        "granted": _about(read_exact(part["granted"])) if part["granted"] else "",
+        "diagnosis": part["diagnosis"],
         "said": said or [part["reason"]],
     }
 
@@ -221,23 +236,26 @@ def _scene(
     witness = next(iter(witnesses(part)), {}) if part else {}
     placed = witness.get("translation")
     seen = None
-    layers: list[Layer] = [("directrix", (_ring(case["directrix"]),), True)]
+    d, g = (
+        tuple(map(_ring, (case[polygon], *case.get(f"{polygon}_holes", ()))))
+        for polygon in ("directrix", "generatrix")
+    )
+    layers: list[Layer] = [("directrix", d, True)]
     if placed is not None:
         (t,) = _ring([placed])
         (r,) = _ring([case["reference"]])
-        moved = tuple(Point(x + t.x, y + t.y) for x, y in _ring(case["generatrix"]))
-        layers.append(("generatrix", (moved,), True))
-        if name in ("trajectory", "exact_fits"):
+        moved = tuple([Point(x + t.x, y + t.y) for x, y in ring] for ring in g)
+        layers.append(("generatrix", moved, True))
+        if name in OF_POSITIONS:
             seen = Point(r.x + t.x, r.y + t.y)
     else:
-        layers.append(("generatrix", (_ring(case["generatrix"]),), True))
+        layers.append(("generatrix", g, True))
     if seen is None and witness.get("point") is not None:
         (seen,) = _ring([witness["point"]])
-    closed = name != "exact_fits"
-    exact, theirs = case["expected"][name], result.get(name)
+    closed = name not in FITS
+    exact, theirs = expected_rings(case, name), result.get(name)
     if not closed:
-        loop = _ring(case["expected"]["trajectory"])
-        layers.append(("faint", (loop,), True))
+        layers.append(("faint", tuple(_rings(expected_rings(case, FITS[name]))), True))
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]

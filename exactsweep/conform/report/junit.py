@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
@@ -10,7 +11,8 @@ from exactsweep.conform.report.text import witness_lines
 from exactsweep.conform.run.outcome import Outcome, witnesses
 from exactsweep.conform.run.run import Run, fails
 
-_ERRORS = (Verdict.TIMEOUT, Verdict.CRASH)
+_ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
+_SKIPPED = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
 # What XML 1.0 cannot hold, not even as a reference.
 _NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -18,8 +20,9 @@ _NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 def junit(run: Run) -> str:
     """Write a run as JUnit XML: a test case each, the class of its pair as the class name.
 
-    Timeouts and crashes are errors, other verdicts that are not accepted are failures, and
-    unsupported cases are skipped.
+    Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
+    failures, and what was not judged is skipped. Properties say how many cases were judged, what
+    the trajectories that differ are exact for, and, of a case, its fault, memory and rounding.
 
     Args:
         run: a Run.
@@ -36,14 +39,16 @@ def junit(run: Run) -> str:
         "tests": str(summary.total()),
         "failures": str(summary.failures(run.accepted) - errors),
         "errors": str(errors),
-        "skipped": str(summary.total(Verdict.UNSUPPORTED)),
+        "skipped": str(sum(map(summary.total, _SKIPPED))),
         "time": f"{summary.seconds:.3f}",
     }
     suites = ElementTree.Element("testsuites")
     suite = ElementTree.SubElement(suites, "testsuite", _clean(counts))
+    _add_properties(suite, {"judged": str(summary.judged), "diagnosis": summary.diagnosis()})
+    whole = {outcome.id: outcome for outcome in run.show()}
     for outcome in run.outcomes:
-        _test_case(suite, outcome, run.accepted)
-    said = [*run.complaints, *(["interrupted"] if run.interrupted else [])]
+        _add_case(suite, whole.get(outcome.id, outcome), run.accepted)
+    said = run.find_objections()
     if said:
         ElementTree.SubElement(suite, "system-err").text = _text("\n".join(said))
     ElementTree.indent(suites)
@@ -51,12 +56,27 @@ def junit(run: Run) -> str:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{written}\n'
 
 
-def _test_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -> None:
+def _add_properties(element: ElementTree.Element, named: Mapping[str, str | None]) -> None:
+    known = {name: value for name, value in named.items() if value}
+    if known:
+        properties = ElementTree.SubElement(element, "properties")
+        for name, value in known.items():
+            ElementTree.SubElement(properties, "property", _clean({"name": name, "value": value}))
+
+
+def _add_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) -> None:
     names = {"classname": outcome.kind, "name": outcome.id, "time": f"{outcome.seconds:.6f}"}
     case = ElementTree.SubElement(suite, "testcase", _clean(names))
-    if outcome.verdict is Verdict.UNSUPPORTED:
+    is_failure = fails(outcome.verdict, accepted)
+    granted = ", ".join(
+        f"{part['name']} {part['granted']}" for part in outcome.parts if part["granted"]
+    )
+    memory = "" if outcome.memory is None else str(outcome.memory)
+    fault = outcome.fault if is_failure else ""
+    _add_properties(case, {"fault": fault, "memory": memory, "rounding granted": granted})
+    if outcome.verdict in _SKIPPED:
         ElementTree.SubElement(case, "skipped", _clean({"message": outcome.reason}))
-    elif fails(outcome.verdict, accepted):
+    elif is_failure:
         tag = "error" if outcome.verdict in _ERRORS else "failure"
         said = {"type": outcome.verdict.value, "message": outcome.reason}
         ElementTree.SubElement(case, tag, _clean(said)).text = _text("\n".join(_lines(outcome)))
@@ -67,6 +87,7 @@ def _test_case(suite: ElementTree.Element, outcome: Outcome, accepted: Verdict) 
 def _lines(outcome: Outcome) -> list[str]:
     lines = [f"{outcome.verdict}: {outcome.reason}"]
     for part in outcome.parts:
+        lines += (f"{part['name']}: {words}" for words in part["diagnosis"])
         for witness in witnesses(part):
             lines += (f"{part['name']}: {line}" for line in witness_lines(witness))
     return lines

@@ -16,9 +16,12 @@ from rich.table import Table
 from exactsweep.conform.judge.verdict import Comparison, PartComparison
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
+from exactsweep.conform.run.peer import tell_bytes
 from exactsweep.conform.run.run import Run, Tally
 from exactsweep.text.report import laid_out
 from exactsweep.words import count
+
+_MOST_LISTED = 20
 
 
 def describe(comparison: Comparison) -> str:
@@ -135,6 +138,48 @@ def table(summary: Tally, terminal_width: int | None = None) -> str:
 
 def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:
     return (str(count) if count else "" for count in counts)
+
+
+def close(run: Run, *, is_timed: bool = False) -> str:
+    """Write what is said below the table: what failed, and how the run ended.
+
+    Args:
+        run: a Run.
+        is_timed: whether to name the answers that took the most time and memory, too.
+
+    Returns:
+        Lines of text: what all trajectories that differ are exact for; each fault with its smallest
+        case; what else was wrong; and how many cases were judged and failed.
+    """
+    diagnosis = run.summary.diagnosis()
+    lines = [] if diagnosis is None else [diagnosis]
+    faults = run.list_faults()
+    for fault in faults[:_MOST_LISTED]:
+        smallest = fault.kept[0]
+        likewise = f"  (and {fault.count - 1} more like it)" if fault.count > 1 else ""
+        lines.append(f"{smallest.verdict}  {smallest.id}  {smallest.reason}{likewise}")
+    if len(faults) > _MOST_LISTED:
+        rest = sum(fault.count for fault in faults[_MOST_LISTED:])
+        lines.append(
+            f"... and {count(rest, 'failure')} of {len(faults) - _MOST_LISTED} other kinds"
+        )
+    if is_timed:
+        lines += tell_costs(run.summary)
+    summary = run.summary
+    ending = "passed" if run.passed else "failed"
+    judged = f"{summary.judged} of {count(summary.total(), 'case')} judged"
+    worse = f"{summary.failures(run.accepted)} worse than {run.accepted}"
+    lines += [*run.find_objections(), f"{run.hello.name}: {ending}, {judged}, {worse}"]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def tell_costs(summary: Tally) -> list[str]:
+    """Say which answers took the most time and the most memory, as far as that is known."""
+    (seconds, slowest), (memory, largest) = summary.slowest, summary.largest
+    lines = [f"at most {seconds:.3g} s for an answer ({slowest})"] if slowest else []
+    if memory:
+        lines.append(f"at most {tell_bytes(memory)} of memory ({largest})")
+    return lines
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, Self
@@ -12,10 +12,11 @@ from exactsweep.conform.run.protocol import read_object
 from exactsweep.corpus import Case, case_from_json, cases, find_case
 from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json, read_vertices
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 
 
-class SelectionError(ValueError):
+class SelectionError(ExactSweepError):
     """A filter that is none, or cases that cannot be told apart."""
 
 
@@ -117,10 +118,10 @@ def read_cases(path: str) -> Iterator[Case]:
     name = file_name(path)
     try:
         if path == "-":
-            yield from _read(standard_input(), name)
+            yield from read_lines(standard_input(), path, _read_line)
         else:
             with open(path, "rb") as file:
-                yield from _read(file, name)
+                yield from read_lines(file, path, _read_line)
     except OSError as error:
         raise FormatError(f"{name}: {error.strerror or error}") from None
 
@@ -136,8 +137,22 @@ def standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def _read(file: BinaryIO, name: str) -> Iterator[Case]:
-    number = 0
+def _read_line(number: int, line: str) -> Case:
+    return case_from_json(read_object(line))
+
+
+def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> Iterator[Case]:
+    """Read a case of each line that is not empty.
+
+    Args:
+        file: of lines.
+        path: what it is called, for messages.
+        read: a function of a line and its number.
+
+    Raises:
+        FormatError: a line that is no case; the message names the file and line.
+    """
+    name, number = file_name(path), 0
     while line := file.readline(MAX_BYTES + 1):
         number += 1
         if len(line) > MAX_BYTES:
@@ -145,7 +160,7 @@ def _read(file: BinaryIO, name: str) -> Iterator[Case]:
         if line.isspace():
             continue
         try:
-            yield case_from_json(read_object(line.decode("utf-8-sig").strip()))
+            yield read(number, line.decode("utf-8-sig").strip())
         except ValueError as error:
             raise FormatError(f"{name}, line {number}: {error}") from None
 

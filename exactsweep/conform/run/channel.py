@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import IO
 
+from exactsweep.conform.run.peer import MAX_STDERR
 from exactsweep.conform.run.protocol import MAX_LINE
 from exactsweep.processes import Started
 
 _CHUNK = 65536
-_MAX_STDERR = 4096
 _LAST_CHUNKS = 16
 _LOOKING = 0.2
 """Seconds after which to look whether the process has ended."""
@@ -34,6 +34,10 @@ class LongLineError(Exception):
     """A line has more than MAX_LINE bytes."""
 
 
+class LargeError(Exception):
+    """The process held more memory than it may."""
+
+
 class Channel:
     """A process, spoken to in lines.
 
@@ -42,21 +46,27 @@ class Channel:
 
     Args:
         command: the program and its arguments.
+        most: bytes of memory that it may hold, or None.
+
+    Attributes:
+        peak: bytes that it held at most since the last line was sent, or None where nobody knows.
 
     Raises:
         OSError: it cannot be started.
     """
 
-    def __init__(self, command: Sequence[str]) -> None:
+    def __init__(self, command: Sequence[str], most: int | None = None) -> None:
+        self._most = most
+        self.peak: int | None = None
         self._started = Started(command)
         process = self._started.process
         self._selector = selectors.DefaultSelector()
         self._incoming, self._searched = bytearray(), 0
         self._outgoing, self._closing = bytearray(), False
         self._stderr = b""
-        self._stdin = self._watched(process.stdin, None)
-        self._stdout = self._watched(process.stdout, selectors.EVENT_READ)
-        self._errors = self._watched(process.stderr, selectors.EVENT_READ)
+        self._stdin = self._watch(process.stdin, None)
+        self._stdout = self._watch(process.stdout, selectors.EVENT_READ)
+        self._errors = self._watch(process.stderr, selectors.EVENT_READ)
 
     @property
     def stderr(self) -> str:
@@ -64,8 +74,10 @@ class Channel:
         return self._stderr.decode("utf-8", "replace")
 
     def send(self, line: str) -> None:
-        """Leave a line to be written while the next one is waited for."""
+        """Leave a line to be written while the next one is waited for; forget the peak."""
         self._outgoing += line.encode() + b"\n"
+        self._started.forget_peak()
+        self.peak = None
 
     def receive(self, seconds: float) -> str:
         """Wait for a line.
@@ -77,16 +89,22 @@ class Channel:
             SilentError: no line came within these seconds.
             ClosedError: the output ended before a line did.
             LongLineError: the line is too long.
+            LargeError: it held too much memory.
         """
-        deadline = time.monotonic() + seconds
+        now = time.monotonic()
+        deadline, look = now + seconds, now + _LOOKING
         while True:
-            line = self._taken()
+            line = self._take()
             if line is not None:
+                self._weigh()
                 return line.decode("utf-8", "replace")
-            left = deadline - time.monotonic()
-            if left <= 0:
+            now = time.monotonic()
+            if now >= look:
+                self._weigh()
+                look = now + _LOOKING
+            if now >= deadline:
                 raise SilentError
-            self._transfer(left)
+            self._transfer(deadline - now)
 
     def finish(self, seconds: float) -> str | None:
         """Close its input, after what is still to be sent, wait for its end, kill what is left.
@@ -107,7 +125,7 @@ class Channel:
             code = self._started.wait(seconds)
             if code is None:
                 return f"closed its output, but did not end within {seconds:g} s after bye"
-            return None if code == 0 else f"after bye, {exit_words(code)}"
+            return None if code == 0 else f"after bye, {tell_exit(code)}"
         finally:
             self.kill()
         return f"wrote on after bye: {line[:40]!r}"
@@ -117,14 +135,21 @@ class Channel:
         self._selector.close()
         self._started.end()
 
-    def _watched(self, pipe: IO[bytes] | None, event: int | None) -> int:
+    def _watch(self, pipe: IO[bytes] | None, event: int | None) -> int:
         assert pipe is not None
         os.set_blocking(pipe.fileno(), False)
         if event is not None:
             self._selector.register(pipe.fileno(), event)
         return pipe.fileno()
 
-    def _taken(self) -> bytes | None:
+    def _weigh(self) -> None:
+        peak = self._started.read_peak()
+        if peak is not None and not self._closing:
+            self.peak = max(peak, self.peak or 0)
+            if self._most is not None and self.peak > self._most:
+                raise LargeError
+
+    def _take(self) -> bytes | None:
         """The next whole line, if there is one."""
         end = self._incoming.find(b"\n", self._searched)
         if (end if end >= 0 else len(self._incoming)) > MAX_LINE:
@@ -151,7 +176,7 @@ class Channel:
             if key.fd == self._stdin:
                 self._write()
             elif key.fd == self._errors:
-                self._stderr = (self._stderr + self._read(key.fd))[-_MAX_STDERR:]
+                self._stderr = (self._stderr + self._read(key.fd))[-MAX_STDERR:]
             else:
                 chunk = self._read(key.fd)
                 if not chunk:
@@ -184,14 +209,14 @@ class Channel:
         # What it said last is in the pipe; one that it started may still be writing.
         with suppress(OSError, KeyError):
             for _ in range(_LAST_CHUNKS):
-                self._stderr = (self._stderr + self._read(self._errors))[-_MAX_STDERR:]
-        return "closed its output" if code is None else exit_words(code)
+                self._stderr = (self._stderr + self._read(self._errors))[-MAX_STDERR:]
+        return "closed its output" if code is None else tell_exit(code)
 
 
-def exit_words(code: int) -> str:
+def tell_exit(code: int) -> str:
     """Say how a process ended.
 
-    >>> exit_words(3), exit_words(-11)
+    >>> tell_exit(3), tell_exit(-11)
     ('exited with code 3', 'was ended by signal 11, SIGSEGV')
     """
     if code >= 0:

@@ -12,6 +12,7 @@ from typing import Any, BinaryIO, Self
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.formats import MAX_BYTES
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import format_fraction
 from exactsweep.processes import lock
 
@@ -20,7 +21,7 @@ VERSION = 1
 _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
-class JournalError(ValueError):
+class JournalError(ExactSweepError):
     """A journal that cannot be begun, gone on with or read; the message says why."""
 
 
@@ -36,6 +37,7 @@ class Journal:
         hello: what the implementation says of itself, likewise.
         seconds: that an answer may take, likewise.
         rounding: by how much less a coordinate may be off, likewise.
+        most: bytes of memory that the program may hold, or None, likewise.
         resume: whether the file may be there and is gone on with.
 
     Attributes:
@@ -54,6 +56,7 @@ class Journal:
         hello: Hello,
         seconds: float,
         rounding: Fraction | None = None,
+        most: int | None = None,
         resume: bool = False,
     ) -> None:
         self._path = path
@@ -66,6 +69,7 @@ class Journal:
             "hello": hello.to_json(),
             "seconds": seconds,
             "rounding": rounding and format_fraction(rounding),
+            "memory": most,
         }
         try:
             if resume and path.exists():

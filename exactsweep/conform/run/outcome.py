@@ -14,9 +14,11 @@ from typing import Any, NoReturn
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.shrink import shrink
 from exactsweep.conform.judge.verdict import Comparison, Verdict
+from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, format_fraction, limits, quoted, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
@@ -37,7 +39,9 @@ class Outcome:
         flags: its flags.
         verdict: the verdict.
         reason: one line.
+        fault: what `name_fault` says: the same for failures of the same kind.
         seconds: that the answer took.
+        memory: bytes that the program held at most meanwhile, or None where nobody knows.
         digest: of the case as it was given; the same only for the same case.
         parts: what `PartComparison.to_json` gives, for each part; empty for exact and
             equivalent answers.
@@ -52,7 +56,9 @@ class Outcome:
     flags: tuple[str, ...]
     verdict: Verdict
     reason: str = ""
+    fault: str = ""
     seconds: float = 0.0
+    memory: int | None = None
     digest: str = ""
     parts: tuple[Mapping[str, Any], ...] = ()
     case: Mapping[str, Any] | None = None
@@ -76,7 +82,7 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
             parts[name] = tuple(data.get(name, ()))
         return Outcome(**parts)
     except (KeyError, TypeError) as error:
-        raise ValueError(f"no outcome: {error}") from None
+        raise ExactSweepError(f"no outcome: {error}") from None
 
 
 def read_exact(text: str) -> Fraction:
@@ -150,6 +156,7 @@ def judge_answer(
         comparison = Comparison(case.id, answer.verdict, answer.reason)
     verdict = comparison.verdict
     kept = verdict not in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED)
+    parts = tuple(part.to_json() for part in comparison.parts) if kept else ()
     return Outcome(
         id=case.id,
         kind=case.kind,
@@ -157,8 +164,10 @@ def judge_answer(
         digest=digest(case),
         verdict=verdict,
         reason=comparison.reason,
+        fault=name_fault(verdict, comparison.reason, parts, answer.stderr, case.id),
         seconds=round(answer.seconds, 6),
-        parts=tuple(part.to_json() for part in comparison.parts) if kept else (),
+        memory=answer.memory,
+        parts=parts,
         case=case_to_json(put) if kept else None,
         result=_plain(answer.result) if kept and answer.result is not None else None,
         stderr=answer.stderr,
@@ -176,15 +185,15 @@ def judge_answer_in_time(
     """Judge an answer as `judge_answer` does; in the main thread only.
 
     Returns:
-        The Outcome; its verdict is malformed if comparing takes more than TO_COMPARE seconds: no
-            timeout, for it is not the implementation that was slow.
+        The Outcome; its verdict is undecided if comparing takes more than TO_COMPARE seconds: it
+            is not the implementation that was slow.
     """
     try:
         with stop_after(TO_COMPARE):
             return judge_answer(case, put, answer, promised, numbers, rounding)
     except OvertimeError:
         reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
-        late = Answer(verdict=Verdict.MALFORMED, reason=reason, seconds=answer.seconds)
+        late = answer._replace(result=None, verdict=Verdict.UNDECIDED, reason=reason)
         return judge_answer(case, put, late, ())
 
 
@@ -222,7 +231,7 @@ def stop_after(seconds: float) -> Iterator[None]:
 def shrink_outcome(
     peer: Peer, outcome: Outcome, seconds: float, judge: Judge = judge_case
 ) -> Outcome:
-    """Find a smaller case that an implementation fails in the same way.
+    """Find a smaller case that shows the same fault of an implementation.
 
     Args:
         peer: the implementation.
@@ -234,7 +243,7 @@ def shrink_outcome(
         The Outcome of the smallest case that was found.
     """
     case = case_from_json(outcome.case)
-    return judge(peer, shrink(case, lambda case: judge(peer, case).verdict, seconds=seconds))
+    return judge(peer, shrink(case, lambda case: judge(peer, case).fault, seconds=seconds))
 
 
 def digest(case: Case) -> str:

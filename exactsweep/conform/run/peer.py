@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import traceback
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
@@ -14,6 +15,8 @@ from exactsweep.geometry.point import Point
 
 SECONDS = 10.0
 """Seconds that an answer may take, unless the caller says otherwise."""
+MAX_STDERR = 4096
+"""The most bytes that are kept of what it wrote to standard error, the last of it."""
 _MAX_REASON = 200
 
 
@@ -21,12 +24,22 @@ Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
 
 
 class Answer(NamedTuple):
-    """What came of asking: a result to be compared, or a verdict and its reason."""
+    """What came of asking: a result to be compared, or a verdict and its reason.
+
+    Attributes:
+        result: plain data, or None.
+        verdict: where there is no result.
+        reason: one line, likewise.
+        seconds: that it took.
+        memory: bytes that the program held at most meanwhile, or None where nobody knows.
+        stderr: the last of what it wrote to standard error, where it failed.
+    """
 
     result: Mapping[str, Any] | None = None
     verdict: Verdict | None = None
     reason: str = ""
     seconds: float = 0.0
+    memory: int | None = None
     stderr: str = ""
 
 
@@ -62,6 +75,15 @@ def cut(reason: str) -> str:
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in words)
 
 
+def tell_bytes(number: int) -> str:
+    """Say how much memory something takes.
+
+    >>> tell_bytes(5 * 2**20 + 1), tell_bytes(300)
+    ('5.0 MiB', '0.0 MiB')
+    """
+    return f"{number / 2**20:.1f} MiB"
+
+
 class CallablePeer:
     """A function in this process.
 
@@ -95,7 +117,9 @@ class CallablePeer:
         except Exception as error:  # it may fail in any way, and that is its answer
             reason = cut(f"{type(error).__name__}: {error}")
             seconds = time.monotonic() - began
-            return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds)
+            # The innermost frames tell one fault from another.
+            said = traceback.format_exc()[-MAX_STDERR:]
+            return Answer(verdict=Verdict.CRASH, reason=reason, seconds=seconds, stderr=said)
         seconds = time.monotonic() - began
         if seconds > self._seconds:
             reason = f"no answer within {self._seconds:g} s"

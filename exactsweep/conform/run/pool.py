@@ -13,6 +13,7 @@ from exactsweep.conform.run.peer import SECONDS
 from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 from exactsweep.processes import Pool
 
@@ -22,7 +23,7 @@ _ENDED = "the process that judges has ended"
 _Job = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
-class JudgeError(ValueError):
+class JudgeError(ExactSweepError):
     """What could not be judged, by no fault of the implementation; the message says why."""
 
 
@@ -37,6 +38,7 @@ class Judges:
         workers: how many cases are worked on at a time.
         to_start: seconds that the implementation may take to say hello.
         rounding: by how much less a coordinate may be off, as for `compare`.
+        most: bytes of memory that each process of it may hold, or None.
 
     Attributes:
         hello: what the implementation says of itself.
@@ -56,12 +58,13 @@ class Judges:
         workers: int = 1,
         to_start: float = TO_START,
         rounding: Fraction | None = None,
+        most: int | None = None,
     ) -> None:
         self.complaints: list[str] = []
         self._pool = Pool(workers)
         try:
             hellos: list[Hello] = self._call_in_each(
-                _start, list(command), seconds, to_start, rounding
+                _start, list(command), seconds, to_start, rounding, most
             )
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
@@ -86,7 +89,7 @@ class Judges:
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
-        """Look for smaller cases that the implementation fails in the same way.
+        """Look for smaller cases that show the same fault of the implementation.
 
         Args:
             outcomes: of cases that it failed; with the case.
@@ -158,11 +161,15 @@ _rounding: Fraction | None
 
 
 def _start(
-    command: Sequence[str], seconds: float, to_start: float, rounding: Fraction | None
+    command: Sequence[str],
+    seconds: float,
+    to_start: float,
+    rounding: Fraction | None,
+    most: int | None,
 ) -> Hello:
     global _peer, _rounding
     _rounding = rounding
-    _peer = ProcessPeer(command, seconds, to_start)
+    _peer = ProcessPeer(command, seconds, to_start, most)
     return _peer.hello
 
 

@@ -6,8 +6,14 @@ import time
 from collections.abc import Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.channel import Channel, ClosedError, LongLineError, SilentError
-from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer
+from exactsweep.conform.run.channel import (
+    Channel,
+    ClosedError,
+    LargeError,
+    LongLineError,
+    SilentError,
+)
+from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer, tell_bytes
 from exactsweep.conform.run.protocol import (
     BYE,
     MAX_LINE,
@@ -34,15 +40,21 @@ class ProcessPeer:
         command: the program and its arguments.
         seconds: that an answer may take.
         to_start: seconds that it may take to say hello.
+        most: bytes of memory that it may hold, or None.
 
     Raises:
         ProtocolError: it cannot be started, or says no hello.
     """
 
     def __init__(
-        self, command: Sequence[str], seconds: float = SECONDS, to_start: float = TO_START
+        self,
+        command: Sequence[str],
+        seconds: float = SECONDS,
+        to_start: float = TO_START,
+        most: int | None = None,
     ) -> None:
         self._command, self._seconds, self._to_start = command, seconds, to_start
+        self._most = most
         self._channel: Channel | None = None
         self.hello = self._start()
 
@@ -52,10 +64,11 @@ class ProcessPeer:
             self._restart()
         except ProtocolError as error:
             return Answer(verdict=Verdict.CRASH, reason=f"did not start again: {error}")
-        assert self._channel is not None
+        channel = self._channel
+        assert channel is not None
         began = time.monotonic()
-        answer = self._exchange(self._channel, case)
-        return answer._replace(seconds=time.monotonic() - began)
+        answer = self._exchange(channel, case)
+        return answer._replace(seconds=time.monotonic() - began, memory=channel.peak)
 
     def close(self) -> str | None:
         """Say bye, wait for its end, kill it if need be."""
@@ -81,8 +94,11 @@ class ProcessPeer:
             return read_answer(result)
         except SilentError:
             verdict, reason = Verdict.TIMEOUT, f"no answer within {self._seconds:g} s"
+        except LargeError:
+            assert self._most is not None
+            verdict, reason = Verdict.MEMORY, f"holds more than {tell_bytes(self._most)}"
         except ClosedError as error:
-            verdict, reason = Verdict.CRASH, str(error)
+            verdict, reason = Verdict.CRASH, _with_last_words(str(error), channel)
         except LongLineError:
             verdict, reason = Verdict.MALFORMED, f"a line of more than {MAX_LINE} bytes"
         except ProtocolError as error:
@@ -99,7 +115,7 @@ class ProcessPeer:
 
     def _start(self) -> Hello:
         try:
-            channel = self._channel = Channel(self._command)
+            channel = self._channel = Channel(self._command, self._most)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or error
             raise ProtocolError(f"{quoted(self._command[0])} does not start: {reason}") from None
@@ -109,7 +125,10 @@ class ProcessPeer:
             self.kill()
             raise
         except SilentError:
-            reason = f"no hello within {self._to_start:g} s"
+            reason = f"no hello within {self._to_start:g} s; if it writes one, does it flush it?"
+        except LargeError:
+            assert self._most is not None
+            reason = f"no hello, but more than {tell_bytes(self._most)}"
         except ClosedError as error:
             reason = f"no hello: {error}"
         except LongLineError:

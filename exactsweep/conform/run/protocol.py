@@ -40,6 +40,7 @@ from exactsweep.corpus import Case
 from exactsweep.corpus.case import SHAPES, Fit, Ring, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
@@ -59,7 +60,7 @@ MAX_LINE = 4 * 2**20
 MAX_NAME = 200
 
 
-class ProtocolError(ValueError):
+class ProtocolError(ExactSweepError):
     """A line from an implementation that is not what the protocol asks for there."""
 
 
@@ -243,7 +244,7 @@ def _binary64(value: Fraction) -> str:
     return repr(float(value))
 
 
-class UnsupportedError(ValueError):
+class UnsupportedError(ExactSweepError):
     """A case that an implementation is not asked, as it says in its hello."""
 
 

@@ -13,11 +13,16 @@ from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, read_exact
 from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.spool import Spool
 from exactsweep.corpus.case import KINDS
 from exactsweep.geometry.number import format_fraction
+from exactsweep.words import count
 
-SHOWN = 20
-"""How many failures of each verdict are kept with all that belongs to them, the smallest."""
+SHOWN = 5
+"""How many failures of each fault are kept with all that belongs to them, the smallest."""
+MOST_FAULTS = 40
+"""More faults than that are not told apart; the rest of them are, by verdict."""
+_MOST_DIAGNOSES = 1000
 
 
 ALL = "all"
@@ -53,6 +58,7 @@ class Tally:
         worst: dict from the name of a loop to its Worst, where there was anything to measure.
         seconds: that all answers took together.
         slowest: the longest time of one answer, and the id of its case.
+        largest: the most bytes that the program held for one answer, likewise; 0 if unknown.
         different: how many trajectories are conservative, unsound or wrong.
         diagnoses: Counter of what these are exact for.
 
@@ -67,6 +73,7 @@ class Tally:
         self.worst: dict[str, Worst] = {}
         self.seconds = 0.0
         self.slowest = (0.0, "")
+        self.largest = (0, "")
         self.different = 0
         self.diagnoses: Counter[str] = Counter()
         for outcome in outcomes:
@@ -78,10 +85,14 @@ class Tally:
             self.counts[group, outcome.verdict] += 1
         self.seconds += outcome.seconds
         self.slowest = max(self.slowest, (outcome.seconds, outcome.id))
+        self.largest = max(self.largest, (outcome.memory or 0, outcome.id))
         for part in outcome.parts:
-            if part["name"] == "trajectory" and Verdict(part["verdict"]) in _DIFFERENT:
+            if part["name"] in ("trajectory", "no_fit") and Verdict(part["verdict"]) in _DIFFERENT:
                 self.different += 1
-                self.diagnoses.update(part["diagnosis"])
+                for words in part["diagnosis"]:
+                    # Of a reference point that moves, each case has an offset of its own.
+                    if words in self.diagnoses or len(self.diagnoses) < _MOST_DIAGNOSES:
+                        self.diagnoses[words] += 1
             if part["distance_squared"] is not None and part["area"] is not None:
                 distance = read_exact(part["distance_squared"][0]), outcome.id
                 area = read_exact(part["area"]), outcome.id
@@ -100,8 +111,13 @@ class Tally:
         verdicts = Verdict if verdict is None else (verdict,)
         return sum(self.counts[group, one] for one in verdicts)
 
+    @property
+    def judged(self) -> int:
+        """How many cases the implementation could do and we could judge."""
+        return self.total() - self.total(Verdict.UNSUPPORTED) - self.total(Verdict.UNDECIDED)
+
     def failures(self, accepted: Verdict) -> int:
-        """Return how many verdicts are worse than an accepted one; unsupported is no failure."""
+        """Return how many verdicts are worse than an accepted one, as `fails` has it."""
         return sum(self.total(verdict) for verdict in Verdict if fails(verdict, accepted))
 
     def groups(self) -> list[str]:
@@ -116,90 +132,134 @@ class Tally:
 
 
 def fails(verdict: Verdict, accepted: Verdict) -> bool:
-    """Whether a verdict is worse than an accepted one; unsupported is no failure.
+    """Whether a verdict is worse than an accepted one; what was not judged is no failure.
 
     >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
     (True, False)
     """
-    return verdict is not Verdict.UNSUPPORTED and verdict.severity > accepted.severity
+    judged = verdict not in (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
+    return judged and verdict.severity > accepted.severity
+
+
+class Fault:
+    """Failures that show the same fault.
+
+    Args:
+        verdict: of all of them.
+        name: what `name_fault` says of them.
+
+    Attributes:
+        count: how many there are.
+    """
+
+    def __init__(self, verdict: Verdict, name: str) -> None:
+        self.verdict, self.name, self.count = verdict, name, 0
+        self._kept: list[tuple[int, int, Outcome]] = []
+
+    def add(self, outcome: Outcome) -> None:
+        """Count an outcome, and keep it if it is among the smallest."""
+        insort(self._kept, (_measure(outcome), self.count, outcome))
+        del self._kept[SHOWN:]
+        self.count += 1
+
+    @property
+    def kept(self) -> list[Outcome]:
+        """The smallest ones, whole, the smallest first."""
+        return [outcome for _, _, outcome in self._kept]
 
 
 class Run:
-    """Outcomes as they come in; memory is bounded but for a line a case.
+    """Outcomes as they come in; memory is bounded but for a few bytes a case.
 
     Args:
         hello: what the implementation says of itself.
         command: what was run; empty for a function or a stream.
         accepted: the worst verdict that is no failure.
+        least_judged: the least part of the cases that must be judged for the run to pass.
 
     Attributes:
-        outcomes: list of all outcomes; of failures that are not `shown`, without the case, the
-            answer and what was measured.
-        shrunk: dict from the id of a case to the outcome of a smaller one that fails likewise.
+        outcomes: sequence of all outcomes, without the case, the answer and what was measured.
+        shrunk: dict from the id of a case to the outcome of a smaller one with the same fault.
         summary: the counts.
         complaints: list of what is wrong besides, a line each.
         interrupted: whether the run was stopped before its end.
     """
 
     def __init__(
-        self, hello: Hello, command: Sequence[str] = (), accepted: Verdict = ACCEPTED
+        self,
+        hello: Hello,
+        command: Sequence[str] = (),
+        accepted: Verdict = ACCEPTED,
+        least_judged: Fraction = Fraction(0),
     ) -> None:
         self.hello, self.command, self.accepted = hello, tuple(command), accepted
-        self.outcomes: list[Outcome] = []
+        self.least_judged = least_judged
+        self.outcomes = Spool()
         self.shrunk: dict[str, Outcome] = {}
         self.summary = Tally()
         self.complaints: list[str] = []
         self.interrupted = False
-        self._shown: dict[Verdict, list[tuple[int, int]]] = {}
+        self._faults: dict[str, Fault] = {}
 
     def add(self, outcome: Outcome) -> None:
         """Take in an outcome."""
-        place = len(self.outcomes)
-        self.outcomes.append(outcome)
         self.summary.add(outcome)
-        if not fails(outcome.verdict, self.accepted):
-            self._strip(place)
-            return
-        shown = self._shown.setdefault(outcome.verdict, [])
-        insort(shown, (_size(outcome), place))
-        if len(shown) > SHOWN:
-            self._strip(shown.pop()[1])
+        self.outcomes.add(replace(outcome, parts=(), case=None, result=None, stderr=""))
+        if fails(outcome.verdict, self.accepted):
+            name = outcome.fault
+            if name not in self._faults and len(self._faults) >= MOST_FAULTS:
+                name = f"{outcome.verdict}: others"
+            self._faults.setdefault(name, Fault(outcome.verdict, name)).add(outcome)
 
-    def shown(self) -> Iterator[Outcome]:
-        """Yield the failures that are kept whole, verdict by verdict, the smallest first."""
-        for verdict in Verdict:
-            for _, place in self._shown.get(verdict, ()):
-                yield self.outcomes[place]
+    def list_faults(self) -> list[Fault]:
+        """Return the failures, those with the same fault together, the worst verdict first."""
+        return sorted(self._faults.values(), key=lambda f: (-f.verdict.severity, -f.count))
+
+    def show(self) -> Iterator[Outcome]:
+        """Yield the failures that are kept whole, fault by fault, the smallest first."""
+        for fault in self.list_faults():
+            yield from fault.kept
 
     def to_be_smaller(self, number: int) -> list[Outcome]:
-        """Return some failures of each verdict, the smallest; no timeouts, which take long."""
+        """Return some failures of each fault, the smallest; none that may take long to fail."""
         return [
-            self.outcomes[place]
-            for verdict, shown in self._shown.items()
-            if verdict is not Verdict.TIMEOUT
-            for _, place in shown[:number]
+            outcome
+            for fault in self.list_faults()
+            if fault.verdict not in (Verdict.TIMEOUT, Verdict.MEMORY)
+            for outcome in fault.kept[:number]
         ]
 
     def add_smaller(self, id: str, outcome: Outcome) -> None:
         """Take in the outcome of a smaller case than that of this id.
 
-        It is dropped if the verdict is another one after all, as an implementation that does not
+        It is dropped if it shows another fault after all, as an implementation that does not
         always answer the same may bring about.
         """
-        (verdict,) = (found.verdict for found in self.shown() if found.id == id)
-        if outcome.verdict is verdict:
+        (fault,) = (found.fault for found in self.show() if found.id == id)
+        if outcome.fault == fault:
             self.shrunk[id] = outcome
+
+    def find_objections(self) -> list[str]:
+        """Return what is wrong with the run besides failures, a line each."""
+        judged, total = self.summary.judged, self.summary.total()
+        lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
+        if undecided := self.summary.total(Verdict.UNDECIDED):
+            lines.append(f"{count(undecided, 'answer')} could not be compared in time")
+        if not judged:
+            lines.append("nothing was judged")
+        elif judged < self.least_judged * total:
+            lines.append(f"only {judged} of {count(total, 'case')} judged, too few")
+        return lines
 
     @property
     def passed(self) -> bool:
-        """Whether something was judged, nothing failed, and nothing else was wrong."""
-        judged = self.summary.total() - self.summary.total(Verdict.UNSUPPORTED)
-        failed = self.summary.failures(self.accepted)
-        return judged > 0 and failed == 0 and not self.complaints and not self.interrupted
+        """Whether enough was judged, nothing failed, and nothing else was wrong."""
+        return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:
         """Return everything as plain data, numbers of the geometry as strings."""
         summary = self.summary
+        whole = {outcome.id: outcome for outcome in self.show()}
         return {
             "format": "exactsweep conform report",
             "version": 1,
@@ -207,10 +267,16 @@ class Run:
             **self.hello.to_json(),
             "command": list(self.command),
             "accepted": self.accepted.value,
+            "least_judged": format_fraction(self.least_judged),
             "passed": self.passed,
+            "cases": summary.total(),
+            "judged": summary.judged,
             "interrupted": self.interrupted,
             "complaints": self.complaints,
+            "objections": self.find_objections(),
             "seconds": round(summary.seconds, 3),
+            "slowest": list(summary.slowest),
+            "largest": list(summary.largest),
             "counts": {
                 group: {
                     verdict.value: summary.counts[group, verdict]
@@ -220,17 +286,17 @@ class Run:
                 for group in summary.groups()
             },
             "diagnosis": summary.diagnosis(),
+            "faults": [
+                {"fault": fault.name, "count": fault.count, "smallest": fault.kept[0].id}
+                for fault in self.list_faults()
+            ],
             "worst": {name: _worst(worst) for name, worst in summary.worst.items()},
-            "outcomes": [outcome.to_json() for outcome in self.outcomes],
+            "outcomes": [whole.get(bare.id, bare).to_json() for bare in self.outcomes],
             "shrunk": {id: outcome.to_json() for id, outcome in self.shrunk.items()},
         }
 
-    def _strip(self, place: int) -> None:
-        bare = replace(self.outcomes[place], parts=(), case=None, result=None, stderr="")
-        self.outcomes[place] = bare
 
-
-def _size(outcome: Outcome) -> int:
+def _measure(outcome: Outcome) -> int:
     case = outcome.case
     return len(case["directrix"]) + len(case["generatrix"]) if case else 0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.cases import distinct
@@ -16,6 +16,8 @@ from exactsweep.corpus import Case
 
 TO_MAKE_SMALLER = 20.0
 """Seconds that may be spent on one failure to find a smaller one like it."""
+MOST_TO_MAKE_SMALLER = 120.0
+"""Seconds that may be spent so on all of them."""
 
 
 def conduct(
@@ -38,10 +40,10 @@ def conduct(
         cases: the cases.
         journal: where each outcome is written as it comes.
         tell: is told each outcome.
-        made_smaller: of how many failures with each verdict a smaller one is looked for.
+        made_smaller: of how many failures of each fault a smaller one is looked for.
     """
 
-    def new(cases: Iterable[Case]) -> Iterator[Case]:
+    def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
             old = journal and journal.done.get(digest(case))
             if old:
@@ -51,12 +53,13 @@ def conduct(
                 yield case
 
     try:
-        for outcome in judges.judge(new(cases)):
+        for outcome in judges.judge(leave_out_old(cases)):
             if journal:
                 journal.add(outcome)
             run.add(outcome)
             tell(outcome)
-        for id, smallest in judges.shrink(run.to_be_smaller(made_smaller), TO_MAKE_SMALLER):
+        failures = run.to_be_smaller(made_smaller)
+        for id, smallest in judges.shrink(failures, _share_time(failures)):
             run.add_smaller(id, smallest)
         judges.finish()
         run.complaints += judges.complaints
@@ -65,6 +68,11 @@ def conduct(
         run.interrupted = True
     except KeyboardInterrupt:
         run.interrupted = True
+
+
+def _share_time(failures: Sequence[Outcome]) -> float:
+    """The seconds that may be spent on one of some failures to find a smaller one like it."""
+    return min(TO_MAKE_SMALLER, MOST_TO_MAKE_SMALLER / max(1, len(failures)))
 
 
 def conform(
@@ -99,7 +107,7 @@ def conform(
         seconds: that an answer may take. A function cannot be stopped: an answer that comes too
             late is a timeout when it comes.
         accepted: the worst verdict that passes; Verdict.EQUIVALENT makes exact fits count, too.
-        made_smaller: of how many failures with each verdict a smaller one is looked for.
+        made_smaller: of how many failures of each fault a smaller one is looked for.
 
     Returns:
         A Run; `exactsweep.conform.report.html`, `junit` and `table` write it for people and for CI.
@@ -127,6 +135,7 @@ def conform(
     run = Run(peer.hello, accepted=accepted)
     for case in distinct(cases):
         run.add(judge_case(peer, case))
-    for outcome in run.to_be_smaller(made_smaller):
-        run.add_smaller(outcome.id, shrink_outcome(peer, outcome, TO_MAKE_SMALLER))
+    failures = run.to_be_smaller(made_smaller)
+    for outcome in failures:
+        run.add_smaller(outcome.id, shrink_outcome(peer, outcome, _share_time(failures)))
     return run

@@ -14,6 +14,7 @@ from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, known
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.polygon import Polygon
 
@@ -106,9 +107,9 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
     """
     chosen = FAMILIES[known(family, FAMILIES, "family")]
     if not 0 <= seed < 10**18:
-        raise ValueError(f"the seed is {seed}, which is not from 0 to 10**18 - 1")
+        raise ExactSweepError(f"the seed is {seed}, which is not from 0 to 10**18 - 1")
     if count is not None and count < 0:
-        raise ValueError(f"the count is negative: {count}")
+        raise ExactSweepError(f"the count is negative: {count}")
     return islice((_make(chosen, seed, number) for number in count_from()), count)
 
 

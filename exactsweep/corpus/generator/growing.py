@@ -207,3 +207,36 @@ def printed_count(m_b: int, n_t: int, n_b: int) -> int:
     (16, 26)
     """
     return m_b + n_t + (m_b // 2) * (n_t // 2) * (n_b - 2) + 2
+
+
+def forks(m: int, n: int) -> tuple[Ring, Ring]:
+    """A no-fit polygon of order (m n)^2 holes: forks with spikes down and spikes to the right.
+
+    D has m / 6 - 1 spikes each way, and G turned by half a turn n / 6 - 1, so many times as far
+    apart: see the proof at "Size of a no-fit polygon". m and n are multiples of 6, at least 18.
+
+    >>> forks(18, 18)[1][:4]
+    [(-1, -120), (0, -120), (0, -117), (48, -116)]
+    """
+    few, many = m // 6 - 1, n // 6 - 1
+    reach = 4 * few * many
+    long = 3 * reach
+    far = 2 * long + reach
+    start = far - long - 4
+    directrix = [(-1, -far - 4 * few), (0, -far - 4 * few)]
+    directrix += [p for i in range(few)[::-1] for p in _spike_right(0, -far - 4 * i, long)]
+    directrix += [(0, 0), *(p for i in range(few) for p in _spike_down(far + 4 * i, 0, long))]
+    directrix += [(far + 4 * few, 0), (far + 4 * few, 1), (-1, 1)]
+    turned = [(-2, 0), *(p for j in range(many) for p in _spike_down(4 * few * j, 0, long))]
+    turned.append((start, 0))
+    turned += [p for j in range(many)[::-1] for p in _spike_right(start, start - 4 * few * j, long)]
+    turned += [(start, start + 2), (start - 1, start + 2), (start - 1, 1), (-2, 1)]
+    return [(-x, -y) for x, y in turned], directrix
+
+
+def _spike_down(x: int, y: int, long: int) -> Ring:
+    return [(x - 1, y), (x, y - long), (x + 1, y)]
+
+
+def _spike_right(x: int, y: int, long: int) -> Ring:
+    return [(x, y - 1), (x + long, y), (x, y + 1)]

@@ -14,6 +14,8 @@ from collections.abc import Sequence
 from hashlib import sha256
 from typing import TypeVar
 
+from exactsweep.geometry.error import ExactSweepError
+
 _T = TypeVar("_T")
 _MASK = 2**64 - 1
 
@@ -49,7 +51,7 @@ class Prng:
         """
         span = high - low + 1
         if span < 1:
-            raise ValueError(f"nothing is between {low} and {high}")
+            raise ExactSweepError(f"nothing is between {low} and {high}")
         words = max(1, -(-(span - 1).bit_length() // 64))
         limit = (1 << 64 * words) // span * span
         while True:

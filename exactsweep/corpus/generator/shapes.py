@@ -4,6 +4,7 @@ All are counter-clockwise as they are built, simple by construction, and not clo
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import combinations
 from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
@@ -123,3 +124,31 @@ def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
 def turned(ring: Ring) -> Ring:
     """The ring turned by half a turn."""
     return [(-x, -y) for x, y in ring]
+
+
+def untangle(points: Iterable[Pair]) -> Ring:
+    """A way through points on which parts are turned round until no two edges cross.
+
+    Each turn makes the way shorter, so that it ends. Edges may still touch one another.
+
+    >>> untangle([(0, 0), (2, 2), (2, 0), (0, 2)])
+    [(0, 0), (2, 0), (2, 2), (0, 2)]
+    """
+    ring = list(points)
+    while pair := _crossing(ring):
+        i, j = pair
+        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+    return ring
+
+
+def _crossing(ring: Ring) -> Pair | None:
+    """Two edges that cross, by their first vertices, if there are any."""
+
+    def side(p: Pair, q: Pair, r: Pair) -> int:
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    for i, j in combinations(range(len(ring)), 2):
+        a, b, p, q = ring[i], ring[i + 1], ring[j], ring[(j + 1) % len(ring)]
+        if side(a, b, p) * side(a, b, q) < 0 and side(p, q, a) * side(p, q, b) < 0:
+            return i, j
+    return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -9,7 +10,10 @@ from exactsweep.geometry.point import Point
 
 
 class Affine(NamedTuple):
-    """The map (x, y) -> (a x + c y + e, b x + d y + f), numbers in the order of SVG's `matrix`."""
+    """The map (x, y) -> (a x + c y + e, b x + d y + f), numbers in the order of SVG's `matrix`.
+
+    The map that is meant may be irrational: then each of its numbers is within `off` of this one's.
+    """
 
     a: Fraction
     b: Fraction
@@ -17,13 +21,19 @@ class Affine(NamedTuple):
     d: Fraction
     e: Fraction
     f: Fraction
+    off: Fraction = Fraction(0)
 
     def __matmul__(self, first: Affine) -> Affine:
         """Return the map that does `first` and then this one."""
         if self is IDENTITY or first is IDENTITY:
             return first if self is IDENTITY else self
         x, y = self.vector(first.a, first.b), self.vector(first.c, first.d)
-        return Affine(*x, *y, *self.point(first.e, first.f))
+        off = Fraction(0)
+        if self.off or first.off:
+            # A number of the product is a sum of two products, and perhaps a number of this map.
+            largest, other = max(map(abs, self[:4])), max(map(abs, first[:6]))
+            off = 2 * (largest * first.off + other * self.off + self.off * first.off) + self.off
+        return Affine(*x, *y, *self.point(first.e, first.f), off)
 
     def point(self, x: Fraction, y: Fraction) -> Point:
         """Map a point."""
@@ -34,6 +44,13 @@ class Affine(NamedTuple):
     def vector(self, x: Fraction, y: Fraction) -> Point:
         """Map a difference of two points."""
         return Point(self.a * x + self.c * y, self.b * x + self.d * y)
+
+    def error(self, points: Iterable[Point]) -> Fraction:
+        """Return how far, at most, images of points and of their hull are from the meant ones."""
+        if not self.off:
+            return Fraction(0)
+        # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
+        return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
 def affine(*numbers: int | Fraction) -> Affine:

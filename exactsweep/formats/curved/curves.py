@@ -19,10 +19,8 @@ from math import isqrt
 
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
-
-MAX_VERTICES = 100_000
-"""The most vertices that one curve becomes."""
 
 
 def root_above(square: Fraction, scale: int = 1) -> Fraction:
@@ -39,39 +37,49 @@ def root_above(square: Fraction, scale: int = 1) -> Fraction:
     return Fraction(root + (root * root < widened), d * widen)
 
 
-def flatten_bezier(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
-    """Turn a quadratic or cubic Bezier curve into lines.
+def flatten_bezier(
+    points: Sequence[Point],
+    image: Affine,
+    reading: Reading,
+    weights: Sequence[Fraction] = (),
+) -> list[Point]:
+    """Turn the image of a Bezier curve, rational if it has weights, into lines.
 
     Args:
-        points: three or four control points.
-        tolerance: how far line and curve may be apart.
+        points: the control points, three or more.
+        image: what maps the curve.
+        reading: has the tolerance, how far line and curve may be apart.
+        weights: one for each control point, all positive; all 1 if left out.
 
     Returns:
-        list of Point, the first and the last control point at its ends.
+        list of Point, the images of the first and the last control point at its ends.
 
     Raises:
-        FormatError: more than MAX_VERTICES would be needed.
+        FormatError: no tolerance, or more lines than are allowed.
 
     Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5).
 
     Example:
+        >>> from exactsweep.formats.curved.affine import IDENTITY
         >>> curve = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (1, 1), (2, 0)]]
-        >>> [tuple(map(str, point)) for point in flatten_bezier(curve, Fraction(1, 2))]
+        >>> [tuple(map(str, p)) for p in flatten_bezier(curve, IDENTITY, Reading("1/2"))]
         [('0', '0'), ('1', '1/2'), ('2', '0')]
     """
-    degree = len(points) - 1
-    # |C''| is at most degree * (degree - 1) times the largest second difference.
-    bends = [
-        (a.x - 2 * b.x + c.x) ** 2 + (a.y - 2 * b.y + c.y) ** 2
-        for a, b, c in zip(points, points[1:], points[2:], strict=False)
-    ]
-    count = _count(degree * (degree - 1) * root_above(max(bends)) / 8, tolerance)
-    inner = [_casteljau(points, Fraction(k, count)) for k in range(1, count)]
-    return [points[0], *rounded(inner, tolerance), points[-1]]
+    mapped = [image.point(*point) for point in points]
+    first, last = place_points([points[0], points[-1]], image, reading)
+    require_sharp(image, points, reading)
+    count = _count(_bend(mapped, weights) / 8, reading)
+    if weights:
+        lifted = [(x * w, y * w, w) for (x, y), w in zip(mapped, weights, strict=True)]
+        sums = (_casteljau(lifted, Fraction(k, count)) for k in range(1, count))
+        inner = [Point(x / w, y / w) for x, y, w in sums]
+    else:
+        inner = [Point(*_casteljau(mapped, Fraction(k, count))) for k in range(1, count)]
+    return [first, *round_points(inner, reading.allow_curve()), last]
 
 
 def flatten_arc(
-    center: Point, start: Point, end: Point, left: bool, image: Affine, tolerance: Fraction
+    center: Point, start: Point, end: Point, left: bool, image: Affine, reading: Reading
 ) -> list[Point]:
     """Turn the image of an arc of a circle into lines.
 
@@ -81,33 +89,56 @@ def flatten_arc(
         end: where it ends, exactly as far from the center; the start for a full turn.
         left: whether it runs counter-clockwise.
         image: what maps the circle, to an ellipse perhaps.
-        tolerance: how far line and image may be apart.
+        reading: has the tolerance, how far line and image may be apart.
 
     Returns:
-        list of Point, the images of start and end exactly at its ends.
+        list of Point, the images of start and end at its ends.
 
     Raises:
-        FormatError: more than MAX_VERTICES would be needed.
+        FormatError: no tolerance, or more lines than are allowed.
 
     Cost: O(k) for k vertices, k being O((size / tolerance) ** 0.5).
 
     Example:
         >>> from exactsweep.formats.curved.affine import IDENTITY
         >>> o, a, b = (Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (5, 0), (3, 4)])
-        >>> [tuple(map(str, p)) for p in flatten_arc(o, a, b, True, IDENTITY, Fraction(1))]
+        >>> [tuple(map(str, p)) for p in flatten_arc(o, a, b, True, IDENTITY, Reading(1))]
         [('5', '0'), ('22/5', '12/5'), ('3', '4')]
     """
     side = 1 if left else -1
     x, y = start.x - center.x, start.y - center.y
     p, q = end.x - center.x, end.y - center.y
     radius = x * x + y * y
+    corners = [Point(center.x + i * x - j * y, center.y + i * y + j * x) for i, j in _CORNERS]
+    require_sharp(image, corners, reading)
     (ux, uy), (vx, vy) = image.vector(x, y), image.vector(-side * y, side * x)
     # Frobenius' norm is not below the largest stretching of the unit circle.
-    count = _count(root_above(ux * ux + uy * uy + vx * vx + vy * vy) / 2, tolerance)
-    turns = _turns((x * p + y * q) / radius, side * (x * q - y * p) / radius, count)
+    bend = root_above(ux * ux + uy * uy + vx * vx + vy * vy) / 2
+    along, across = (x * p + y * q) / radius, side * (x * q - y * p) / radius
+    count = _count(bend, reading, quarters=1 if along > 0 and across > 0 else 4)
     middle = image.point(*center)
+    turns = _turns(along, across, count)
     points = [Point(middle.x + ux * c + vx * s, middle.y + uy * c + vy * s) for c, s in turns]
-    return [image.point(*start), *rounded(points, tolerance), image.point(*end)]
+    inner = round_points(points, reading.allow_curve())
+    first, last = place_points([start, end], image, reading)
+    return [first, *inner, last]
+
+
+# Of a square around the circle through the first of them, in its radii.
+_CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+
+
+def require_sharp(image: Affine, points: Sequence[Point], reading: Reading) -> None:
+    """Refuse a map that is off, around these points, by more than a sixteenth of the tolerance."""
+    if image.off and 16 * image.error(points) > reading.allow_curve():
+        raise FormatError("numbers too large to be turned by an irrational angle")
+
+
+def place_points(points: Sequence[Point], image: Affine, reading: Reading) -> list[Point]:
+    """Map points, exactly, or rounded as `round_points` does where the map is irrational."""
+    require_sharp(image, points, reading)
+    found = [image.point(*point) for point in points]
+    return round_points(found, reading.allow_curve()) if image.off else found
 
 
 def chord_arc_center(start: Point, end: Point, height: Fraction) -> Point:
@@ -116,7 +147,7 @@ def chord_arc_center(start: Point, end: Point, height: Fraction) -> Point:
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
 
 
-def rounded(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
+def round_points(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
     """Move points to a decimal grid, none by more than a fourth of the tolerance."""
     grid = Fraction(1)
     while grid * 4 > tolerance:
@@ -124,12 +155,41 @@ def rounded(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
     return [Point(round(x / grid) * grid, round(y / grid) * grid) for x, y in points]
 
 
-def _count(bend: Fraction, tolerance: Fraction) -> int:
-    """The least n for which bend / n**2 is at most half the tolerance."""
-    square = 2 * bend / tolerance
-    if square > MAX_VERTICES**2:
-        raise FormatError(f"a curve would need more than {MAX_VERTICES} vertices at this tolerance")
-    return max(1, -(-root_above(square) // 1))
+def _count(bend: Fraction, reading: Reading, quarters: int = 1) -> int:
+    """The least n for which bend / n**2 is at most half the tolerance, for each quarter."""
+    count = max(1, -(-root_above(2 * bend / reading.allow_curve()) // 1))
+    reading.allow_curve(count * quarters)
+    return count
+
+
+def _bend(points: Sequence[Point], weights: Sequence[Fraction]) -> Fraction:
+    """A bound for |C''| of a Bezier curve C.
+
+    With weights C = N / W, and so W C'' = N'' - 2 W' C' - W'' C, W C' = N' - W' C; N and W are
+    Bezier curves, whose derivatives are no larger than the differences of their control points
+    times the degree. The origin may be any point; a control point keeps |C| small.
+    """
+    n = len(points) - 1
+    x, y = points[0]
+    moved = [Point(p.x - x, p.y - y) for p in points]
+    if not weights:
+        return n * (n - 1) * _largest(_differences(_differences(moved)))
+    lifted = [Point(p.x * w, p.y * w) for p, w in zip(moved, weights, strict=True)]
+    heights = [Point(w, Fraction(0)) for w in weights]
+    first, first_w = _differences(lifted), _differences(heights)
+    second, second_w = _differences(first), _differences(first_w)
+    least, reach = min(weights), _largest(moved)
+    speed = n * (_largest(first) + _largest(first_w) * reach) / least
+    twice = n * (n - 1) * (_largest(second) + _largest(second_w) * reach)
+    return (twice + 2 * n * _largest(first_w) * speed) / least
+
+
+def _differences(points: Sequence[Point]) -> list[Point]:
+    return [Point(b.x - a.x, b.y - a.y) for a, b in pairwise(points)]
+
+
+def _largest(vectors: Sequence[Point]) -> Fraction:
+    return root_above(max((x * x + y * y for x, y in vectors), default=Fraction(0)))
 
 
 def _turns(x: Fraction, y: Fraction, count: int) -> list[tuple[Fraction, Fraction]]:
@@ -150,8 +210,8 @@ def _turns(x: Fraction, y: Fraction, count: int) -> list[tuple[Fraction, Fractio
     return found[1:]
 
 
-def _casteljau(points: Sequence[Point], t: Fraction) -> Point:
-    row = list(points)
+def _casteljau(points: Sequence[tuple[Fraction, ...]], t: Fraction) -> tuple[Fraction, ...]:
+    row = [tuple(point) for point in points]
     while len(row) > 1:
-        row = [Point(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)) for a, b in pairwise(row)]
+        row = [tuple(p + t * (q - p) for p, q in zip(a, b, strict=True)) for a, b in pairwise(row)]
     return row[0]

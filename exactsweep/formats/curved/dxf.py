@@ -1,140 +1,247 @@
-"""DXF in: the closed outlines of lines and polylines, and of arcs on request.
+"""DXF in: the closed outlines of lines and polylines, and of curves on request.
 
 ezdxf divides the text into sections and entities and leaves the numbers as the text that they are,
-so that decimals are read exactly.
+so that decimals are read exactly, and blocks are placed exactly wherever their angles allow it.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
+from typing import NamedTuple
 
-from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.curves import chord_arc_center, flatten_arc
-from exactsweep.formats.curved.dxf_arc import Arc, Joints, make_arc
-from exactsweep.formats.curved.dxf_entity import Entity, read_entities
-from exactsweep.formats.curved.dxf_join import Piece, join
-from exactsweep.formats.decimals import required_tolerance
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.curved.affine import Affine, affine
+from exactsweep.formats.curved.arc import Arc, make_arc, to_degrees
+from exactsweep.formats.curved.curves import (
+    chord_arc_center,
+    flatten_arc,
+    place_points,
+)
+from exactsweep.formats.curved.dxf_block import Blocks, Placed
+from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
+from exactsweep.formats.curved.join import OpenLine, join
+from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.outline import Outline
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
 
 # Notes, dimensions and frames, which draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
 _NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
-_Vertices = Callable[[], Sequence[Point]]
-_CLOSED, _NOT_PLAIN = 1, 2 | 4 | 8 | 16 | 64
+_CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
+_FULL = Fraction(360)
+_Points = Callable[[], Sequence[Point]]
 
 
-def parse_dxf(text: str, tolerance: Fraction | None) -> list[Outline]:
+class _Drawn(NamedTuple):
+    """What an entity draws: its points, and the ends and the shape of an OpenLine if it is open."""
+
+    points: _Points
+    ends: Sequence[Point] = ()
+    shape: Hashable = ()
+    is_exact: bool = True
+
+
+def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     """Find the closed outlines of a DXF text.
 
     Args:
         text: an ASCII DXF file.
-        tolerance: how far lines may be from the arcs that they replace, and ends of arcs from
-            the ends that they are joined to; None to refuse arcs.
+        reading: has the tolerance of curves, the distance of ends that are joined, and the unit.
 
     Returns:
-        list of Outline, in order: closed polylines, circles, and lines, open polylines and arcs of
-        one layer whose ends meet. What draws something else is an Outline that refuses.
+        list of Candidate, in order: closed polylines, circles, ellipses, splines, and open lines of
+        one layer whose ends meet. What draws something else is a Candidate that refuses.
 
     Raises:
-        FormatError: not DXF.
+        FormatError: not DXF; no unit where one is wanted; blocks that draw too much.
 
-    Cost: linear in the length of the text.
+    Cost: linear in the length of the text, and in what blocks draw.
     """
-    found: list[tuple[int, Outline]] = []
-    pieces: defaultdict[str, list[Piece]] = defaultdict(list)
-    arcs: defaultdict[str, list[tuple[Entity, Arc]]] = defaultdict(list)
-    for entity in read_entities(text):
-        if entity.kind in _NOTES or entity.is_on_paper:
+    drawing = read_drawing(text)
+    scale = reading.scale(drawing.unit)
+    image = affine(scale, 0, 0, scale, 0, 0)
+    blocks = Blocks(drawing, reading)
+    found: list[tuple[int, Candidate]] = []
+    lines: defaultdict[str, list[OpenLine]] = defaultdict(list)
+    order = 0
+    for entity in drawing.entities:
+        if entity.is_on_paper:
             continue
-        try:
-            made = _read(entity, tolerance)
-        except ValueError as error:
-            refused = Outline.refused(f"{entity.place}: {error}", layer=entity.layer)
-            found.append((entity.line, refused))
-            continue
-        if isinstance(made, Piece):
-            pieces[entity.layer].append(made)
-        elif isinstance(made, Arc):
-            arcs[entity.layer].append((entity, made))
-        else:
-            found.append((entity.line, Outline(entity.place, made, layer=entity.layer)))
-    for layer, curved in arcs.items():
-        assert tolerance is not None
-        joints = Joints((end for piece in pieces[layer] for end in piece.ends), tolerance)
-        for entity, arc in curved:
+        for placed in blocks.place(entity, image):
+            if placed.entity.kind in _NOTES:
+                continue
+            order += 1
+            place, layer = placed.place, placed.layer
             try:
-                ends = joints.nearest(arc.start), joints.nearest(arc.end)
-                if ends[0] == ends[1]:
-                    raise FormatError("the arc is shorter than the tolerance")
-                points = partial(arc.flattened, *ends, tolerance)
-                pieces[layer].append(Piece(entity.line, entity.place, ends, points))
-            except FormatError as error:
-                refused = Outline.refused(f"{entity.place}: {error}", layer=layer)
-                found.append((entity.line, refused))
-    for layer, lines in pieces.items():
-        found += join(sorted(lines), layer)
-    return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
+                drawn = _read(placed, reading)
+            except ValueError as error:
+                refused = Candidate.refused(f"{place}: {error}", layer=layer)
+                found.append((order, refused))
+                continue
+            points = partial(_naming, place, drawn.points)
+            if drawn.ends:
+                ends = drawn.ends[0], drawn.ends[1]
+                line = OpenLine(order, place, ends, points, drawn.shape, drawn.is_exact)
+                lines[layer].append(line)
+            else:
+                found.append((order, Candidate(place, points, layer=layer)))
+    for layer, loose in lines.items():
+        found += join(loose, layer, reading)
+    return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
 
 
-def _read(entity: Entity, tolerance: Fraction | None) -> Piece | Arc | _Vertices:
-    """Read an open line, an arc, or whatever is closed."""
-    if entity.kind not in ("LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE"):
-        raise FormatError("neither a line, a polyline, an arc nor a circle")
-    entity.require_flat()
-    if entity.kind == "LINE":
-        ends = entity.point(10), entity.point(11)
-        return Piece(entity.line, entity.place, ends, partial(list, ends))
-    if entity.kind.endswith("POLYLINE"):
-        return _read_polyline(entity, tolerance)
-    allowed = required_tolerance(tolerance)
-    center, radius = entity.point(10), entity.number(40)
-    if radius <= 0:
-        raise FormatError("the radius is not positive")
-    angles = (Fraction(0), Fraction(0))
-    if entity.kind == "ARC":
-        angles = entity.number(50), entity.number(51)
-    if (angles[0] - angles[1]) % 360 == 0:
-        start = Point(center.x + radius, center.y)
-        return partial(flatten_arc, center, start, start, True, IDENTITY, allowed)
-    return make_arc(center, radius, *angles, allowed)
+def _read(placed: Placed, reading: Reading) -> _Drawn:
+    if placed.fault:
+        raise FormatError(placed.fault)
+    reader = _READERS.get(placed.entity.kind)
+    if reader is None:
+        raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
+    return reader(placed.entity, placed.image, reading)
 
 
-def _read_polyline(entity: Entity, tolerance: Fraction | None) -> Piece | _Vertices:
+def _naming(place: str, points: _Points) -> Sequence[Point]:
+    try:
+        return points()
+    except FormatError as error:
+        raise FormatError(f"{place}: {error}") from None
+
+
+def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+    entity.require_level(30, 31)
+    corners = [(entity.point(code), Fraction(0)) for code in (10, 11)]
+    return _open(corners, image, reading)
+
+
+def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     if entity.kind == "LWPOLYLINE":
         corners = entity.corners()
-    elif entity.flags() & _NOT_PLAIN:
-        raise FormatError("a fitted curve, a line in space or a mesh")
+    elif entity.flags() & _MESH:
+        raise FormatError("a mesh")
     else:
         corners = entity.vertex_corners()
+    if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
+        image = image @ entity.plane
     if len(corners) < 2:
         raise FormatError(f"{len(corners)} vertices")
     first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
         corners.append((first, Fraction(0)))
-    points = partial(_points, entity.place, corners, tolerance)
-    if entity.flags() & _CLOSED or first == last:
-        return points
-    return Piece(entity.line, entity.place, (first, last), points)
+    elif first != last:
+        return _open(corners, image, reading)
+    return _Drawn(partial(_follow, corners, image, reading))
 
 
-def _points(
-    place: str, corners: Sequence[tuple[Point, Fraction]], tolerance: Fraction | None
+def _open(corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading) -> _Drawn:
+    ends = place_points([corners[0][0], corners[-1][0]], image, reading)
+    shape = tuple(corners) if len(corners) > 2 or corners[0][1] else ()
+    return _Drawn(partial(_follow, corners, image, reading), ends, shape, not image.off)
+
+
+def _follow(
+    corners: Sequence[tuple[Point, Fraction]], image: Affine, reading: Reading
 ) -> list[Point]:
     """Go along a polyline; a bulge is the tangent of a fourth of the angle of an arc."""
+    placed = place_points([corner for corner, _ in corners], image, reading)
     found: list[Point] = []
-    for (start, bulge), (end, _) in pairwise(corners):
-        found.append(start)
+    for k, ((start, bulge), (end, _)) in enumerate(pairwise(corners)):
+        found.append(placed[k])
         if bulge and start != end:
-            try:
-                allowed = required_tolerance(tolerance)
-                center = chord_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
-                found += flatten_arc(center, start, end, bulge > 0, IDENTITY, allowed)[1:-1]
-            except FormatError as error:
-                raise FormatError(f"{place}: {error}") from None
-    return [*found, corners[-1][0]]
+            center = chord_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
+            found += flatten_arc(center, start, end, bulge > 0, image, reading)[1:-1]
+    return [*found, placed[-1]]
+
+
+def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+    reading.allow_curve()
+    center, radius = entity.point(10), entity.number(40)
+    if radius <= 0:
+        raise FormatError("the radius is not positive")
+    image = image @ entity.plane @ affine(radius, 0, 0, radius, *center)
+    if entity.kind == "CIRCLE":
+        return _turn(image, Fraction(0), _FULL, reading)
+    return _turn(image, entity.number(50), entity.number(51), reading)
+
+
+def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+    reading.allow_curve()
+    if entity.number(31, 0):
+        raise FormatError("not level: an axis rises")
+    center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
+    if not (x or y) or not ratio:
+        raise FormatError("an axis has no length")
+    if entity.plane.a < 0:
+        ratio = -ratio
+    image = image @ affine(x, y, -ratio * y, ratio * x, *center)
+    start, end = (to_degrees(entity.number(code, 0)) for code in (41, 42))
+    return _turn(image, start, end, reading)
+
+
+def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _Drawn:
+    """Draw the image of an arc of the unit circle, or all of it where no gap can be seen."""
+    span = (end - start) % _FULL
+    gap = min(span, _FULL - span) / 50  # no less than in radians
+    seen = 16 * gap * (1 + sum(map(abs, image[:4]))) > reading.allow_curve()
+    if start == end or (abs(end - start) > _FULL / 2 and not seen):
+        first = Point(Fraction(1), Fraction(0))
+        return _Drawn(partial(Arc(image, first, first).flatten, reading))
+    arc = make_arc(image, start, end, reading)
+    return _Drawn(partial(arc.flatten, reading), arc.ends, arc, is_exact=False)
+
+
+def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+    reading.allow_curve()
+    points = entity.points(10)
+    if points:
+        weights = entity.numbers(41)
+        plain = weights if any(weight != 1 for weight in weights) else []
+        spline = Spline(int(entity.number(71)), points, entity.numbers(40), plain)
+    else:
+        spline = _through(entity.points(11))
+    spline.require_sound()
+    pieces = [piece for piece, _ in spline.pieces()]
+    ends = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
+    vertices = partial(spline.flatten, image, reading)
+    if ends[0] == ends[1]:
+        return _Drawn(vertices)
+    return _Drawn(vertices, ends, tuple(spline.points), not image.off)
+
+
+def _through(points: Sequence[Point]) -> Spline:
+    """The spline that a CAD program draws through points for which it gives no other."""
+    if len(points) < 2:
+        raise FormatError("neither control points nor two points that it runs through")
+    from ezdxf.math import fit_points_to_cad_cv
+
+    try:
+        found = fit_points_to_cad_cv([(float(x), float(y)) for x, y in points])
+    except (ArithmeticError, ValueError) as error:
+        raise FormatError(f"no spline runs through its points: {error}") from None
+    controls = [Point(Fraction(x), Fraction(y)) for x, y, _ in found.control_points]
+    controls[0], controls[-1] = points[0], points[-1]
+    return Spline(found.degree, controls, [Fraction(u) for u in found.knots()])
+
+
+def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
+    """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
+    entity.require_level(30, 31, 32, 33)
+    codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
+    corners = [(entity.point(code), Fraction(0)) for code in (*codes, 10)]
+    return _Drawn(partial(_follow, corners, image @ entity.plane, reading))
+
+
+_READERS: dict[str, Callable[[Entity, Affine, Reading], _Drawn]] = {
+    "LINE": _read_line,
+    "LWPOLYLINE": _read_polyline,
+    "POLYLINE": _read_polyline,
+    "ARC": _read_circle,
+    "CIRCLE": _read_circle,
+    "ELLIPSE": _read_ellipse,
+    "SPLINE": _read_spline,
+    "SOLID": _read_solid,
+    "TRACE": _read_solid,
+}

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from io import StringIO
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
+from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError, needs
+from exactsweep.formats.reading import UNITS
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import Point
 
 if TYPE_CHECKING:
     from ezdxf.lldxf.types import DXFTag
 
-_LAYER, _FLAGS, _PAPER = 8, 70, 67
-_EXTRUSION = {210: 0, 220: 0, 230: 1}
-# Heights above the plane: of a point, of the other end of a line, of a polyline.
-_HEIGHTS = (30, 31, 38)
+_LAYER, _FLAGS, _PAPER, _NAME = 8, 70, 67, 2
+# Where the normal of an entity's own plane is, and what it is in the plane of x and y.
+_NORMAL = {210: 0, 220: 0, 230: 1}
+_MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
+# What $INSUNITS says, of what UNITS has.
+_FRAME = 16
+_INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
 
 
 class _Text(str):
@@ -68,12 +74,36 @@ class Entity:
         """Whether it is on the paper around the model."""
         return self._text(_PAPER, "0").strip() == "1"
 
-    def require_flat(self) -> None:
-        """Refuse what does not lie in the plane of x and y, seen from above."""
-        if any(self.number(code, value) != value for code, value in _EXTRUSION.items()):
-            raise FormatError("drawn in a plane of its own (groups 210 to 230)")
-        if any(self.number(code, 0) for code in _HEIGHTS):
-            raise FormatError("above or below the plane: a third coordinate is not 0")
+    def numbers(self, code: int) -> list[Fraction]:
+        """Return all numbers with a group code."""
+        return [read_decimal(str(tag.value).strip()) for tag in self.tags if tag.code == code]
+
+    def points(self, code: int) -> list[Point]:
+        """Return all points whose x has a group code; refuse those at different heights."""
+        self.require_level(code + 20)
+        pairs = zip(self.numbers(code), self.numbers(code + 10), strict=True)
+        return [Point(*found) for found in pairs]
+
+    def require_level(self, *codes: int) -> None:
+        """Refuse points at different heights above the plane; one that is not there is 0."""
+        heights = [self.numbers(code) or [Fraction(0)] for code in codes]
+        if len({z for found in heights for z in found}) > 1:
+            raise FormatError("not level: its points are at different heights")
+
+    @property
+    def plane(self) -> Affine:
+        """What maps the entity's own plane to that of x and y, as seen from above."""
+        normal = [self.number(code, default) for code, default in _NORMAL.items()]
+        if normal == [0, 0, 1]:
+            return IDENTITY
+        if normal == [0, 0, -1]:
+            return _MIRRORED
+        raise FormatError("drawn in a plane of its own (groups 210 to 230)")
+
+    @property
+    def name(self) -> str:
+        """The name in group 2."""
+        return self._text(_NAME, None)
 
     def corners(self) -> list[tuple[Point, Fraction]]:
         """Return the vertices of an LWPOLYLINE, each with the bulge of the edge that follows."""
@@ -83,13 +113,17 @@ class Entity:
 
     def vertex_corners(self) -> list[tuple[Point, Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        found = []
+        found, heights = [], set()
         for vertex in self.vertices:
             try:
-                vertex.require_flat()
-                found.append(_corner(vertex))
+                # The frame of a fitted curve is not drawn.
+                if not vertex.flags() & _FRAME:
+                    found.append(_corner(vertex))
+                    heights.add(vertex.number(30, 0))
             except ValueError as error:
                 raise FormatError(f"{vertex.place}: {error}") from None
+        if len(heights) > 1:
+            raise FormatError("not level: its points are at different heights")
         return found
 
     def _text(self, code: int, default: str | None) -> str:
@@ -101,17 +135,33 @@ class Entity:
         return default
 
 
-def read_entities(text: str) -> list[Entity]:
-    """Read the entities that are drawn.
+class Drawing(NamedTuple):
+    """What a DXF text holds.
+
+    Attributes:
+        entities: those that are drawn, in order; the vertices of a POLYLINE in its `vertices`.
+        blocks: the entities of each block, after its own, which says where its base is.
+        unit: how many millimetres its numbers count; None if it does not say.
+    """
+
+    entities: list[Entity]
+    blocks: dict[str, list[Entity]]
+    unit: Fraction | None
+
+
+def read_drawing(text: str) -> Drawing:
+    """Read a DXF text.
 
     Args:
         text: an ASCII DXF file.
 
     Returns:
-        list of Entity, in order; the vertices of a POLYLINE in its `vertices`.
+        A Drawing.
 
     Raises:
         FormatError: not DXF.
+
+    Cost: linear.
     """
     with needs("ezdxf", "dxf", "DXF"):
         from ezdxf.lldxf.const import DXFError
@@ -122,17 +172,39 @@ def read_entities(text: str) -> list[Entity]:
     except DXFError as error:
         reason = str(error).removeprefix("DXFStructureError: ")[:80]
         raise FormatError(f"not DXF: {ascii(reason)[1:-1]}") from None
-    found: list[Entity] = []
+    blocks: dict[str, list[Entity]] = {}
+    current: list[Entity] = []
+    for entity in _gather(sections.get("BLOCKS", [])[1:]):
+        if entity.kind == "BLOCK":
+            current = blocks[entity.name.upper()] = []
+        if entity.kind != "ENDBLK":
+            current.append(entity)
+    return Drawing(_gather(sections.get("ENTITIES", [])[1:]), blocks, _unit(sections))
+
+
+def _gather(found: Iterable[Iterable[DXFTag]]) -> list[Entity]:
+    """Make entities, and give a POLYLINE the vertices that follow it."""
+    entities: list[Entity] = []
     polyline: Entity | None = None
-    for tags in sections.get("ENTITIES", [])[1:]:
+    for tags in found:
         entity = Entity(tags)
         if entity.kind == "VERTEX" and polyline is not None:
             polyline.vertices.append(entity)
             continue
         polyline = entity if entity.kind == "POLYLINE" else None
-        if entity.kind != "SEQEND":
-            found.append(entity)
-    return found
+        if entity.kind not in ("SEQEND", "ATTRIB"):
+            entities.append(entity)
+    return entities
+
+
+def _unit(sections: Mapping[str, Sequence[Iterable[DXFTag]]]) -> Fraction | None:
+    tags = [tag for entity in sections.get("HEADER", [])[:1] for tag in entity]
+    for name, value in pairwise(tags):
+        if name.code == 9 and str(name.value).strip() == "$INSUNITS":
+            text = str(value.value).strip()
+            known = _INSUNITS.get(int(text)) if text.isascii() and text.isdigit() else None
+            return UNITS[known] if known else None
+    return None
 
 
 def _tags(text: str) -> Iterator[DXFTag]:

@@ -1,188 +1,217 @@
-"""SVG in (SVG 1.1): the polygons, closed paths and rectangles that are drawn, exactly."""
+"""SVG in (SVG 1.1): the shapes that are drawn, and open lines that make outlines together."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import cache, cached_property, partial
+from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine
-from exactsweep.formats.curved.curves import flatten_arc
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.curved.affine import Affine
+from exactsweep.formats.curved.curves import flatten_arc, place_points
+from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.svg_path import elliptic_arc, read_path
-from exactsweep.formats.curved.svg_transform import composed, read_transform
+from exactsweep.formats.curved.svg_placed import Placed, kind
 from exactsweep.formats.curved.xml import line, parse_xml
-from exactsweep.formats.decimals import read_decimal, read_decimals, required_tolerance
+from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.nesting import drawn
-from exactsweep.formats.outline import Outline
+from exactsweep.formats.nesting import find_regions
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import ORIGIN, Point
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-_SPACE = "{http://www.w3.org/2000/svg}"
 _GROUPS = {"svg", "g", "a"}
-_VIEW = {"x", "y", "viewBox"}
+_CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
+_LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
+
+MAX_DEPTH = 32
+"""How deeply uses may be nested."""
+
+MAX_USED = 20_000
+"""How many elements uses may draw, lest a small file keep its reader busy."""
 
 
-def parse_svg(text: str, tolerance: Fraction | None) -> list[Outline]:
+def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     """Find the outlines of an SVG document.
 
     Args:
         text: the document.
-        tolerance: how far lines may be from the curves that they replace; None to refuse curves.
+        reading: has the tolerance of curves, the distance of ends that are joined, and the unit.
 
     Returns:
-        list of Outline, for each shape that is drawn itself, in order, with its id as the name.
-        Coordinates are the user units of the document, y as it is there, downward; transformations
-        are applied.
+        list of Candidate, for each region that a shape draws, or open lines of one layer together,
+        in order, with its id as the name. Coordinates are the user units of the document unless a
+        unit is wanted, y as it is there, downward; transformations are applied.
 
     Raises:
-        FormatError: not XML, entities, nested too deeply, not SVG.
+        FormatError: not XML, entities, nested too deeply, not SVG; no unit where one is wanted;
+            uses that draw too much.
 
-    Cost: linear in the length of the text.
+    Cost: linear in the length of the text, and in what uses draw; that of
+        `exactsweep.formats.nesting.nest` for paths with several subpaths.
 
     Example:
         >>> text = '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h2v.5z"/></svg>'
-        >>> [(outline.name, str(outline.polygon())) for outline in parse_svg(text, None)]
+        >>> [(found.name, str(found.polygon())) for found in parse_svg(text, Reading())]
         [('a', '(0, 0) (2, 0) (2, 1/2)')]
     """
     root = parse_xml(text)
-    if _kind(root) != "svg":
+    if kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quoted(root.tag)}, not svg")
-    return list(_outlines(root, None, tolerance))
+    document = _Document(root, reading)
+    placed = Placed(root, None, reading)
+    if reading.unit is not None:
+        # That there is no unit concerns all of the file.
+        _ = placed.matrix
+    found: list[tuple[int, Candidate]] = []
+    lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
+    for order, shape in enumerate(document.shapes(placed, 0)):
+        for drawn in _read(shape, order, reading):
+            if isinstance(drawn, OpenLine):
+                lines[shape.layer].append(drawn)
+            else:
+                found.append((order, drawn))
+    for layer, loose in lines.items():
+        found += join(loose, layer, reading)
+    return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
 
 
-class _Placed:
-    """An element among its ancestors; its transformation is read when it is wanted."""
+class _Document:
+    """The elements of a document, being drawn."""
 
-    def __init__(self, element: Element, parent: _Placed | None) -> None:
-        self.element, self.parent = element, parent
-        self.place = f"line {line(element)}: {_kind(element)}"
-        if "id" in element.attrib:
-            self.place += f" {quoted(element.attrib['id'])}"
+    def __init__(self, root: Element, reading: Reading) -> None:
+        self.reading = reading
+        self.by_id = {e.attrib["id"]: e for e in reversed(list(root.iter())) if "id" in e.attrib}
+        self.used = 0
 
-    @cached_property
-    def matrix(self) -> Affine:
-        outer = IDENTITY if self.parent is None else self.parent.matrix
-        attributes = self.element.attrib
-        try:
-            if "transform" in attributes.get("style", ""):
-                raise FormatError("a transformation in a style cannot be read")
-            inner = self.parent is not None and _kind(self.element) == "svg"
-            if inner and not _VIEW.isdisjoint(attributes):
-                raise FormatError("a view of its own inside another cannot be read")
-            return composed(outer, read_transform(attributes.get("transform", "")))
-        except ValueError as error:
-            raise FormatError(f"{self.place}: {error}") from None
+    def shapes(self, placed: Placed, depth: int) -> Iterator[Placed]:
+        """Find the shapes inside an element; a fault of a `use` is that of the one returned."""
+        for child in placed.element:
+            yield from self._drawn(Placed(child, placed, self.reading), depth)
 
-    @property
-    def is_even_odd(self) -> bool:
-        """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
-        attributes = self.element.attrib
-        rule = attributes.get("fill-rule", "inherit")
-        for declaration in attributes.get("style", "").split(";"):
-            name, _, value = declaration.partition(":")
-            if name.strip() == "fill-rule":
-                rule = value.removesuffix("!important")
-        rule = rule.strip()
-        if rule == "inherit":
-            return self.parent is not None and self.parent.is_even_odd
-        if rule not in ("evenodd", "nonzero"):
-            raise FormatError(f"the fill rule {quoted(rule)} is neither nonzero nor evenodd")
-        return rule == "evenodd"
+    def _drawn(self, placed: Placed, depth: int) -> Iterator[Placed]:
+        element, name = placed.element, kind(placed.element)
+        style = element.get("style", "").replace(" ", "")
+        if element.get("display") == "none" or "display:none" in style:
+            return
+        if depth:
+            self.used += 1
+            if self.used > MAX_USED:
+                raise FormatError(f"uses draw more than {MAX_USED:,} elements")
+        if name in _GROUPS:
+            yield from self.shapes(placed, depth)
+        elif name == "switch":
+            plain = (e for e in element if kind(e) and _CONDITIONS.isdisjoint(e.attrib))
+            for child in (next(plain, None),):
+                if child is not None:
+                    yield from self._drawn(Placed(child, placed, self.reading), depth)
+        elif name == "use":
+            yield from self._used(placed, depth + 1)
+        elif name in _SHAPES:
+            yield placed
 
-    def length(self, name: str, default: str | None = "0") -> Fraction:
-        text = self.element.get(name, default)
-        if text is None:
-            raise FormatError(f"{name} is missing")
-        try:
-            return read_decimal(text.strip())
-        except ValueError as error:
-            raise FormatError(f"{name}: {error}") from None
-
-    def size(self, name: str, default: str | None = None) -> Fraction:
-        found = self.length(name, default)
-        if found < 0:
-            raise FormatError(f"{name} is negative")
-        return found
-
-
-def _outlines(
-    element: Element, parent: _Placed | None, tolerance: Fraction | None
-) -> Iterator[Outline]:
-    placed = _Placed(element, parent)
-    for child in element:
-        kind = _kind(child)
-        style = child.get("style", "").replace(" ", "")
-        if child.get("display") == "none" or "display:none" in style:
-            continue
-        if kind in _GROUPS:
-            yield from _outlines(child, placed, tolerance)
-        elif kind == "path" or kind in _SHAPES:
-            yield _outline(_Placed(child, placed), tolerance)
-
-
-def _outline(shape: _Placed, tolerance: Fraction | None) -> Outline:
-    rings = cache(partial(_rings, shape, tolerance))
-    return Outline(
-        shape.place,
-        lambda: rings()[0].vertices(),
-        shape.element.get("id"),
-        holes=lambda: rings()[1:],
-    )
-
-
-def _rings(shape: _Placed, tolerance: Fraction | None) -> list[Outline]:
-    """The exterior and the holes that a shape draws."""
-    matrix = shape.matrix
-    try:
-        if _kind(shape.element) != "path":
-            found = [_SHAPES[_kind(shape.element)](shape, matrix, tolerance)]
+    def _used(self, placed: Placed, depth: int) -> Iterator[Placed]:
+        link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
+        target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
+        if target is None or depth > MAX_DEPTH:
+            # It draws nothing that could be found; this is told where shapes are read.
+            yield placed
+            return
+        drawn = Placed(target, placed, self.reading, used=placed)
+        if kind(target) == "symbol":
+            yield from self.shapes(drawn, depth)
         else:
-            found = read_path(shape.element.get("d", ""), matrix, tolerance)
-        # What a single subpath is, is told when it is made a polygon.
-        order = drawn(found, even_odd=shape.is_even_odd) if len(found) > 1 else [0]
-    except ValueError as error:
-        raise FormatError(f"{shape.place}: {error}") from None
-    return [Outline(f"{shape.place}: subpath {k}", partial(list, found[k])) for k in order]
+            yield from self._drawn(drawn, depth)
 
 
-def _kind(element: Element) -> str:
-    # Comments and processing instructions have a function for a tag.
-    return element.tag.removeprefix(_SPACE) if isinstance(element.tag, str) else ""
+def _read(shape: Placed, order: int, reading: Reading) -> list[Candidate | OpenLine]:
+    """Read what a shape draws: regions, and open lines."""
+    name, layer = _name(shape), shape.layer
+    try:
+        matrix = shape.matrix
+        try:
+            found = _SHAPES[kind(shape.element)](shape, matrix, reading)
+            closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
+            opened = [points for points in found if points[0] != points[-1]]
+            # What a single ring is, is told when it is made a polygon.
+            regions = [[0]] if len(closed) == 1 else []
+            if len(closed) > 1:
+                regions = find_regions(closed, even_odd=shape.is_even_odd)
+        except ValueError as error:
+            raise FormatError(f"{shape.place}: {error}") from None
+    except FormatError as error:
+        return [Candidate.refused(str(error), name, layer)]
+    drawn: list[Candidate | OpenLine] = []
+    for region in regions:
+        exterior, *holes = (
+            Candidate(f"{shape.place}: subpath {k}", partial(list, closed[k])) for k in region
+        )
+        drawn.append(
+            exterior._replace(
+                place=shape.place, name=name, layer=layer, holes=partial(tuple, holes)
+            )
+        )
+    for points in opened:
+        shaped = tuple(points) if len(points) > 2 else ()
+        ends = points[0], points[-1]
+        exact = not matrix.off
+        line = OpenLine(order, shape.place, ends, partial(list, points), shaped, exact, name)
+        drawn.append(line)
+    return drawn or [Candidate.refused(f"{shape.place}: fewer than three vertices", name, layer)]
 
 
-def _polygon(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
+def _name(shape: Placed) -> str | None:
+    """The id of a shape, or that of the outermost `use` that draws it."""
+    name = shape.element.get("id")
+    placed: Placed | None = shape
+    while placed is not None:
+        if placed.used is not None:
+            name = placed.used.element.get("id", name)
+        placed = placed.parent
+    return name
+
+
+def _polygon(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
     numbers = read_decimals(shape.element.get("points", ""))
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")
     points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
-    if _kind(shape.element) == "polyline" and (not points or points[0] != points[-1]):
-        raise FormatError("the line is not closed: its last point must repeat the first")
-    return [matrix.point(*point) for point in points]
+    if not points:
+        raise FormatError("points: none")
+    if kind(shape.element) == "polygon":
+        points.append(points[0])
+    return [place_points(points, matrix, reading)]
 
 
-def _rectangle(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
+def _line(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+    ends = [Point(shape.length(f"x{k}"), shape.length(f"y{k}")) for k in (1, 2)]
+    return [place_points(ends, matrix, reading)]
+
+
+def _rectangle(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
     x, y = shape.length("x"), shape.length("y")
     width, height = shape.size("width"), shape.size("height")
+    u, v = x + width, y + height
     if "rx" in shape.element.attrib or "ry" in shape.element.attrib:
         either = shape.element.get("rx", shape.element.get("ry"))
         rx = min(shape.size("rx", either), width / 2)
         ry = min(shape.size("ry", either), height / 2)
         if rx > 0 and ry > 0:
-            return _rounded_rectangle((x, y, x + width, y + height), (rx, ry), matrix, tolerance)
-    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
-    return [matrix.point(*corner) for corner in corners]
+            return [_round_rectangle((x, y, u, v), (rx, ry), matrix, reading)]
+    corners = [Point(*corner) for corner in ((x, y), (u, y), (u, v), (x, v), (x, y))]
+    return [place_points(corners, matrix, reading)]
 
 
-def _rounded_rectangle(
+def _round_rectangle(
     box: tuple[Fraction, Fraction, Fraction, Fraction],
     radii: tuple[Fraction, Fraction],
     matrix: Affine,
-    tolerance: Fraction | None,
+    reading: Reading,
 ) -> list[Point]:
     (x, y, u, v), (rx, ry) = box, radii
     corners = [
@@ -191,34 +220,37 @@ def _rounded_rectangle(
         (Point(x + rx, v), Point(x, v - ry)),
         (Point(x, y + ry), Point(x + rx, y)),
     ]
-    allowed = required_tolerance(tolerance)
     found: list[Point] = []
-    for first, last in corners:
-        found += elliptic_arc(first, last, radii, False, True, matrix, allowed)
-    return found
+    for ends in corners:
+        found += elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
+    return [*found, found[0]]
 
 
-def _ellipse(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> list[Point]:
-    names = ("r", "r") if _kind(shape.element) == "circle" else ("rx", "ry")
+def _ellipse(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+    names = ("r", "r") if kind(shape.element) == "circle" else ("rx", "ry")
     rx, ry = (shape.size(name) for name in names)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))
     start = Point(Fraction(1), zero)
-    return flatten_arc(ORIGIN, start, start, True, image, required_tolerance(tolerance))
+    return [flatten_arc(ORIGIN, start, start, True, image, reading)]
 
 
-def _no_outline(shape: _Placed, matrix: Affine, tolerance: Fraction | None) -> NoReturn:
-    raise FormatError("not an outline")
+def _path(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+    return read_path(shape.element.get("d", ""), matrix, reading)
 
 
-_SHAPES: dict[str, Callable[[_Placed, Affine, Fraction | None], list[Point]]] = {
+def _nothing(shape: Placed, matrix: Affine, reading: Reading) -> NoReturn:
+    raise FormatError("draws nothing that is in the file, or itself")
+
+
+_SHAPES: dict[str, Callable[[Placed, Affine, Reading], Sequence[list[Point]]]] = {
     "polygon": _polygon,
     "polyline": _polygon,
     "rect": _rectangle,
     "circle": _ellipse,
     "ellipse": _ellipse,
-    "line": _no_outline,
-    "use": _no_outline,
-    # What it draws depends on the language of whoever looks.
-    "switch": _no_outline,
+    "line": _line,
+    "path": _path,
+    # One whose target is not there.
+    "use": _nothing,
 }

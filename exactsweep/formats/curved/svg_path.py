@@ -7,14 +7,17 @@ from math import ceil
 from typing import NoReturn
 
 from exactsweep.formats.curved.affine import Affine
+from exactsweep.formats.curved.arc import rotation
 from exactsweep.formats.curved.curves import (
     chord_arc_center,
     flatten_arc,
     flatten_bezier,
+    place_points,
     root_above,
 )
-from exactsweep.formats.decimals import DECIMAL, read_decimal, required_tolerance
+from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import MAX_VERTICES, Reading
 from exactsweep.geometry.number import NumberError, quoted
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -23,32 +26,32 @@ _NUMBER = re.compile(DECIMAL)
 _FLAG = re.compile("[01]")
 
 
-def read_path(data: str, matrix: Affine, tolerance: Fraction | None) -> list[list[Point]]:
-    """Read the outlines that a path draws.
+def read_path(data: str, matrix: Affine, reading: Reading) -> list[list[Point]]:
+    """Read the lines that a path draws.
 
     Args:
-        data: the `d` attribute of a path with closed subpaths.
+        data: the `d` attribute of a path.
         matrix: the transformation of the path.
-        tolerance: how far the lines may be from the curves that they replace; None to refuse
-            curves.
+        reading: has the tolerance of curves.
 
     Returns:
-        For each subpath, a list of Point, the corners in the order of the path.
+        For each subpath, a list of Point in the order of the path; the first one is repeated at the
+        end where the subpath is closed.
 
     Raises:
-        FormatError: not path data, curves without a tolerance, an open subpath;
-            the message says at which character.
+        FormatError: not path data, curves without a tolerance, too many vertices; the message says
+            at which character.
 
     Cost: linear in the length of the data and the number of the vertices.
     """
-    return _Path(data, matrix, tolerance).outlines()
+    return _Path(data, matrix, reading).lines()
 
 
 class _Path:
     """Path data, read from left to right."""
 
-    def __init__(self, data: str, matrix: Affine, tolerance: Fraction | None) -> None:
-        self.data, self.matrix, self.tolerance = data, matrix, tolerance
+    def __init__(self, data: str, matrix: Affine, reading: Reading) -> None:
+        self.data, self.matrix, self.reading = data, matrix, reading
         self.place = 0
         self.command = ""
         self.current = ORIGIN
@@ -58,9 +61,8 @@ class _Path:
         self.start = ORIGIN
         self.points: list[Point] = []
 
-    def outlines(self) -> list[list[Point]]:
+    def lines(self) -> list[list[Point]]:
         found: list[list[Point]] = []
-        closed = False
         while not self._at_end():
             start = self.place
             letter = self.data[start]
@@ -71,31 +73,32 @@ class _Path:
                     self._refuse(f"{quoted(letter)} is no command", start)
             elif not self.command or self.command in "Zz":
                 self._refuse(f"{quoted(self.data[start : start + 20])} instead of a command", start)
-            begins = self.command in "Mm"
-            if not self.points and not begins:
+            if self.command in "Mm":
+                found.append(self.points)
+                self.points = []
+                self._segment(start)
+            elif not self.points and not found:
                 self._refuse("the path does not begin with M", start)
-            if closed and not begins:
-                self._refuse("the path goes on after Z", start)
-            if begins:
-                if self.points:
-                    found.append(self._subpath(closed, start))
-                self._segment(start)
-                closed = False
             elif self.command in "Zz":
-                closed = True
-                self.current, self.control = self.start, ("", self.start)
+                self._close()
             else:
+                if not self.points:
+                    # After Z, the next subpath begins where the last one did.
+                    self._line(self.current)
                 self._segment(start)
-        if not self.points:
+            if len(self.points) > MAX_VERTICES:
+                self._refuse(f"more than {MAX_VERTICES:,} vertices", start)
+            if self.command in "Zz":
+                found.append(self.points)
+                self.points = []
+        found = [line for line in [*found, self.points] if line]
+        if not found:
             self._refuse("the path is empty", 0)
-        return [*found, self._subpath(closed, len(self.data))]
-
-    def _subpath(self, closed: bool, end: int) -> list[Point]:
-        """Take the subpath that ends here."""
-        found, self.points = self.points, []
-        if not closed and found[0] != found[-1]:
-            self._refuse("the path is not closed by Z or by its last vertex", end)
         return found
+
+    def _close(self) -> None:
+        self.points += self.points[:1]
+        self.current, self.control = self.start, ("", self.start)
 
     def _segment(self, start: int) -> None:
         kind = self.command.upper()
@@ -119,17 +122,17 @@ class _Path:
             while len(controls) < (2 if kind in "CS" else 1):
                 controls.append(self._point(base))
             end = self._point(base)
-            points = [self.matrix.point(*point) for point in (before, *controls, end)]
-            self._curve(end, lambda tolerance: flatten_bezier(points, tolerance), start)
+            points = [before, *controls, end]
+            self._curve(end, lambda: flatten_bezier(points, self.matrix, self.reading), start)
             self.control = ("CS" if kind in "CS" else "QT", controls[-1])
 
     def _line(self, end: Point) -> None:
         self.current = end
-        self.points.append(self.matrix.point(*end))
+        self.points += place_points([end], self.matrix, self.reading)
 
-    def _curve(self, end: Point, flat: Callable[[Fraction], list[Point]], start: int) -> None:
+    def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
         try:
-            found = flat(required_tolerance(self.tolerance))
+            found = flat()
         except FormatError as error:
             self._refuse(str(error), start)
         self.points += found[1:]
@@ -149,12 +152,16 @@ class _Path:
         if rx == 0 or ry == 0 or first == last:
             self._line(last)
             return
-        if rx != ry and angle % 90:
-            self._refuse("an arc of an ellipse that is turned by no multiple of 90 degrees", start)
-        radii = (ry, rx) if angle % 180 == 90 else (rx, ry)
         self._curve(
             last,
-            lambda tolerance: elliptic_arc(first, last, radii, large, left, self.matrix, tolerance),
+            lambda: elliptic_arc(
+                (first, last),
+                (rx, ry),
+                angle if rx != ry else Fraction(0),
+                (large, left),
+                self.matrix,
+                self.reading,
+            ),
             start,
         )
 
@@ -193,41 +200,48 @@ class _Path:
 
 
 def elliptic_arc(
-    first: Point,
-    last: Point,
+    ends: tuple[Point, Point],
     radii: tuple[Fraction, Fraction],
-    large: bool,
-    left: bool,
+    angle: Fraction,
+    flags: tuple[bool, bool],
     matrix: Affine,
-    tolerance: Fraction,
+    reading: Reading,
 ) -> list[Point]:
-    """Turn an arc of an ellipse with axes along x and y into lines (SVG 1.1, F.6).
+    """Turn an arc of an ellipse into lines (SVG 1.1, F.6).
 
     In the plane in which the ellipse is a unit circle, its center is k half chords from the middle
     of the chord, k**2 being rational. Taking k by d too large moves the arc by no more than 2 d,
-    for a ray from one end meets both arcs 2 d or less apart.
+    for a ray from one end meets both arcs 2 d or less apart. An irrational angle is replaced by one
+    whose sine and cosine are rational, so that turning back and forth leaves the ends where they
+    are.
 
     Args:
-        first: the start of the arc.
-        last: its end, another point.
-        radii: along x and y; both are enlarged where they are too short for the chord.
-        large: whether it is the longer one of the two arcs.
-        left: whether it runs counter-clockwise, from x to y.
+        ends: the start of the arc and its end, another point.
+        radii: along the axes; both are enlarged where they are too short for the chord.
+        angle: from x to the first axis, in degrees.
+        flags: whether it is the longer one of the two arcs, and whether it runs counter-clockwise,
+            from x to y.
         matrix: what maps the arc to the result.
-        tolerance: how far the lines may be from it.
+        reading: has the tolerance, how far the lines may be from it.
 
     Returns:
         list of Point, the images of both ends included.
     """
-    rx, ry = radii
-    start, end = Point(first.x / rx, first.y / ry), Point(last.x / rx, last.y / ry)
-    image = matrix @ Affine(rx, Fraction(0), Fraction(0), ry, Fraction(0), Fraction(0))
+    (rx, ry), (large, left) = radii, flags
+    # Half a chord's height is a root, so that it is as good as the root of the angle's error.
+    turn = rotation(angle, reading, power=2)
+    # The inverse of a rotation has the same sine, negative.
+    back = turn._replace(b=-turn.b, c=-turn.c)
+    start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))
+    zero = Fraction(0)
+    image = matrix @ turn._replace(off=zero) @ Affine(rx, zero, zero, ry, zero, zero)
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
-    height = Fraction(0)
+    height = zero
     if half < 1:
         stretch = root_above(image.a**2 + image.b**2 + image.c**2 + image.d**2)
-        height = root_above((1 - half) / half, ceil(8 * stretch / tolerance))
+        allowed = reading.allow_curve()
+        height = root_above((1 - half) / half, ceil(8 * stretch / allowed))
     if large == left:
         height = -height
     center = chord_arc_center(start, end, height)
-    return flatten_arc(center, start, end, left, image, tolerance)
+    return flatten_arc(center, start, end, left, image, reading)

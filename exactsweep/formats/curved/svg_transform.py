@@ -1,12 +1,14 @@
-"""The transformations of SVG (SVG 1.1, 7.6), those that are rational."""
+"""The transformations of SVG (SVG 1.1, 7.6), exactly where they are rational."""
 
 import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine, affine
+from exactsweep.formats.curved.arc import rotation
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.number import abridged, quoted
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
@@ -14,21 +16,23 @@ _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _MAX_BITS = 50_000
 
 
-def read_transform(text: str) -> Affine:
+def read_transform(text: str, reading: Reading) -> Affine:
     """Read a `transform` attribute.
 
     Args:
         text: functions one after another, the last one applied first.
+        reading: says whether a sine or a tangent may be irrational.
 
     Returns:
-        The map, exactly.
+        The map.
 
     Raises:
-        FormatError: an angle whose sine or tangent is irrational, numbers that grow too long, or
-            whatever is not a list of transformations.
+        FormatError: an angle whose sine or tangent is irrational, unless there is a tolerance;
+            numbers that grow too long, or whatever is not a list of transformations.
 
     Example:
-        >>> read_transform("translate(10) rotate(90)").point(*map(Fraction, (1, 0)))
+        >>> text = "translate(10) rotate(90)"
+        >>> read_transform(text, Reading()).point(*map(Fraction, (1, 0)))
         Point(x=Fraction(10, 1), y=Fraction(1, 1))
     """
     product, place = IDENTITY, 0
@@ -45,7 +49,7 @@ def read_transform(text: str) -> Affine:
         given = read_decimals(numbers)
         if len(given) not in counts:
             raise FormatError(f"{name} with {len(given)} numbers")
-        product = composed(product, make(given))
+        product = composed(product, make(given, reading))
         place = match.end()
     return product
 
@@ -58,35 +62,43 @@ def composed(outer: Affine, inner: Affine) -> Affine:
     return product
 
 
-def _translate(numbers: Sequence[Fraction]) -> Affine:
+def _translate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     return affine(1, 0, 0, 1, numbers[0], numbers[1] if len(numbers) > 1 else 0)
 
 
-def _scale(numbers: Sequence[Fraction]) -> Affine:
+def _scale(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     return affine(numbers[0], 0, 0, numbers[-1], 0, 0)
 
 
-def _rotate(numbers: Sequence[Fraction]) -> Affine:
+def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     angle, *center = numbers
-    if angle % 90:
-        raise FormatError(f"rotate by {abridged(angle)} degrees is irrational")
-    cos, sin = [(1, 0), (0, 1), (-1, 0), (0, -1)][int(angle // 90) % 4]
     x, y = center or (0, 0)
-    return affine(1, 0, 0, 1, x, y) @ affine(cos, sin, -sin, cos, 0, 0) @ affine(1, 0, 0, 1, -x, -y)
+    turn = rotation(angle, reading)
+    return affine(1, 0, 0, 1, x, y) @ turn @ affine(1, 0, 0, 1, -x, -y)
 
 
-def _skew(numbers: Sequence[Fraction]) -> int:
-    angle = numbers[0]
-    if angle % 45 or angle % 180 == 90:
-        raise FormatError(f"a skew by {abridged(angle)} degrees is irrational")
-    return {0: 0, 45: 1, 135: -1}[int(angle % 180)]
+def _tangent(angle: Fraction, reading: Reading) -> Affine:
+    """A map whose c is the tangent, within its `off`."""
+    if angle % 45 == 0 and angle % 180 != 90:
+        return affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
+    turn = rotation(angle, reading)
+    if abs(turn.a) < Fraction(1, 10**6):
+        raise FormatError(f"a skew by {abridged(angle)} degrees")
+    # By the angle the tangent grows at 1 / cos**2.
+    return affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
 
 
-_FUNCTIONS: dict[str, tuple[Callable[[Sequence[Fraction]], Affine], tuple[int, ...]]] = {
-    "matrix": (lambda numbers: Affine(*numbers), (6,)),
+def _skew_y(numbers: Sequence[Fraction], reading: Reading) -> Affine:
+    skew = _tangent(numbers[0], reading)
+    return skew._replace(b=skew.c, c=skew.b)
+
+
+_Make = Callable[[Sequence[Fraction], Reading], Affine]
+_FUNCTIONS: dict[str, tuple[_Make, tuple[int, ...]]] = {
+    "matrix": (lambda numbers, reading: Affine(*numbers), (6,)),
     "translate": (_translate, (1, 2)),
     "scale": (_scale, (1, 2)),
     "rotate": (_rotate, (1, 3)),
-    "skewX": (lambda numbers: affine(1, 0, _skew(numbers), 1, 0, 0), (1,)),
-    "skewY": (lambda numbers: affine(1, _skew(numbers), 0, 1, 0, 0), (1,)),
+    "skewX": (lambda numbers, reading: _tangent(numbers[0], reading), (1,)),
+    "skewY": (_skew_y, (1,)),
 }

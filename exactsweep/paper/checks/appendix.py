@@ -140,11 +140,12 @@ def contact_moves_right(pair: Pair) -> str:
 
 def find_contact_moving_left(effort: Effort) -> Evidence:
     """Show that it takes a convex G."""
-    beyond = search_grid(2, 8, is_bent, is_any, contact_moves_right).against
-    if beyond is None:
-        return Evidence("", "no G that is not convex breaks it")
-    return Evidence(
-        f"For the non-convex G = {beyond.generatrix} and D = {beyond.directrix} it fails."
+    found = search_grid(2, 8, is_bent, is_any, contact_moves_right)
+    if found.against is None:
+        return replace(found, failure="no G that is not convex breaks it")
+    _, _, g, d = found.against
+    return replace(
+        found, tried=f"{found.tried} For the non-convex G = {g} and D = {d} it fails.", against=None
     )
 
 
@@ -289,11 +290,11 @@ def _envelope_growth(family: Family, effort: Effort) -> Growth:
                 Envelope.of(merge_by_slope(edges, part))
                 for part in convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
-            handed_in = sum(len(piece.edges) for piece in pieces)
+            handed_in = sum(len(piece.pieces) for piece in pieces)
             before, partial = tally.total, pieces[0]
             for piece in pieces[1:]:
                 partial = lower_envelope_cm(partial, piece)
-        trimmed = handed_in - len(partial.edges)
+        trimmed = handed_in - len(partial.pieces)
         return tally.total - before, handed_in + trimmed
 
     sizes = double(16, 2 if effort.quick else 4)

@@ -12,6 +12,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, pairwise
+from math import lcm
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
@@ -97,12 +98,13 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
     >>> free_parts(swept_polygons(triangle, contact_pieces(triangle, triangle)))
     2
     """
-    shapes = [_Shape(polygon) for polygon in polygons]
+    scale = lcm(*(c.denominator for polygon in polygons for p in polygon for c in p))
+    shapes = [_Shape([_scale(p, scale) for p in polygon]) for polygon in polygons]
     edges = [edge for shape in shapes for edge in shape.edges]
     xs = {p.x for edge in edges for p in edge}
     for one, other in combinations(edges, 2):
         xs |= {point.x for point in _common(one, other)}
-    cuts = sorted(xs)
+    cuts = sorted(map(Fraction, xs))
     nothing: list[Opening] = [(None, None)]
     slabs = [_openings(shapes, (left + right) / 2) for left, right in pairwise(cuts)]
     groups: Groups[tuple[int, int]] = Groups()
@@ -118,6 +120,11 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
             (j,) = (j for j, other in enumerate(after) if _holds(other, x, y))
             groups.join((k, i), (k + 1, j))
     return groups.count
+
+
+def _scale(p: Point, scale: int) -> Point:
+    """A point on the lattice, in ints, which are rationals too and take a tenth of the time."""
+    return Point(int(p.x * scale), int(p.y * scale))  # type: ignore[arg-type]
 
 
 class Groups(Generic[T]):
@@ -157,9 +164,12 @@ class _Shape:
         self.edges = _edges(polygon)
         self.bottom = [(p, q) for p, q in self.edges if p.x < q.x]
         self.top = [(q, p) for p, q in self.edges if q.x < p.x]
+        self.left, self.right = min(polygon).x, max(polygon).x
 
     def section(self, x: Fraction) -> tuple[Piece, Piece] | None:
         """The bottom and the top edge over an x; None beside the polygon."""
+        if not self.left <= x <= self.right:
+            return None
         below = next((e for e in self.bottom if e[0].x <= x <= e[1].x), None)
         above = next((e for e in self.top if e[0].x <= x <= e[1].x), None)
         return None if below is None or above is None else (below, above)
@@ -222,7 +232,7 @@ def _common(one: Piece, other: Piece) -> Iterator[Point]:
         return
     from_p, from_q = _side(r, s, p), _side(r, s, q)
     if from_r * from_s <= 0 and from_p * from_q <= 0:
-        share = from_r / (from_r - from_s)
+        share = Fraction(from_r) / (from_r - from_s)
         yield Point(r.x + share * (s.x - r.x), r.y + share * (s.y - r.y))
 
 

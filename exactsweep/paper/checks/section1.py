@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from exactsweep import Point, Polygon, Sweep, sweep
@@ -163,12 +164,13 @@ def find_overlap_along_directrix(effort: Effort) -> Evidence:
                 return f"with its vertex {reference_point} on ({x}, {y}), G overlaps D"
         return ""
 
-    found = search_grid(2, 6, is_convex, is_convex, overlaps).against
-    if found is None:
-        return Evidence("All pairs of triangles on the 3 by 3 grid.", "none of them overlap")
-    pair, text = Pair(list(found.generatrix), list(found.directrix)), found.text
-    tried = f"For G = {pair.generatrix} and D = {pair.directrix}: {text}."
-    return Evidence(tried, touches_without_overlap(pair))
+    found = search_grid(2, 6, is_convex, is_convex, overlaps)
+    if found.against is None:
+        return replace(found, failure="none of them overlap")
+    text, _, *pair = found.against
+    tried = f"{found.tried} For G = {pair[0]} and D = {pair[1]}: {text}."
+    failure = touches_without_overlap(Pair(*map(list, pair)))
+    return replace(found, tried=tried, failure=failure, against=None)
 
 
 def path_is_not_the_directrix(pair: Pair) -> str:

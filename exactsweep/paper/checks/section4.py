@@ -11,6 +11,7 @@ from exactsweep.check import point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
@@ -150,10 +151,20 @@ def check_two_forms(effort: Effort) -> Evidence:
 
 def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     bottom, positions = undercut.bottom, undercut.positions
+
+    def rests(t: Point) -> bool:
+        """Whether both ends of the bottom chain are on the boundary of G at a position."""
+        placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
+        return all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
+
     if undercut.intersection == "segment":
         (a, b), (c, d) = (bottom[0], bottom[-1]), (positions[0], positions[-1])
-        turn = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x)
-        return "" if len(bottom) == 2 and turn == 0 else f"not one edge: {undercut}"
+        if len(bottom) != 2 or (b.x - a.x) * (d.y - c.y) != (b.y - a.y) * (d.x - c.x):
+            return f"not one edge: {undercut}"
+        ends = [(c, d), (d, c)]
+        beyond = [Point(p.x + STEP * (p.x - q.x), p.y + STEP * (p.y - q.y)) for p, q in ends]
+        closed = [rests(t) for t in (c, d, *beyond)]
+        return "" if c != d and closed == [True, True, False, False] else f"not there: {undercut}"
     (t,) = positions
     placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
     if any(point_in_polygon(p, placed) for p in bottom):

@@ -69,7 +69,7 @@ def _attained(*growth: Growth) -> Evidence:
 
 
 def _sizes(effort: Effort) -> list[tuple[int, int]]:
-    return double(16, 2 if effort.quick else 4)
+    return double(32, 3 if effort.quick else 4)
 
 
 def find_large_parts(effort: Effort) -> Evidence:

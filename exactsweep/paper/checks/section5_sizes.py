@@ -12,6 +12,7 @@ from exactsweep.corpus.generator.growing import (
     mm,
     printed_count,
 )
+from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_right
 from exactsweep.paper.checks.segments import (
@@ -130,7 +131,7 @@ def outer_edges(pair: Pair) -> int:
     """Edges of the outer boundary of the lower sweep, which is held against the definition."""
     outer = exact(outer_boundary(pair.chains))
     if failure := differs("the outer boundary", outer, bottom_of(reference(pair).outer)):
-        raise ValueError(failure)
+        raise ExactSweepError(failure)
     return len(outer) - 1
 
 

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 # Two peaks above a round tip of four edges between steep flanks, in units of 1/4 and 1/20.
 PEAKS = [(80, 0), (60, 80), (40, 0), (20, 80), (0, 0)]
-TIP = [(26, -120), (33, -134), (40, -141), (47, -134), (54, -120)]
+TIP = [(25, -120), (33, -135), (40, -142), (47, -135), (55, -120)]
 SIZES = ((2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8))
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 # A column and a page of the journal are 84 and 174 mm wide, saving adds 0.1 inches on each side,
 # and WIDE lies between.
 COLUMN, WIDE, PAGE = 3.1, 4.6, 6.6
-FONT, SMALL = 8.5, 7.0
+FONT, SMALL = 9.0, 8.0
 _GAP = 10.0
 _POINTS = 72.0
 

@@ -1,0 +1,32 @@
+"""`exactsweep example`."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+import click
+
+from exactsweep.cli.output import takes_output, write
+from exactsweep.formats import FormatError, file_name
+
+
+@click.command("example")
+@click.argument("name", required=False)
+@takes_output
+def example_command(name: str | None, output: str) -> None:
+    """Show programs to begin with, for 'exactsweep conform'.
+
+    Each of them speaks the protocol and does convex pairs only. Without NAME, their paths are
+    printed; with NAME, such as convex.py, the program, or it is copied by -o FILE.
+    """
+    from exactsweep.corpus.names import known
+
+    folder = files("exactsweep.conform.examples")
+    programs = {entry.name: entry for entry in folder.iterdir() if entry.name.startswith("convex.")}
+    if name is None:
+        write("".join(f"{programs[each]}\n" for each in sorted(programs)), output)
+        return
+    if output != "-" and Path(output).exists():
+        raise FormatError(f"{file_name(output)}: is there already")
+    write(programs[known(name, sorted(programs), "example")].read_text(encoding="utf-8"), output)

@@ -1,0 +1,84 @@
+"""Which fault is behind a failure, so that different ones are told apart and counted.
+
+Two failures have the same fault if they have the same verdict on the same part, the same kinds of
+witness, and the same reason but for numbers; or, of crashes, the same exit code or signal, the same
+last words on standard error but for numbers, and the same place in the program, if they name one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from exactsweep.conform.judge.verdict import Verdict
+from exactsweep.conform.run.peer import cut
+
+_ENDED = ("exited with code", "was ended by signal")
+# A line of a source file is a place and stays; other numbers differ from case to case.
+_NUMBER = re.compile(
+    r"(\bline \d+|[\w/\\-]+\.[A-Za-z]\w*:\d+)|0x[0-9a-fA-F]+|\d+(?:[./]\d+)*(?:[eE][+-]?\d+)?"
+)
+_FRAME = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]*)", (line \d+)')
+
+
+def name_fault(
+    verdict: Verdict,
+    reason: str,
+    parts: Sequence[Mapping[str, Any]] = (),
+    stderr: str = "",
+    id: str = "",
+) -> str:
+    r"""Name the fault behind a failure.
+
+    Args:
+        verdict: on the case.
+        reason: one line.
+        parts: what `PartComparison.to_json` gives, for each part.
+        stderr: the last of what the program wrote to standard error.
+        id: of the case, which does not count where it is quoted.
+
+    Returns:
+        One line, the same for failures of the same kind; what passes has the verdict alone.
+
+    Cost: linear.
+
+    Example:
+        >>> name_fault(Verdict.CRASH, "says: division by zero in row 12")
+        'crash: says: division by zero in row #'
+        >>> said = 'File "/app/nfp.py", line 7, in slide\nKeyError: 12'
+        >>> name_fault(Verdict.CRASH, "exited with code 1", stderr=said)
+        'crash: exited with code 1; KeyError: #; nfp.py line 7'
+    """
+    if verdict in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED):
+        return verdict.value
+    if id:
+        reason, stderr = (text.replace(id, "#") for text in (reason, stderr))
+    worst = max(parts, key=lambda part: Verdict(part["verdict"]).severity, default=None)
+    if worst is not None:
+        said = [_name_difference(worst)]
+    elif reason.startswith(_ENDED):
+        # What it says last follows the code, and is in stderr in full.
+        said = [reason.partition(";")[0], *_find_place(stderr)]
+    else:
+        said = [_without_numbers(reason), *_find_place(stderr)[1:]]
+    return f"{verdict.value}: {'; '.join(filter(None, said))}"
+
+
+def _name_difference(part: Mapping[str, Any]) -> str:
+    """What is wrong with a part, and what its witnesses show."""
+    named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
+    shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
+    place = part["name"].replace("_", " ")
+    return ", ".join([place, _without_numbers(named), *(kind.lower() for kind in shown if kind)])
+
+
+def _find_place(stderr: str) -> list[str]:
+    """The last line of standard error, and the innermost frame of a traceback, if there is one."""
+    lines = stderr.strip().splitlines()
+    frames = _FRAME.findall(stderr)
+    return [_without_numbers(lines[-1]) if lines else "", " ".join(frames[-1]) if frames else ""]
+
+
+def _without_numbers(text: str) -> str:
+    return _NUMBER.sub(lambda found: found[1] or "#", cut(text))

@@ -1,0 +1,118 @@
+"""Pairs of polygons that somebody has, as cases: the exact answers are made here."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import BinaryIO, Unpack
+
+from exactsweep.conform.run.cases import read_lines
+from exactsweep.corpus import Case
+from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
+from exactsweep.formats.candidate import Candidate, choose
+from exactsweep.formats.exact_json import described, parse_json, read_vertices
+from exactsweep.formats.polygons import find_candidates, parse_candidates
+from exactsweep.formats.reading import Options
+from exactsweep.geometry.number import quoted
+from exactsweep.geometry.point import Point
+from exactsweep.words import suggestion
+
+_ROLES = ("directrix", "generatrix")
+_MEMBERS = (*_ROLES, "reference", "id")
+
+
+def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
+    """Read pairs of polygons as cases.
+
+    Args:
+        path: of a file, or "-" for standard input. Either lines of JSON, {"directrix": ...,
+            "generatrix": ...}, perhaps with "reference" and "id", a polygon being anything that
+            `parse_polygon` reads of JSON; or polygons in any format that `parse_polygons` reads,
+            each of which is put around each, itself included.
+        tolerance: as for `parse_polygons`.
+        options: likewise.
+
+    Returns:
+        An iterator of Case; the ids are those of the lines, or "pair-NUMBER" by line; or the two
+        names or indices, D first, as in "plate/disc".
+
+    Raises:
+        FormatError: not to be read; the message names the file, and the line.
+        ValueError: what `sweep` refuses, likewise.
+
+    Cost: that of `Case.of` for each pair; memory is a line, or the polygons.
+    """
+    name = file_name(path)
+    try:
+        if path == "-":
+            yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
+        else:
+            with open(path, "rb") as file:
+                yield from _read(file, path, tolerance, **options)
+    except OSError as error:
+        raise FormatError(f"{name}: {error.strerror or error}") from None
+
+
+def _read(
+    file: BinaryIO, path: str, tolerance: object, **options: Unpack[Options]
+) -> Iterator[Case]:
+    first = b"\n"
+    while first.isspace():
+        first = file.readline(MAX_BYTES + 1)
+    file.seek(0)
+    if _is_pair(first):
+        yield from read_lines(file, path, _read_pair)
+        return
+    try:
+        text = file.read().decode() if path == "-" else read_text(path)
+        parts = _name(parse_candidates(text, tolerance, **options))
+        for d, g in product(parts, repeat=2):
+            yield Case.of(f"{d[0]}/{g[0]}", "", d[1], g[1])
+    except ValueError as error:
+        raise FormatError(f"{file_name(path)}: {error}") from None
+
+
+def _is_pair(line: bytes) -> bool:
+    """Whether a line looks like a pair, whatever else may be wrong with it."""
+    try:
+        document = json.loads(line)
+    except (ValueError, RecursionError):
+        return False
+    return isinstance(document, dict) and not {*_ROLES}.isdisjoint(document)
+
+
+def _read_pair(number: int, line: str) -> Case:
+    document = parse_json(line)
+    if not isinstance(document, dict):
+        raise FormatError(f"$ is {described(document)}, not an object")
+    for member in document:
+        if member not in _MEMBERS:
+            raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+    for role in _ROLES:
+        if role not in document:
+            raise FormatError(f"$ has no {role}")
+    id = document.get("id", f"pair-{number}")
+    if not isinstance(id, str):
+        raise FormatError(f"$.id is {described(id)}, not a string or a number")
+    (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
+    d, g = (_read_ring(choose(find_candidates(document[role]), None), role) for role in _ROLES)
+    return Case.of(id, "", d, g, reference)
+
+
+def _read_ring(candidate: Candidate, name: str) -> Sequence[Point]:
+    """Read a polygon, its vertices as they are given."""
+    try:
+        candidate.polygon()
+        return candidate.vertices()
+    except ValueError as error:
+        raise FormatError(f"{name}: {error}") from None
+
+
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, Sequence[Point]]]:
+    """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
+    names = [candidate.name or "" for candidate in candidates]
+    if "" in names or len(set(names)) < len(names):
+        names = [str(k) for k in range(len(candidates))]
+    return [(name, _read_ring(one, name)) for name, one in zip(names, candidates, strict=True)]

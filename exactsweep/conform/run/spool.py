@@ -1,0 +1,63 @@
+"""Outcomes in the order in which they came, on disk once there are many."""
+
+from __future__ import annotations
+
+import json
+from array import array
+from collections.abc import Iterator, Sequence
+from tempfile import SpooledTemporaryFile
+from typing import overload
+from weakref import finalize
+
+from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+
+_IN_MEMORY = 2**20
+"""Bytes that are kept in memory; what comes after goes to a file that nobody else sees."""
+
+
+class Spool(Sequence[Outcome]):
+    """A sequence of outcomes that grows; memory is eight bytes an outcome.
+
+    Example:
+        >>> from exactsweep.conform.judge.verdict import Verdict
+        >>> spool = Spool()
+        >>> spool.add(Outcome("a", "CC", (), Verdict.EXACT))
+        >>> len(spool), spool[0].id, [outcome.verdict.value for outcome in spool]
+        (1, 'a', ['exact'])
+    """
+
+    def __init__(self) -> None:
+        self._file = SpooledTemporaryFile(_IN_MEMORY)  # noqa: SIM115
+        # It closes with the spool, which is used as a sequence and has no other end.
+        finalize(self, self._file.close)
+        self._starts = array("Q")
+        self._end = 0
+
+    def add(self, outcome: Outcome) -> None:
+        """Take in an outcome, at the end."""
+        line = json.dumps(outcome.to_json()).encode() + b"\n"
+        self._file.seek(self._end)
+        self._file.write(line)
+        self._starts.append(self._end)
+        self._end += len(line)
+
+    def __len__(self) -> int:
+        return len(self._starts)
+
+    @overload
+    def __getitem__(self, index: int) -> Outcome: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Outcome]: ...
+
+    def __getitem__(self, index: int | slice) -> Outcome | list[Outcome]:
+        if isinstance(index, slice):
+            return [self._read(start) for start in self._starts[index]]
+        return self._read(self._starts[index])
+
+    def __iter__(self) -> Iterator[Outcome]:
+        return map(self._read, self._starts)
+
+    def _read(self, start: int) -> Outcome:
+        self._file.seek(start)
+        return outcome_from_json(json.loads(self._file.readline()))

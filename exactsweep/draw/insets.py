@@ -1,0 +1,141 @@
+"""Details of a picture, enlarged below it: where one polygon is far smaller, or both are flat."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from string import ascii_lowercase
+from typing import NamedTuple, Self
+
+from exactsweep.canvas.scale import Scale
+from exactsweep.draw.picture import Picture
+from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+# A polygon is enlarged if the picture is so many times as long, but not beyond what floats resolve.
+_SMALL = range(25, 10**9)
+_MOST = 3
+# In widths of the picture: of a detail, from one to the next, and from the picture to them.
+_WIDTH, _APART, _BELOW = 0.3, 0.35, 0.18
+# How much more than the small polygon is shown.
+_ROUND = Fraction(5, 2)
+
+
+class Detail(NamedTuple):
+    """A square of the plane that is enlarged.
+
+    Attributes:
+        left, bottom: Fractions, its lower left corner.
+        side: Fraction, its length.
+    """
+
+    left: Fraction
+    bottom: Fraction
+    side: Fraction
+
+    @classmethod
+    def around(cls, center: Vertex, side: Fraction) -> Self:
+        """Return the square of a side around a point."""
+        x, y = center
+        return cls(x - side / 2, y - side / 2, side)
+
+    @property
+    def corners(self) -> tuple[Point, Point]:
+        """The lower left and the upper right corner."""
+        left, bottom, side = self
+        return Point(left, bottom), Point(left + side, bottom + side)
+
+    def is_near(self, other: Detail) -> bool:
+        """Whether it shows nearly the same."""
+        reach = self.side / 2
+        return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
+
+
+def find_details(
+    shown: Iterable[Vertex],
+    directrix: Polygon | Region,
+    placed: Sequence[Polygon | Region],
+    spots: Iterable[Vertex],
+) -> list[Detail]:
+    """Choose what is enlarged.
+
+    Args:
+        shown: all points that the picture holds.
+        directrix: D.
+        placed: G, at each place where it is drawn; one of any place if it is not.
+        spots: places where the two touch.
+
+    Returns:
+        list of Detail, three at most: around G where it is 25 times as small as the picture, around
+        D where that is; where the picture is 25 times as long as wide, as much as it is wide at
+        each of some spots.
+
+    Cost: linear in the number of points.
+
+    Example:
+        >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
+        >>> for detail in find_details(big.vertices, big, [small], []):
+        ...     print(*detail)
+        -3/4 -3/4 5/2
+    """
+    corners = list(shown)
+    boxes = [(min(values), max(values)) for values in zip(*corners, strict=True)]
+    sides = [Fraction(high - low) for low, high in boxes]
+    whole = max(sides)
+    found: list[Detail] = []
+    for shapes in ([directrix], placed):
+        small = max(map(_longest, shapes))
+        if int(whole / small) in _SMALL:
+            found += [Detail.around(_middle(shape), _ROUND * small) for shape in shapes]
+    if not found and not Scale.of(corners).is_true and int(whole / min(sides)) in _SMALL:
+        middle = Point(*((low + high) / Fraction(2) for low, high in boxes))
+        short = sides.index(min(sides))
+        for x, y in spots:
+            center = (x, middle.y) if short else (middle.x, y)
+            found.append(Detail.around(center, min(sides)))
+    chosen: list[Detail] = []
+    for detail in found:
+        if len(chosen) < _MOST and not any(map(detail.is_near, chosen)):
+            chosen.append(detail)
+    return chosen
+
+
+def _longest(shape: Polygon | Region) -> Fraction:
+    low, high = shape.bounding_box
+    return max(high.x - low.x, high.y - low.y)
+
+
+def _middle(shape: Polygon | Region) -> Point:
+    low, high = shape.bounding_box
+    return Point((low.x + high.x) / 2, (low.y + high.y) / 2)
+
+
+def draw_details(
+    picture: Picture, details: Sequence[Detail], paint: Callable[[Picture], None]
+) -> None:
+    """Draw details below a picture, each to scale, and frames in it around what they show.
+
+    Args:
+        picture: a Picture.
+        details: what is enlarged.
+        paint: draws all of the picture on another one.
+    """
+    for k, detail in enumerate(details):
+        low, high = detail.corners
+        # Of a picture so many times as high as wide, a share of the width is so much of the height.
+        height = picture.aspect
+        axes = picture.axes.inset_axes(
+            (k * _APART, -(_BELOW + _WIDTH) / height, _WIDTH, _WIDTH / height)
+        )
+        scale = Scale.of([low, high])
+        enlarged = Picture(axes, scale, y_down=picture.y_down, window=(low, high))
+        paint(enlarged)
+        enlarged.show_window()
+        (left, bottom), (right, top) = picture.scale.place(low), picture.scale.place(high)
+        picture.axes.indicate_inset((left, bottom, right - left, top - bottom), edgecolor="black")
+        name = ascii_lowercase[k]
+        picture.text(low if picture.y_down else (low.x, high.y), name)
+        axes.set_title(f"{name}, to scale", fontsize="small")
+    if details:
+        picture.reserve(_BELOW + _WIDTH)

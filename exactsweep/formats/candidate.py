@@ -1,0 +1,217 @@
+"""The polygons of a file before they are read: which there are, and which one is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple, NoReturn, Self, TypeVar
+
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+from exactsweep.words import count, suggestion
+
+_SHOWN = 4
+_Shape = TypeVar("_Shape", Polygon, Region)
+_Read = TypeVar("_Read")
+
+
+class NamedPolygon(NamedTuple):
+    """A polygon of a file that holds several.
+
+    Attributes:
+        polygon: the Polygon.
+        name: its id, or None.
+        layer: the layer of a DXF file that it is on, else None.
+    """
+
+    polygon: Polygon
+    name: str | None = None
+    layer: str | None = None
+
+
+class NamedRegion(NamedTuple):
+    """A polygon with its holes, of a file that holds several.
+
+    Attributes:
+        region: the Region.
+        name: its id, or None.
+        layer: the layer of a DXF file that it is on, else None.
+    """
+
+    region: Region
+    name: str | None = None
+    layer: str | None = None
+
+
+class Candidate(NamedTuple):
+    """A polygon of a file, to be read when it is wanted, so that its faults concern no other.
+
+    Attributes:
+        place: where it is in the file, for messages; "" if the refusals of `vertices` say so.
+        vertices: reads them, or raises FormatError.
+        name: its id, or None.
+        layer: its layer, or None.
+        holes: finds its inner rings, in order, or raises FormatError; read when they are wanted.
+        fault: why it is known to be no polygon before it is read; else "".
+    """
+
+    place: str
+    vertices: Callable[[], Sequence[Point]]
+    name: str | None = None
+    layer: str | None = None
+    holes: Callable[[], Sequence[Candidate]] = tuple
+    fault: str = ""
+
+    @classmethod
+    def refused(cls, reason: str, name: str | None = None, layer: str | None = None) -> Self:
+        """Make a candidate that raises FormatError, for what is drawn but is no polygon."""
+
+        def vertices() -> NoReturn:
+            raise FormatError(reason)
+
+        return cls("", vertices, name, layer, fault=reason)
+
+    def polygon(self) -> Polygon:
+        """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
+        for hole in self.holes():
+            raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
+        return self._read(lambda: Polygon(self.vertices()))
+
+    def region(self) -> Region:
+        """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
+        holes = self.holes()
+        if not holes:
+            return Region(self.polygon())
+        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in holes]))
+
+    def shape(self) -> Polygon | Region:
+        """Read it as the Region that it is if there are holes, else as a Polygon."""
+        return self.region() if self.holes() else self.polygon()
+
+    def _read(self, shape: Callable[[], _Shape]) -> _Shape:
+        try:
+            return shape()
+        except PolygonError as error:
+            raise PolygonError(f"{self.place}: {error}" if self.place else str(error)) from None
+        except NumberError as error:
+            raise FormatError(f"{self.place}: {error}" if self.place else str(error)) from None
+
+    def named_polygon(self) -> NamedPolygon:
+        """Read the polygon, as `polygon` does, with its name and layer."""
+        return NamedPolygon(self.polygon(), self.name, self.layer)
+
+    def named_region(self) -> NamedRegion:
+        """Read the region, as `region` does, with its name and layer."""
+        return NamedRegion(self.region(), self.name, self.layer)
+
+
+def read_each(candidates: Sequence[Candidate], read: Callable[[Candidate], _Read]) -> list[_Read]:
+    """Read all candidates, or refuse all that cannot be read in one message."""
+    found, refused = sift(candidates, read)
+    if not refused:
+        return found
+    first, *others = refused
+    more = "".join(f"; {error}" for error in others[: _SHOWN - 1])
+    more += f"; and {len(refused) - _SHOWN} more" * (len(refused) > _SHOWN)
+    raise type(first)(f"{first}{more}") from None
+
+
+def sift(
+    candidates: Iterable[Candidate], read: Callable[[Candidate], _Read]
+) -> tuple[list[_Read], list[ValueError]]:
+    """Read what can be read; return the refusals of all else beside it."""
+    found, refused = [], []
+    for candidate in candidates:
+        try:
+            found.append(read(candidate))
+        except ValueError as error:
+            refused.append(error)
+    return found, refused
+
+
+def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
+    """Find the candidate that is meant.
+
+    Args:
+        candidates: those of a file, in order.
+        choice: a name, an index from 0 or a layer, tried in this order; None for the only one.
+
+    Returns:
+        The candidate.
+
+    Raises:
+        FormatError: none, or several that could be meant.
+    """
+    if choice is not None:
+        found = select(candidates, choice)
+        if len(found) == 1:
+            return found[0]
+        kind = "name" if found[0].name == choice else "layer"
+        indices = [i for i, one in enumerate(candidates) if one in found]
+        raise FormatError(
+            f"{len(found)} polygons have the {kind} {quoted(choice)}; choose one by index: "
+            f"{', '.join(f'#{i}' for i in indices[:_SHOWN])}{' ...' * (len(indices) > _SHOWN)}"
+        )
+    if not candidates:
+        raise FormatError("holds no polygon")
+    if len(candidates) == 1:
+        return candidates[0]
+    sound = [i for i, candidate in enumerate(candidates) if not candidate.fault]
+    faults = [candidate.fault for candidate in candidates if candidate.fault]
+    if not sound:
+        raise FormatError(
+            f"holds no polygon: {len(faults)} things are none, first "
+            f"{faults[0]}{' ...' * (len(faults) > 1)}"
+        )
+    listed = ", ".join(f"#{i}" + _called(candidates[i]) for i in sound[:_SHOWN])
+    others = f"; and {count(len(faults), 'other thing')}, {faults[0]}" if faults else ""
+    raise FormatError(
+        f"holds {count(len(sound), 'polygon')}; choose one by name, index or layer, as in "
+        f"FILE#{_shortest(candidates, sound[0])}: {listed}{' ...' * (len(sound) > _SHOWN)}{others}"
+    )
+
+
+def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
+    """Find all candidates that a choice names.
+
+    Args:
+        candidates: those of a file, in order.
+        choice: a name, an index from 0 or a layer, tried in this order.
+
+    Returns:
+        list of Candidate, at least one; of a layer only those without a fault, if there are any.
+
+    Raises:
+        FormatError: none.
+    """
+    named = [candidate for candidate in candidates if candidate.name == choice]
+    # A name may look like an index, and so may a layer: DXF's first one is "0".
+    index = int(choice) if choice.isascii() and choice.isdigit() and len(choice) < 10 else -1
+    if len(named) != 1 and 0 <= index < len(candidates):
+        return [candidates[index]]
+    layered = [candidate for candidate in candidates if candidate.layer == choice]
+    found = named or [one for one in layered if not one.fault] or layered
+    if found:
+        return found
+    near = suggestion(choice, [n for o in candidates for n in (o.name, o.layer) if n])
+    raise FormatError(
+        f"no polygon has the name, index or layer {quoted(choice)}"
+        f"{near or f'; there are {len(candidates)}'}"
+    )
+
+
+def _shortest(candidates: Sequence[Candidate], index: int) -> str:
+    """What tells a candidate from the others: its name or its layer, or else its index."""
+    one = candidates[index]
+    for word in (one.name, one.layer):
+        if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:
+            return word
+    return str(index)
+
+
+def _called(candidate: Candidate) -> str:
+    name = candidate.name or candidate.layer
+    return f" {quoted(name)}" if name else ""

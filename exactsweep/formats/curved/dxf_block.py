@@ -1,0 +1,106 @@
+"""The blocks of DXF: what INSERT draws, wherever it puts, turns, mirrors and scales it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from exactsweep.formats.curved.affine import Affine, affine
+from exactsweep.formats.curved.arc import rotation
+from exactsweep.formats.curved.dxf_entity import Drawing, Entity
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import Reading
+from exactsweep.geometry.number import quoted
+
+MAX_DEPTH = 32
+"""How deeply blocks may be nested."""
+
+MAX_PLACED = 20_000
+"""How many entities blocks may draw, lest a small file keep its reader busy."""
+
+
+class Placed(NamedTuple):
+    """An entity where it is drawn.
+
+    Attributes:
+        entity: as it stands in the file.
+        image: what maps it to the drawing.
+        layer: the layer it is on: "0" inside a block is the layer of what draws the block.
+        place: what and where it is, for messages.
+        fault: why an INSERT cannot be drawn, else "".
+    """
+
+    entity: Entity
+    image: Affine
+    layer: str
+    place: str
+    fault: str = ""
+
+
+class Blocks:
+    """The blocks of a drawing, being drawn.
+
+    Args:
+        drawing: the drawing.
+        reading: says whether angles may be irrational.
+    """
+
+    def __init__(self, drawing: Drawing, reading: Reading) -> None:
+        self.blocks, self.reading = drawing.blocks, reading
+        self.placed = 0
+        # What each INSERT does to its block, found once, by its line.
+        self._maps: dict[int, list[Affine]] = {}
+
+    def place(self, entity: Entity, image: Affine) -> Iterator[Placed]:
+        """Yield an entity, or what it draws if it is an INSERT, each with its own fault."""
+        return self._place(Placed(entity, image, entity.layer, entity.place), ())
+
+    def _place(self, placed: Placed, around: tuple[str, ...]) -> Iterator[Placed]:
+        if around:
+            self.placed += 1
+            if self.placed > MAX_PLACED:
+                raise FormatError(f"blocks draw more than {MAX_PLACED:,} entities")
+        if placed.entity.kind != "INSERT":
+            yield placed
+            return
+        try:
+            name = placed.entity.name.upper()
+            images = self._images(placed, name, around)
+        except ValueError as error:
+            yield placed._replace(fault=str(error))
+            return
+        _, *members = self.blocks[name]
+        for image in images:
+            for entity in members:
+                layer = placed.layer if entity.layer == "0" else entity.layer
+                place = f"{placed.place}: {entity.place}"
+                yield from self._place(Placed(entity, image, layer, place), (*around, name))
+
+    def _images(self, placed: Placed, name: str, around: tuple[str, ...]) -> list[Affine]:
+        """The maps of a block: as many as there are rows and columns of it."""
+        insert = placed.entity
+        if name not in self.blocks:
+            raise FormatError(f"there is no block {quoted(insert.name)}")
+        if name in around:
+            raise FormatError(f"the block {quoted(insert.name)} draws itself")
+        if len(around) == MAX_DEPTH:
+            raise FormatError(f"nested in more than {MAX_DEPTH} blocks")
+        if insert.line not in self._maps:
+            self._maps[insert.line] = self._own_maps(insert, self.blocks[name])
+        return [placed.image @ own for own in self._maps[insert.line]]
+
+    def _own_maps(self, insert: Entity, block: list[Entity]) -> list[Affine]:
+        columns, rows = (max(1, int(insert.number(code, 1))) for code in (70, 71))
+        if columns * rows * len(block) > MAX_PLACED:
+            raise FormatError(f"draws more than {MAX_PLACED:,} entities")
+        turn = rotation(insert.number(50, 0), self.reading)
+        position, base = insert.point(10), block[0].point(10)
+        scale = affine(insert.number(41, 1), 0, 0, insert.number(42, 1), 0, 0)
+        outer = insert.plane @ affine(1, 0, 0, 1, *position) @ turn
+        own = scale @ affine(1, 0, 0, 1, -base.x, -base.y)
+        step = insert.number(44, 0), insert.number(45, 0)
+        return [
+            outer @ affine(1, 0, 0, 1, i * step[0], j * step[1]) @ own
+            for j in range(rows)
+            for i in range(columns)
+        ]

@@ -1,0 +1,201 @@
+"""Open lines joined at their ends to closed outlines."""
+
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import partial
+from typing import NamedTuple
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.curved.curves import round_points
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import Reading
+from exactsweep.geometry.point import Point
+from exactsweep.words import pair
+
+# Joints within reach of an end that are looked at before it is refused.
+_MAX_CROWD = 64
+
+
+class OpenLine(NamedTuple):
+    """An open line.
+
+    Attributes:
+        order: where in the file it starts; lines are joined in this order.
+        place: what and where it is, for messages.
+        ends: its first and its last point.
+        points: reads all of its points, from the first to the last.
+        shape: what tells it from others with the same ends; () for a straight one.
+        is_exact: whether its ends are those that are meant, not just close to them.
+        name: its id, or None.
+    """
+
+    order: int
+    place: str
+    ends: tuple[Point, Point]
+    points: Callable[[], Sequence[Point]]
+    shape: Hashable = ()
+    is_exact: bool = True
+    name: str | None = None
+
+
+class _Joined(NamedTuple):
+    """A line, and the joints that its ends are moved to."""
+
+    line: OpenLine
+    joints: tuple[Point, Point]
+
+    def points(self) -> list[Point]:
+        first, last = self.joints
+        return [first, *self.line.points()[1:-1], last]
+
+
+def join(
+    lines: Sequence[OpenLine], layer: str | None, reading: Reading
+) -> Iterator[tuple[int, Candidate]]:
+    """Join lines whose ends are equal, or close to each other where that is allowed.
+
+    Each end is moved to the closest joint within reach, or becomes one itself: first those that are
+    exact, within `reading.join`, then those that are not, within that and a fourth of the
+    tolerance, all in order. A line that is there twice counts once, and one that is too short for
+    its ends to be told apart is left out.
+
+    Args:
+        lines: open lines of one layer, in order.
+        layer: its name.
+        reading: has the distances.
+
+    Yields:
+        (order, Candidate) for each set of lines that hang together; where not every end meets
+        exactly one other, it has a fault that names the place.
+
+    Cost: linear.
+    """
+    joints = Joints(reading.join or Fraction(0))
+    exact = {end: joints.find(end) for line in lines if line.is_exact for end in line.ends}
+    if reading.tolerance is not None:
+        reach = max(reading.tolerance / 4, joints.reach)
+        joints = Joints(reach, dict.fromkeys(exact.values()), reading.tolerance)
+    found: dict[tuple[frozenset[Point], Hashable], _Joined] = {}
+    for line in lines:
+        try:
+            if line.is_exact:
+                ends = exact[line.ends[0]], exact[line.ends[1]]
+            else:
+                ends = joints.find(line.ends[0]), joints.find(line.ends[1])
+            if ends[0] != ends[1]:
+                found.setdefault((frozenset(ends), line.shape), _Joined(line, ends))
+            elif _is_long(line, 4 * joints.reach):
+                joined = _Joined(line, ends)
+                yield line.order, Candidate(line.place, joined.points, line.name, layer)
+        except FormatError as error:
+            yield line.order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
+    yield from _outlines(list(found.values()), layer, reading)
+
+
+def _is_long(line: OpenLine, reach: Fraction) -> bool:
+    (x, y), *others = line.points()
+    return any(abs(p - x) > reach or abs(q - y) > reach for p, q in others)
+
+
+class Joints:
+    """Points that ends of lines are moved to, found by the square of a grid that they are in.
+
+    Args:
+        reach: how far an end may be moved.
+        known: joints that there are from the start.
+        tolerance: new ones are rounded as `round_points` does; None not to round them.
+    """
+
+    def __init__(
+        self, reach: Fraction, known: Iterable[Point] = (), tolerance: Fraction | None = None
+    ) -> None:
+        self.reach, self.tolerance = reach, tolerance
+        self.cells: defaultdict[tuple[object, object], list[Point]] = defaultdict(list)
+        for joint in known:
+            self.cells[self._cell(joint)].append(joint)
+
+    def find(self, end: Point) -> Point:
+        """Return the closest joint within reach; if there is none, make one."""
+        if not self.reach:
+            return end
+        x, y = self._cell(end)
+        close = [
+            j for i in (-1, 0, 1) for k in (-1, 0, 1) for j in self.cells.get((x + i, y + k), ())
+        ]
+        if len(close) > _MAX_CROWD:
+            raise FormatError(f"more than {_MAX_CROWD} ends within reach of the end {pair(end)}")
+        near = [((j.x - end.x) ** 2 + (j.y - end.y) ** 2, j) for j in close]
+        near = [(square, j) for square, j in near if square <= self.reach**2]
+        if near:
+            return min(near)[1]
+        if self.tolerance is not None:
+            (end,) = round_points([end], self.tolerance)
+        self.cells[self._cell(end)].append(end)
+        return end
+
+    def _cell(self, point: Point) -> tuple[int, int]:
+        return point.x // self.reach, point.y // self.reach
+
+
+def _outlines(
+    lines: Sequence[_Joined], layer: str | None, reading: Reading
+) -> Iterator[tuple[int, Candidate]]:
+    at: defaultdict[Point, list[int]] = defaultdict(list)
+    for k, line in enumerate(lines):
+        for joint in line.joints:
+            at[joint].append(k)
+    seen: set[int] = set()
+    passed: set[Point] = set()
+    for first in range(len(lines)):
+        if first in seen:
+            continue
+        together, fault = [first], ""
+        seen.add(first)
+        for k in together:
+            for joint in lines[k].joints:
+                # Each joint once: there may be very many lines at one.
+                if joint in passed:
+                    continue
+                passed.add(joint)
+                fault = fault or _fault(lines[k].line, joint, len(at[joint]), reading)
+                new = [other for other in at[joint] if other not in seen]
+                seen.update(new)
+                together += new
+        chain = [lines[k] for k in sorted(together)]
+        start = chain[0].line
+        name = next((line.line.name for line in chain if line.line.name is not None), None)
+        if fault:
+            yield start.order, Candidate.refused(fault, name, layer)
+        else:
+            yield start.order, Candidate(start.place, partial(_walk, chain), name, layer)
+
+
+def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
+    if count == 2:
+        return ""
+    meets = f"is one of {count} that meet"
+    if count == 1:
+        exactly = "" if reading.join else " exactly (--join allows a distance)"
+        meets = f"meets no other end{exactly}"
+    return f"{line.place}: the end {pair(end)} {meets}"
+
+
+def _walk(lines: Sequence[_Joined]) -> list[Point]:
+    """Walk along lines, each of whose ends meets one other, back to the start."""
+    at: defaultdict[Point, list[_Joined]] = defaultdict(list)
+    for line in lines:
+        for joint in line.joints:
+            at[joint].append(line)
+    outline: list[Point] = []
+    line = lines[0]
+    place = line.joints[0]
+    for _ in lines:
+        points = line.points()
+        if line.joints[0] != place:
+            points = points[::-1]
+        outline += points[:-1]
+        place = line.joints[line.joints[0] == place]
+        one, other = at[place]
+        line = other if one is line else one
+    return outline

@@ -1,0 +1,187 @@
+"""Elements of SVG where they are drawn: transformations, views, units, layers and fill rules."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from exactsweep.formats.curved.affine import IDENTITY, Affine, affine
+from exactsweep.formats.curved.svg_transform import composed, read_transform
+from exactsweep.formats.curved.xml import line
+from exactsweep.formats.decimals import read_decimal, read_decimals
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import UNITS, Reading
+from exactsweep.geometry.number import quoted
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+_SPACE = "{http://www.w3.org/2000/svg}"
+_INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+_VIEWS = {"svg", "symbol"}
+
+
+class Placed:
+    """An element among its ancestors; its transformation is read when it is wanted.
+
+    Args:
+        element: the element.
+        parent: that of which it is drawn, None for the root.
+        reading: has the tolerance of irrational angles, and the unit.
+        used: the `use` that draws a symbol or a nested svg, which has its size.
+    """
+
+    def __init__(
+        self,
+        element: Element,
+        parent: Placed | None,
+        reading: Reading,
+        used: Placed | None = None,
+    ) -> None:
+        self.element, self.parent, self.reading, self.used = element, parent, reading, used
+
+    @cached_property
+    def place(self) -> str:
+        """What and where it is, for messages."""
+        name = f" {quoted(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
+        return f"line {line(self.element)}: {kind(self.element)}{name}"
+
+    @cached_property
+    def matrix(self) -> Affine:
+        """What maps the element's coordinates to those of the drawing."""
+        outer = IDENTITY if self.parent is None else self.parent.matrix
+        attributes = self.element.attrib
+        try:
+            if "transform" in attributes.get("style", ""):
+                raise FormatError("a transformation in a style cannot be read")
+            product = composed(outer, read_transform(attributes.get("transform", ""), self.reading))
+            if self.parent is None:
+                return composed(affine(*_diagonal(self._unit(), self._unit())), product)
+            if kind(self.element) == "use":
+                at = affine(1, 0, 0, 1, self.length("x"), self.length("y"))
+                return composed(product, at)
+            return composed(product, self._view()) if kind(self.element) in _VIEWS else product
+        except ValueError as error:
+            raise FormatError(f"{self.place}: {error}") from None
+
+    @cached_property
+    def layer(self) -> str | None:
+        """The innermost layer of Inkscape around it."""
+        attributes = self.element.attrib
+        if attributes.get(f"{_INKSCAPE}groupmode") == "layer":
+            return attributes.get(f"{_INKSCAPE}label", attributes.get("id"))
+        return None if self.parent is None else self.parent.layer
+
+    @property
+    def is_even_odd(self) -> bool:
+        """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
+        attributes = self.element.attrib
+        rule = attributes.get("fill-rule", "inherit")
+        for declaration in attributes.get("style", "").split(";"):
+            name, _, value = declaration.partition(":")
+            if name.strip() == "fill-rule":
+                rule = value.removesuffix("!important")
+        rule = rule.strip()
+        if rule == "inherit":
+            return self.parent is not None and self.parent.is_even_odd
+        if rule not in ("evenodd", "nonzero"):
+            raise FormatError(f"the fill rule {quoted(rule)} is neither nonzero nor evenodd")
+        return rule == "evenodd"
+
+    def length(self, name: str, default: str | None = "0") -> Fraction:
+        """Return an attribute in user units; one with another unit at 96 px to the inch."""
+        text = self.element.get(name, default)
+        if text is None:
+            raise FormatError(f"{name} is missing")
+        number, unit = _split(text.strip())
+        try:
+            return read_decimal(number) * (UNITS[unit] / UNITS["px"] if unit else 1)
+        except ValueError as error:
+            raise FormatError(f"{name}: {error}") from None
+
+    def size(self, name: str, default: str | None = None) -> Fraction:
+        """Return a length that is not negative."""
+        found = self.length(name, default)
+        if found < 0:
+            raise FormatError(f"{name} is negative")
+        return found
+
+    def _unit(self) -> Fraction:
+        """By what the numbers of the document are multiplied: the root's own."""
+        attributes = self.element.attrib
+        unit = None
+        if self.reading.unit is not None:
+            text = attributes.get("width", "").strip()
+            known = bool(text) and not text.endswith("%")
+            if "viewBox" not in attributes:
+                unit = UNITS["px"]
+            elif known:
+                unit = self.size("width") * UNITS["px"] / self._box()[2]
+        return self.reading.scale(unit)
+
+    def _box(self) -> list[Fraction]:
+        box = read_decimals(self.element.get("viewBox", ""))
+        if len(box) != 4 or box[2] <= 0 or box[3] <= 0:
+            raise FormatError("viewBox: not a corner and two positive sizes")
+        return box
+
+    def _view(self) -> Affine:
+        """What maps the inside of a nested svg, or of a symbol, to the outside."""
+        attributes = self.element.attrib
+        x, y = (self.length(axis) if kind(self.element) == "svg" else 0 for axis in "xy")
+        at = affine(1, 0, 0, 1, x, y)
+        if "viewBox" not in attributes:
+            return at
+        left, top, width, height = self._box()
+        sizes = [self._extent("width"), self._extent("height")]
+        # Without a size, it is all of what is around, of which nothing is known here.
+        if None in sizes:
+            raise FormatError("a view without width and height of its own cannot be read")
+        scales = [size / own for size, own in zip(sizes, (width, height), strict=True) if size]
+        if len(scales) < 2:
+            raise FormatError("a view without width or height is not drawn")
+        fit, _, how = attributes.get("preserveAspectRatio", "xMidYMid").strip().partition(" ")
+        rests = [Fraction(0), Fraction(0)]
+        if fit != "none":
+            scale = max(scales) if how == "slice" else min(scales)
+            if (fit[:1], fit[4:5]) != ("x", "Y") or not {fit[1:4], fit[5:]} <= _SHARES.keys():
+                raise FormatError(f"preserveAspectRatio is {quoted(fit)}")
+            shares = _SHARES[fit[1:4]], _SHARES[fit[5:]]
+            rests = [
+                share * (own_scale - scale) * own
+                for share, own_scale, own in zip(shares, scales, (width, height), strict=True)
+            ]
+            scales = [scale, scale]
+        moved = affine(1, 0, 0, 1, *rests)
+        return at @ moved @ affine(*_diagonal(*scales)) @ affine(1, 0, 0, 1, -left, -top)
+
+    def _extent(self, name: str) -> Fraction | None:
+        """A size of a view: that of the `use` that draws it, or its own."""
+        for placed in (self.used, self):
+            if placed is not None and name in placed.element.attrib:
+                text = placed.element.attrib[name].strip()
+                return None if text.endswith("%") else placed.size(name)
+        return None
+
+
+# How much of the room that is left over goes before a view.
+_SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
+
+
+def kind(element: Element) -> str:
+    """Return the name of an element of SVG."""
+    # Comments and processing instructions have a function for a tag.
+    return element.tag.removeprefix(_SPACE) if isinstance(element.tag, str) else ""
+
+
+def _diagonal(x: Fraction, y: Fraction) -> tuple[Fraction | int, ...]:
+    return x, 0, 0, y, 0, 0
+
+
+def _split(text: str) -> tuple[str, str]:
+    """Split a length from its unit, if it is one that there is."""
+    for unit in ("mm", "cm", "in", "pt", "pc", "px"):
+        if text.endswith(unit):
+            return text.removesuffix(unit).rstrip(), unit
+    return text, ""

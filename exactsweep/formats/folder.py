@@ -1,0 +1,163 @@
+"""Files, folders and patterns of file names; the names of what is in them, and what is left out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from glob import glob, has_magic
+from pathlib import Path
+from typing import NamedTuple, Unpack
+
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.files import file_name
+from exactsweep.formats.polygons import read_candidates, split_choice
+from exactsweep.formats.reading import Options
+
+ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
+"""What the names of the files end with that are read from a folder."""
+
+
+class ListedPart(NamedTuple):
+    """What may be a polygon, among others.
+
+    Attributes:
+        name: what it is called among all of them; another may have the same.
+        file: the file, as messages have it.
+        candidate: what is to be read.
+    """
+
+    name: str
+    file: str
+    candidate: Candidate
+
+
+class Listing(NamedTuple):
+    """What files hold.
+
+    Attributes:
+        files: how many there are.
+        parts: list of ListedPart.
+        left_out: what is no polygon, a line each: the file, and the reason.
+    """
+
+    files: int
+    parts: list[ListedPart]
+    left_out: list[str]
+
+    def first_reason(self) -> str:
+        """The first reason, and how many more there are."""
+        more = len(self.left_out) - 1
+        return self.left_out[0] + (f"; and {more} more" if more else "")
+
+
+def find_files(path: str) -> list[str]:
+    """Find the files that a path stands for.
+
+    Args:
+        path: a file, "-", a folder, or a pattern such as `parts/*.dxf`; `**` stands for any
+            folders. A file of that name goes before a pattern.
+
+    Returns:
+        The path itself if it is none of these; of a folder, the files in it and below, by name,
+        that end as ENDINGS and do not begin with a point; of a pattern, those that fit it, by name.
+
+    Raises:
+        FormatError: a folder without such files, or a pattern that fits none.
+
+    Example:
+        >>> find_files("part.json"), find_files("-")
+        (['part.json'], ['-'])
+    """
+    if os.path.isdir(path):
+        found = [
+            file
+            for file in Path(path).rglob("*")
+            if file.suffix.lower() in ENDINGS and file.is_file()
+            if not any(part.startswith(".") for part in file.relative_to(path).parts)
+        ]
+        if not found:
+            raise FormatError(f"{file_name(path)}: no file in it ends in {', '.join(ENDINGS)}")
+        return sorted(map(str, found))
+    if has_magic(path) and not os.path.lexists(path):
+        fitting = sorted(file for file in glob(path, recursive=True) if os.path.isfile(file))
+        if not fitting:
+            raise FormatError(f"{file_name(path)}: no file fits this pattern")
+        return fitting
+    return [path]
+
+
+def list_parts(
+    paths: Iterable[str], tolerance: object = None, **options: Unpack[Options]
+) -> Listing:
+    """Find the polygons of files, folders and patterns, and name them.
+
+    Args:
+        paths: each as for `find_files`, perhaps with "#" and a choice after it, as for
+            `read_polygons`, that holds for each of the files.
+        tolerance: as for `exactsweep.formats.parse_polygons`.
+        options: likewise.
+
+    Returns:
+        A Listing. A polygon of one file is named by its id, or else by its layer, or by the file if
+        it is the only one, or by its index. Of several files the name of the file goes before that,
+        as in "left.dxf#cut", without the folder that was given.
+
+    Raises:
+        FormatError: the only file cannot be read, or none of several; no file is there.
+    """
+    files = [found for path in paths for found in _split_files(path)]
+    parts: list[ListedPart] = []
+    left_out: list[str] = []
+    faults = []
+    for path, shown in files:
+        try:
+            candidates = read_candidates(path, tolerance, **options)
+        except FormatError as error:
+            faults.append(error)
+            left_out.append(str(error))
+            continue
+        file = file_name(split_choice(path)[0])
+        left_out += [f"{file}: {one.fault}" for one in candidates if one.fault]
+        sound = [(k, one) for k, one in enumerate(candidates) if not one.fault]
+        for k, candidate in sound:
+            own = candidate.name or candidate.layer or (str(k) if len(sound) > 1 else "")
+            if len(files) > 1:
+                own = f"{shown}#{own}" if own else shown
+            parts.append(ListedPart(own or shown, file, candidate))
+    if len(faults) == len(files):
+        raise faults[0]
+    return Listing(len(files), parts, left_out)
+
+
+def _split_files(path: str) -> Iterator[tuple[str, str]]:
+    """The files that a path with a choice stands for, with it, and how each is called."""
+    file, choice = split_choice(path)
+    ending = "" if choice is None else f"#{choice}"
+    for found in find_files(file):
+        shown = os.path.relpath(found, file) if os.path.isdir(file) else os.path.basename(found)
+        yield found + ending, shown
+
+
+def make_unique(names: Sequence[str]) -> list[str]:
+    """Give equal names a number after the first: the least that makes a name of its own.
+
+    >>> make_unique(["cut", "cut", "cut-2", "cut"])
+    ['cut', 'cut-3', 'cut-2', 'cut-4']
+    """
+    taken = set(names)
+    seen: set[str] = set()
+    last: dict[str, int] = {}
+    found = []
+    for name in names:
+        new = name
+        if name in seen:
+            number = last.get(name, 1) + 1
+            while f"{name}-{number}" in taken:
+                number += 1
+            last[name] = number
+            new = f"{name}-{number}"
+            taken.add(new)
+        seen.add(name)
+        found.append(new)
+    return found

@@ -1,0 +1,147 @@
+"""How files are read: what a caller asks for, and how many lines curves may become."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TypedDict
+
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.number import NumberError, abridged, quoted, to_fraction
+
+MAX_LINES = 20_000
+"""The most lines that one curve becomes."""
+
+MAX_LINES_OF_ALL = 1_000_000
+"""The most lines that all curves of one file become."""
+
+MAX_VERTICES = 1_000_000
+"""The most vertices of one file: reading takes some 500 bytes for each of them."""
+
+UNITS = {
+    "mm": Fraction(1),
+    "cm": Fraction(10),
+    "m": Fraction(1000),
+    "um": Fraction(1, 1000),
+    "in": Fraction(127, 5),
+    "ft": Fraction(1524, 5),
+    "pt": Fraction(127, 360),
+    "pc": Fraction(127, 30),
+    "px": Fraction(127, 480),
+}
+"""How many millimetres a unit is; 96 px are an inch, as in CSS."""
+
+
+class Options(TypedDict, total=False):
+    """What a reader of files may be asked for, besides the tolerance for curves.
+
+    Attributes:
+        nested: whether closed outlines of one layer that lie inside others are their holes, and
+            those inside a hole polygons again, and so on; all are on one layer where there are no
+            layers, as there are in DXF and Inkscape's SVG.
+        join: how far ends of lines of SVG and DXF may be apart that are to be one, a positive
+            number; if left out, only equal ends are joined, and those of curves within a fourth of
+            the tolerance.
+        unit: one of UNITS, in which the result is wanted; SVG and DXF that say theirs are scaled,
+            exactly, and all others refused. Numbers are taken as they stand if left out.
+    """
+
+    nested: bool
+    join: object
+    unit: str | None
+
+
+class Reading:
+    """How one text is read.
+
+    Args:
+        tolerance: how far lines may be from the curves that they replace, a positive number as
+            `to_fraction` reads it; None to refuse curves.
+        nested, join, unit: as for `Options`.
+
+    Attributes:
+        tolerance, join: Fractions, or None.
+        nested, unit: as given.
+        lines: how many lines curves have become.
+
+    Raises:
+        FormatError: a number that is not positive, no such unit.
+    """
+
+    def __init__(
+        self,
+        tolerance: object = None,
+        *,
+        nested: bool = False,
+        join: object = None,
+        unit: str | None = None,
+    ) -> None:
+        if unit is not None and unit not in UNITS:
+            raise FormatError(f"the unit {quoted(unit)} is none of {', '.join(UNITS)}")
+        self.tolerance = read_positive(tolerance, "the tolerance")
+        self.join = read_positive(join, "the distance of ends that are joined")
+        self.nested, self.unit = nested, unit
+        self.lines = 0
+
+    def allow_curve(self, count: int = 0) -> Fraction:
+        """Allow a curve to become so many lines, before it does.
+
+        Args:
+            count: how many lines.
+
+        Returns:
+            The tolerance.
+
+        Raises:
+            FormatError: there is no tolerance, or these are too many lines for one curve or, with
+                those before, for one file.
+        """
+        if self.tolerance is None:
+            raise FormatError(
+                "a curve, which is read only with a tolerance for its lines (--flatten)"
+            )
+        if count > MAX_LINES:
+            shown = f"{count:,}" if count < 10**12 else f"{count:.0e}"
+            raise FormatError(
+                f"a curve would become {shown} lines at this tolerance, more than {MAX_LINES:,}"
+            )
+        self.lines += count
+        if self.lines > MAX_LINES_OF_ALL:
+            raise FormatError(
+                f"with this one, the curves of the file would become {self.lines:,} lines at this "
+                f"tolerance, more than {MAX_LINES_OF_ALL:,}"
+            )
+        return self.tolerance
+
+    def allow_angle(self, degrees: Fraction) -> Fraction:
+        """Allow a rotation that is irrational, and return how far off its matrix may be."""
+        if self.tolerance is None:
+            raise FormatError(
+                f"an angle of {abridged(degrees)} degrees, which is irrational and read only with "
+                "a tolerance (--flatten)"
+            )
+        return min(self.tolerance, Fraction(1)) / 10**30
+
+    def scale(self, unit: Fraction | None) -> Fraction:
+        """Return by what the numbers of a file are multiplied.
+
+        Args:
+            unit: what its numbers count, in millimetres; None if it does not say.
+        """
+        if self.unit is None:
+            return Fraction(1)
+        if unit is None:
+            raise FormatError("does not say in which unit its numbers are (--unit)")
+        return unit / UNITS[self.unit]
+
+
+def read_positive(value: object, name: str) -> Fraction | None:
+    """Read a positive number of a caller, as `to_fraction` does; None if there is none."""
+    if value is None:
+        return None
+    try:
+        number = to_fraction(value)
+    except NumberError as error:
+        raise FormatError(f"{name}: {error}") from None
+    if number <= 0:
+        raise FormatError(f"{name}, {abridged(number)}, is not positive")
+    return number

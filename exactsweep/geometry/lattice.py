@@ -1,0 +1,107 @@
+"""From vertices as somebody wrote them down to points of one integer lattice.
+
+Numbers are read a column at a time: what is asked of a hundred thousand vertices one by one costs
+more than the sweep of the polygon.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import chain
+from math import gcd, lcm
+from operator import mul
+from typing import cast
+
+from exactsweep.geometry.number import NumberError, ratios, to_fraction
+from exactsweep.geometry.point import LatticePoint, Point
+
+_LATTICE_BITS = 8192
+
+Lattice = tuple[int, Sequence[LatticePoint]]
+"""A scale and points: each stands for itself divided by the scale."""
+
+
+def read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
+    """Put vertices on their lattice, if all are tuples or lists of two exact numbers.
+
+    Args:
+        vertices: of any length.
+
+    Returns:
+        As `to_lattice`; None if anything is not as it should be, or not in tuples and lists: read
+        one by one, the vertices then show what it is.
+
+    Cost: O(n) for ints, without a look at one by itself; else one `to_fraction` a number.
+
+    Example:
+        >>> read_columns([(0, 1), ("1/2", 0), [2, 0.5]])
+        (2, [(0, 2), (1, 0), (4, 1)])
+    """
+    kinds = set(map(type, vertices))
+    if not kinds <= {tuple, list, Point} or set(map(len, vertices)) != {2}:  # type: ignore[arg-type]
+        return None
+    flat = list(chain.from_iterable(vertices))
+    numbers = set(map(type, flat))
+    if numbers == {int}:
+        points = vertices if kinds == {tuple} else list(zip(flat[::2], flat[1::2], strict=True))
+        return 1, cast(Sequence[LatticePoint], points)
+    if numbers != {Fraction}:
+        try:
+            flat = list(map(to_fraction, flat))
+        except NumberError:
+            return None
+    return to_lattice(cast(list[Fraction], flat[::2]), cast(list[Fraction], flat[1::2]))
+
+
+def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
+    """Put points on the coarsest integer lattice that holds them.
+
+    Args:
+        xs: their first coordinates.
+        ys: their second coordinates, as many.
+
+    Returns:
+        The scale, their least common denominator, and the points times the scale, pairs of ints. If
+        the scale had more than 8192 bits, 1 and the points as they are: numbers on a lattice of
+        unrelated denominators would be longer than all the coordinates together.
+
+    Cost: O(n) products of numbers as long as the scale.
+
+    Example:
+        >>> to_lattice([Fraction(1, 2), Fraction(0)], [Fraction(1), Fraction(1, 3)])
+        (6, [(3, 6), (0, 2)])
+    """
+    xs, ys = tuple(xs), tuple(ys)
+    (px, qx), (py, qy) = ratios(xs), ratios(ys)
+    denominators = {*qx, *qy}
+    scale = 1
+    for denominator in denominators:
+        scale = lcm(scale, denominator)
+        if scale.bit_length() > _LATTICE_BITS:
+            return 1, list(zip(xs, ys, strict=True))
+    if scale == 1:
+        return 1, list(zip(px, py, strict=True))
+    factor = {denominator: scale // denominator for denominator in denominators}.__getitem__
+    return scale, list(
+        zip(map(mul, px, map(factor, qx)), map(mul, py, map(factor, qy)), strict=True)
+    )
+
+
+def reduce_lattice(
+    scale: int, points: tuple[LatticePoint, ...]
+) -> tuple[int, tuple[LatticePoint, ...]]:
+    """Divide a scale and its points by what they have in common. Cost: O(n).
+
+    >>> reduce_lattice(6, ((2, 4), (4, 0)))
+    (3, ((1, 2), (2, 0)))
+    """
+    # With a scale above one all coordinates are ints.
+    common = scale
+    for coordinate in chain.from_iterable(points):
+        if common == 1:
+            return scale, points
+        common = gcd(common, int(coordinate))
+    if common == 1:
+        return scale, points
+    return scale // common, tuple((x // common, y // common) for x, y in points)

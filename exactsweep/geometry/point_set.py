@@ -1,0 +1,275 @@
+"""What Polygons and Regions have in common as sets of points: asked, moved, turned, shown.
+
+All maps here are affine with rational coefficients, so that nothing is rounded. A turn is rational
+exactly if it is by the angle of a vector of rational coordinates *and* rational length: quarter
+turns, and those of Pythagorean triples such as (3, 4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from itertools import pairwise
+from math import isqrt, lcm
+from typing import Any, NamedTuple, Self, overload
+
+from exactsweep.geometry.number import NumberError, abridged, to_fraction
+from exactsweep.geometry.overlap import is_inside
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.reading import read_point
+
+_ONE, _ZERO = Fraction(1), Fraction(0)
+_QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
+
+
+class AffineMap(NamedTuple):
+    """The map (x, y) -> (a x + b y + dx, c x + d y + dy), ad - bc not 0."""
+
+    a: Fraction
+    b: Fraction
+    c: Fraction
+    d: Fraction
+    dx: Fraction = _ZERO
+    dy: Fraction = _ZERO
+
+    def about(self, center: Iterable[object]) -> AffineMap:
+        """Return the map with the same linear part that leaves a point where it is."""
+        x, y = read_point(center, "center")
+        a, b, c, d = self[:4]
+        return self._replace(dx=x - a * x - b * y, dy=y - c * x - d * y)
+
+
+class PointSet:
+    """The set of points of a Polygon or of a Region, its boundary included."""
+
+    __slots__ = ()
+
+    @property
+    def rings(self) -> tuple[tuple[Point, ...], ...]:
+        """The vertices of each ring, the exterior first, all counter-clockwise."""
+        raise NotImplementedError
+
+    @property
+    def vertices(self) -> tuple[Point, ...]:
+        """The vertices of all `rings`, one ring after another."""
+        raise NotImplementedError
+
+    def _image(self, under: AffineMap) -> Self:
+        raise NotImplementedError
+
+    def translated(self, by: Iterable[object]) -> Self:
+        """Return the shape moved by a vector.
+
+        Args:
+            by: a pair of numbers.
+
+        Returns:
+            The image, whose vertices and edges have the numbers that they had in the input.
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> Polygon([(0, 0), (1, 0), (0, 1)]).translated((2, "1/2"))
+            Polygon([(2, '1/2'), (3, '1/2'), (2, '3/2')])
+        """
+        return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
+
+    def rotated(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
+        """Return the shape turned counter-clockwise, exactly.
+
+        Args:
+            by: degrees, a multiple of 90; or a pair of numbers, the direction to which the X axis
+                is turned, of rational length, such as (3, 4) or, the same, ("3/5", "4/5").
+            center: a pair of numbers, the point that stays.
+
+        Returns:
+            The image, numbered as by `translated`.
+
+        Raises:
+            NumberError: other degrees, or a direction of irrational length: no exact polygon is
+                turned so.
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> print(Polygon([(0, 0), (2, 0), (2, 1)]).rotated(90))
+            (-1, 2) (0, 0) (0, 2)
+            >>> print(Polygon([(0, 0), (5, 0), (5, 5)]).rotated((3, 4)))
+            (-1, 7) (0, 0) (3, 4)
+        """
+        cosine, sine = _read_turn(by)
+        return self._image(AffineMap(cosine, -sine, sine, cosine).about(center))
+
+    def scaled(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
+        """Return the shape enlarged, or reduced.
+
+        Args:
+            by: a number, not 0; or a pair of them, for X and for Y.
+            center: a pair of numbers, the point that stays.
+
+        Returns:
+            The image, numbered as by `translated`.
+
+        Raises:
+            NumberError: a factor of 0.
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> print(Polygon([(0, 0), (1, 0), (0, 1)]).scaled((3, "1/2"), center=(1, 0)))
+            (-2, 0) (1, 0) (-2, 1/2)
+        """
+        across, up = read_point(by if _is_pair(by) else (by, by), "factor")  # type: ignore[arg-type]
+        if not across or not up:
+            raise NumberError("a factor of 0 leaves no area")
+        return self._image(AffineMap(across, _ZERO, _ZERO, up).about(center))
+
+    def reflected(self, center: Iterable[object] = (0, 0)) -> Self:
+        """Return the shape turned by half a turn, the point reflection I of the paper.
+
+        Args:
+            center: a pair of numbers, the point that stays.
+
+        Returns:
+            The image, numbered as by `translated`.
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> Polygon([(0, 0), (1, 0), (0, 1)]).reflected()
+            Polygon([(-1, 0), (0, -1), (0, 0)])
+        """
+        return self._image(AffineMap(-_ONE, _ZERO, _ZERO, -_ONE).about(center))
+
+    def mirrored(self, along: Iterable[object] = (0, 1), center: Iterable[object] = (0, 0)) -> Self:
+        """Return the mirror image in a line.
+
+        Args:
+            along: a pair of numbers, the direction of the line, not (0, 0); upright if left out.
+            center: a pair of numbers, a point of the line.
+
+        Returns:
+            The image, numbered as by `translated`.
+
+        Raises:
+            NumberError: the direction (0, 0).
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> print(Polygon([(0, 0), (2, 0), (2, 1)]).mirrored())
+            (-2, 0) (0, 0) (-2, 1)
+        """
+        p, q = read_point(along, "direction")
+        square = p * p + q * q
+        if not square:
+            raise NumberError("(0, 0) is not a direction")
+        cosine, sine = (p * p - q * q) / square, 2 * p * q / square
+        return self._image(AffineMap(cosine, sine, sine, -cosine).about(center))
+
+    def contains(self, point: Iterable[object], *, strictly: bool = False) -> bool:
+        """Whether a point is in the shape, decided exactly; `point in shape` asks the same.
+
+        Args:
+            point: a pair of numbers.
+            strictly: whether a point of the boundary is not counted.
+
+        Cost: O(n).
+
+        Example:
+            >>> from exactsweep import Polygon
+            >>> third = Polygon([(0, 0), (1, 0), (0, "1/3")])
+            >>> third.contains(("1/2", "1/6")), third.contains((0.5, 1 / 6), strictly=True)
+            (True, True)
+            >>> ("1/2", "1/6") in third, third.contains(("1/2", "1/6"), strictly=True)
+            (True, False)
+        """
+        x, y = place = read_point(point, "point")
+        if is_inside((2 * x, 2 * y), self.rings):
+            return True
+        return not strictly and any(is_on(place, ring) for ring in self.rings)
+
+    def __contains__(self, point: Iterable[object]) -> bool:
+        return self.contains(point)
+
+    def __iter__(self) -> Iterator[Point]:
+        return iter(self.vertices)
+
+    @overload
+    def __getitem__(self, k: int) -> Point: ...
+    @overload
+    def __getitem__(self, k: slice) -> tuple[Point, ...]: ...
+    def __getitem__(self, k: int | slice) -> Point | tuple[Point, ...]:
+        return self.vertices[k]
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The shape as other libraries read it: `shapely.geometry.shape(polygon)`.
+
+        Coordinates are ints and floats where these are the same number, else Fractions, so that
+        nothing is rounded here: a library of floats does that itself.
+        """
+        exterior, *holes = self.rings
+        rings = [exterior, *((hole[0], *hole[:0:-1]) for hole in holes)]
+        return {
+            "type": "Polygon",
+            "coordinates": tuple(
+                tuple((_plain(x), _plain(y)) for x, y in (*ring, ring[0])) for ring in rings
+            ),
+        }
+
+
+def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
+    """Whether a point is on a ring. Cost: O(n).
+
+    >>> square = tuple(Point(*p) for p in [(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)
+    (True, False)
+    """
+    return any(
+        (b.x - a.x) * (point.y - a.y) == (b.y - a.y) * (point.x - a.x)
+        and min(a, b) <= point <= max(a, b)
+        for a, b in pairwise((*ring, ring[0]))
+    )
+
+
+def _is_pair(value: object) -> bool:
+    return isinstance(value, Iterable) and not isinstance(value, str)
+
+
+def _read_turn(by: object) -> tuple[Fraction, Fraction]:
+    """The cosine and the sine of a turn."""
+    if not _is_pair(by):
+        quarters, rest = divmod(to_fraction(by), 90)
+        if rest:
+            raise NumberError(
+                f"no exact turn is by {abridged(to_fraction(by))} degrees, but for multiples of "
+                "90; give a direction of rational length, such as (3, 4)"
+            )
+        return _QUARTERS[quarters % 4]
+    x, y = read_point(by, "direction")  # type: ignore[arg-type]
+    scale = lcm(x.denominator, y.denominator)
+    square = int(x * scale) ** 2 + int(y * scale) ** 2
+    length = isqrt(square)
+    if not length or length * length != square:
+        raise NumberError(
+            f"the direction ({abridged(x)}, {abridged(y)}) has no rational length but 0; "
+            "(3, 4) and (5, 12) have one"
+        )
+    return x * scale / length, y * scale / length
+
+
+def _plain(value: Fraction) -> int | float | Fraction:
+    """The same number as an int or a float, if it is one."""
+    if value.denominator == 1:
+        return value.numerator
+    try:
+        found = value.numerator / value.denominator
+    except OverflowError:
+        return value
+    return found if found == value else value

@@ -1,0 +1,54 @@
+"""Vertices in: pairs of numbers, and what other libraries tell by `__geo_interface__`."""
+
+from collections.abc import Iterable, Mapping
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.error import named
+from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.point import Point
+
+Pairs = Iterable[Iterable[object]]
+
+
+def read_point(pair: Iterable[object], name: str) -> Point:
+    """Read a pair of numbers; a refusal calls it by the name."""
+    # Text, sets and mappings unpack too, but not into coordinates.
+    if isinstance(pair, (str, bytes, set, frozenset, dict)):
+        raise PolygonError(f"{name} is {type(pair).__name__}, not a pair of numbers")
+    try:
+        x, y = pair
+    except (TypeError, ValueError):
+        raise PolygonError(f"{name} is not a pair of numbers") from None
+    with named(name):
+        return Point(to_fraction(x), to_fraction(y))
+
+
+def rings_of_interface(shape: object) -> list[Pairs] | None:
+    """Read the rings that an object tells by `__geo_interface__`, as shapely's polygons do.
+
+    Args:
+        shape: any object.
+
+    Returns:
+        The exterior and the holes; None of an object that has no such attribute.
+
+    Raises:
+        PolygonError: it tells something else than one polygon, or an empty one.
+
+    Example:
+        >>> import shapely
+        >>> rings_of_interface(shapely.box(0, 0, 2, 1))
+        [((2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]
+    """
+    told = getattr(shape, "__geo_interface__", None)
+    if isinstance(told, Mapping) and told.get("type") == "Feature":
+        told = told.get("geometry")
+    if told is None:
+        return None
+    kind = told.get("type") if isinstance(told, Mapping) else type(told).__name__
+    if kind not in ("Polygon", "LinearRing"):
+        raise PolygonError(f"a {kind} is not a polygon")
+    rings = [*told["coordinates"]] if kind == "Polygon" else [told["coordinates"]]
+    if not any(map(len, rings)):
+        raise PolygonError("the polygon is empty")
+    return rings

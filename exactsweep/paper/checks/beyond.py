@@ -1,0 +1,350 @@
+"""Beyond the paper: polygons of any shape, held against the definition."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import pairwise, product
+
+from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check import (
+    classify,
+    point_in_polygon,
+    reference_inner_fit,
+    reference_no_fit,
+    reference_swept,
+)
+from exactsweep.corpus.generator.growing import forks, mm
+from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.geometry.segment import Segment, along, offset, segment
+from exactsweep.paper.checks.planar import free_parts, swept_polygons
+from exactsweep.paper.checks.section1 import SHARE, STEP
+from exactsweep.paper.checks.section2 import CAVE
+from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.counting import Family
+from exactsweep.paper.growth import MN, Bound, double, grow
+from exactsweep.paper.pairs import Pair
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.contact_lines import contact_stretches
+
+Fits = Iterable[tuple[Point, Point]]
+
+SPIKES: Bound = ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2))
+
+# A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
+HELD = Pair(
+    [(0, 0), (2, 0), (2, 2), (0, 2)],
+    [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)],
+)
+# The same with a cave in which it has room.
+ROOM = Pair(
+    [(0, 0), (2, 0), (2, 2), (0, 2)],
+    [(0, 0), (5, 0), (5, 5), (2, 5), (2, 4), (4, 4), (4, 1), (1, 1), (1, 5), (0, 5)],
+)
+# Containers for that square: of two square rooms with one position in common, and just as wide.
+ROOMS = [(0, 0), (4, 0), (4, 2), (6, 2), (6, 6), (2, 6), (2, 4), (0, 4)]
+SLOT = [(0, 0), (2, 0), (2, 5), (0, 5)]
+# A container with a defect, and a part that passes between its tip and the wall in one position.
+DIAMOND = [(0, -1), (1, 0), (0, 1), (-1, 0)]
+NARROW = Region([(0, 0), (12, 0), (12, 12), (0, 12)], [[(6, 2), (8, 4), (6, 6), (4, 4)]])
+
+
+def no_fit_is_the_definition(pair: Pair) -> str:
+    """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
+    found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
+    holes = tuple(hole.vertices for hole in found.holes)
+    if found.exterior.vertices != expected.exterior:
+        return "the exterior is not that of the definition"
+    if holes != expected.holes:
+        return f"{len(holes)} holes, not the {len(expected.holes)} of the definition"
+    if found.exact_fits != expected.exact_fits:
+        return (
+            f"exact fits {_show(found.exact_fits)}, by the definition {_show(expected.exact_fits)}"
+        )
+    return ""
+
+
+def _show(fits: Fits) -> str:
+    return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
+
+
+def loops_are_simple(pair: Pair) -> str:
+    """Each loop of the no-fit polygon is a simple polygon, and no two share an inner point."""
+    found = no_fit_polygon(*pair[::-1])
+    for loop in (found.exterior, *found.holes):
+        if Polygon(loop.vertices).vertices != loop.vertices:
+            return "a loop is not a canonical simple polygon"
+    for k, hole in enumerate(found.holes):
+        for other in found.holes[:k]:
+            if classify(hole, other, (0, 0)).verdict == "OVERLAP":
+                return "two holes overlap"
+    return no_fit_is_the_definition(pair)
+
+
+def find_contact_segments(pair: Pair) -> Iterator[Segment]:
+    """Convex vertices of one polygon along edges of the other that fit between their edges.
+
+    Written from the statement, without the kernel; there are no more than 2 m n.
+    """
+    turned = inverse(pair.generatrix)
+    for still, moving in ((pair.directrix, turned), (turned, pair.directrix)):
+        around = [moving[-1], *moving, moving[0]]
+        for before, at, after in zip(around, around[1:], around[2:], strict=False):
+            into, out = _minus(at, before), _minus(after, at)
+            for p, q in pairwise([*still, still[0]]):
+                way = _minus(q, p)
+                turns = _cross(into, out), _cross(into, way), _cross(way, out)
+                if turns[0] > 0 and min(turns) >= 0:
+                    yield segment((_plus(at, p), _plus(at, q)))
+
+
+def _minus(p: Vertex, q: Vertex) -> Vertex:
+    return p[0] - q[0], p[1] - q[1]
+
+
+def _plus(p: Vertex, q: Vertex) -> Vertex:
+    return p[0] + q[0], p[1] + q[1]
+
+
+def _cross(u: Vertex, v: Vertex) -> Rational:
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def boundary_is_contact(pair: Pair) -> str:
+    """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
+    found, known = no_fit_polygon(*pair[::-1]), list(find_contact_segments(pair))
+    if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
+        return f"{len(known)} contact segments"
+    for loop in (found.exterior, *found.holes):
+        corners = loop.vertices
+        for edge in pairwise([*corners, corners[0]]):
+            if not _lies_on(edge, known):
+                return f"off all contact segments: {_show([edge])}"
+    for p, q in found.exact_fits:
+        if p != q and not _lies_on((p, q), known):
+            return f"off all contact segments: {_show([(p, q)])}"
+        if p == q and not any(
+            offset(s.direction, p) == s.offset and s.low <= along(s.direction, p) <= s.high
+            for s in known
+        ):
+            return f"off all contact segments: ({p.x}, {p.y})"
+    return no_fit_is_the_definition(pair)
+
+
+def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
+    """Whether segments of its line cover an edge."""
+    whole = segment(edge)
+    reached = whole.low
+    for piece in sorted(s for s in known if s[:2] == whole[:2]):
+        if piece.low > reached:
+            break
+        reached = max(reached, piece.high)
+    return reached >= whole.high
+
+
+def fits_have_no_room(pair: Pair) -> str:
+    """Along an exact fit G touches D, and a step aside it overlaps D; at a point, any step."""
+    for p, q in no_fit_polygon(*pair[::-1]).exact_fits:
+        t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
+        steps = _AROUND if p == q else [(p.y - q.y, q.x - p.x), (q.y - p.y, p.x - q.x)]
+        near = [(t.x + STEP * x, t.y + STEP * y) for x, y in steps]
+        at, *beside = (classify(*pair[::-1], place).verdict for place in (t, *near))
+        if at != "CONTACT" or set(beside) != {"OVERLAP"}:
+            return f"at ({t.x}, {t.y}), along an exact fit, {at}, and beside it {set(beside)}"
+    return no_fit_is_the_definition(pair)
+
+
+_AROUND = [(Fraction(x), Fraction(y)) for x, y in product((-2, -1, 0, 1, 2), repeat=2) if x or y]
+
+
+def monotone_fits_are_segments(pair: Pair) -> str:
+    """No exact fit is a single position."""
+    alone = [p for p, q in sweep(*pair).exact_fits if p == q]
+    return f"({alone[0].x}, {alone[0].y}) is a fit by itself" if alone else ""
+
+
+def find_held_position(effort: Effort) -> Evidence:
+    """Show one position that is free, and held from all sides."""
+    failure = fits_have_no_room(HELD)
+    fits = no_fit_polygon(*HELD[::-1]).exact_fits
+    if not failure and [p == q for p, q in fits] != [True]:
+        failure = f"a square in the cave that it fills: exact fits {_show(fits)}"
+    return Evidence(f"A square in a cave that it fills: {_show(fits)}.", failure)
+
+
+def inner_fit_is_the_definition(pair: Pair) -> str:
+    """The inner fit has the regions, their holes and the exact fits of the definition."""
+    return compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
+
+
+def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
+    """Say that an inner fit is not that of the definition; empty if it is."""
+    found, expected = inner_fit_polygon(container, part), reference_inner_fit(container, part)
+    regions = tuple(
+        (region.exterior.vertices, tuple(hole.vertices for hole in region.holes))
+        for region in found.regions
+    )
+    if regions != expected.regions:
+        return f"{len(regions)} regions that are not the {len(expected.regions)} of the definition"
+    if found.exact_fits != expected.exact_fits:
+        fits = _show(found.exact_fits), _show(expected.exact_fits)
+        return f"exact fits {fits[0]}, and {fits[1]} by the definition"
+    return ""
+
+
+def inner_fit_is_in_a_frame(pair: Pair) -> str:
+    """The inner fit is what the no-fit polygon of a frame around the container has inside."""
+    container = _enlarge(pair.directrix)
+    part = Polygon(pair.generatrix)
+    wide = sum(high - low for low, high in zip(*part.bounding_box, strict=True)) + 1
+    (left, low), (right, high) = Polygon(container).bounding_box
+    left, low, right, high = left - wide, low - wide, right + wide, high + wide
+    frame = [(left, low), (right, low), (right, high), (left, high)]
+    around = no_fit_polygon(Region(frame, [container]), part)
+    found = inner_fit_polygon(container, part)
+    if around.holes != tuple(region.exterior for region in found.regions):
+        return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
+
+    def is_inside(t: Point) -> bool:
+        """Whether the part stands inside the frame, and not around one of its corners."""
+        (a, b), (c, d) = part.translated(t).bounding_box
+        return left < a and low < b and c < right and d < high
+
+    if tuple(fit for fit in around.exact_fits if is_inside(fit[0])) != found.exact_fits:
+        return "the exact fits inside the frame are not those of the container"
+    return ""
+
+
+def _enlarge(ring: Ring) -> Ring:
+    return [(2 * x, 2 * y) for x, y in ring]
+
+
+def find_touching_loops(effort: Effort) -> Evidence:
+    """Show two regions that touch in a point, a region whose two loops do, and an exact fit."""
+    failures = []
+    for container, part, holes, place in (
+        (ROOMS, ROOM.generatrix, [0, 0], (2, 2)),
+        (NARROW, DIAMOND, [1], (6, 1)),
+        (SLOT, ROOM.generatrix, [], (0, 0)),
+    ):
+        found = inner_fit_polygon(container, part)
+        loops = [loop for region in found.regions for loop in (region.exterior, *region.holes)]
+        failures.append(compare_inner_fits(container, part))
+        if [len(region.holes) for region in found.regions] != holes:
+            failures.append(f"{len(loops)} loops")
+        if any(point_in_polygon(place, loop) != 0 for loop in loops):
+            failures.append(f"a loop is off {place}")
+        if len(found.exact_fits) != (not loops):
+            failures.append(f"exact fits {_show(found.exact_fits)}")
+    return Evidence("And 3 cases by hand.", first_failure(iter(failures)))
+
+
+def find_room(effort: Effort) -> Evidence:
+    """Show a cave in which G has room."""
+    failure = loops_are_simple(ROOM)
+    holes = len(no_fit_polygon(*ROOM[::-1]).holes)
+    return Evidence("And a cave with room.", failure or ("" if holes == 1 else f"{holes} holes"))
+
+
+def find_unswept(effort: Effort) -> Evidence:
+    """Show the cave of Theorem 2.2, whose middle is passed by."""
+    failure = swept_area_is_the_definition(CAVE)
+    loops = len(sweep(*CAVE).unswept)
+    failure = failure or ("" if loops else "no further loop")
+    return Evidence(f"And the cave of Theorem 2.2, with {loops} further loop.", failure)
+
+
+def swept_area_is_the_definition(pair: Pair) -> str:
+    """The outer loop, the inner one and all others are those of the definition."""
+    s, expected = sweep(*pair), reference_swept(*pair[::-1])
+    unswept = tuple(loop.vertices for loop in s.unswept)
+    found = s.outer.vertices, s.inner.vertices, unswept
+    for name, one, other in zip(
+        ("outer loop", "inner loop", "other loops"), found, expected, strict=True
+    ):
+        if one != other:
+            return f"the {name} are not those of the definition"
+    return ""
+
+
+def swept_area_leaves_its_loops(pair: Pair) -> str:
+    """What G passes over leaves as many parts of the plane free as there are loops."""
+    s = sweep(*pair)
+    corners = s.trajectory.vertices
+    parts = free_parts(swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]]))))
+    loops = 2 + len(s.unswept)
+    return "" if parts == loops else f"{parts} parts of the plane are free, for {loops} loops"
+
+
+def count_holes(effort: Effort) -> Evidence:
+    """Count the holes of no-fit polygons of forks, and hold a small one against the definition."""
+
+    def count(m: int, n: int) -> tuple[int, float]:
+        generatrix, directrix = forks(m, n)
+        return len(no_fit_polygon(directrix, generatrix).holes), SPIKES[1](m, n)
+
+    last = 3 if effort.quick else 4
+    growth = tuple(
+        grow("holes of the no-fit polygon", "forks", SPIKES[0], sizes, count)
+        for sizes in (
+            [(6 + 12 * k, 6 + 12 * k) for k in range(1, last)],
+            [(6 + (6 << k), 24) for k in range(1, last + 1)],
+        )
+    )
+    few = (
+        f"{p.count} holes for ({p.m}, {p.n}) are fewer than proved"
+        for g in growth
+        for p in g.points
+        if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
+    )
+    failure = no_fit_is_the_definition(Pair(*forks(18, 18))) or first_failure(few)
+    failure = failure or first_failure(g.failure for g in growth)
+    return Evidence(
+        "A family of forks, one of them held against the definition.", failure, growth=growth
+    )
+
+
+def count_contact_segments(effort: Effort) -> Evidence:
+    """Count the stretches of the kernel beside mn, on forks and on random ways through points."""
+    last = 3 if effort.quick else 4
+
+    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
+        def counted(m: int, n: int) -> tuple[int, float]:
+            generatrix, directrix = family(m, n)
+            return len(contact_stretches([directrix], [inverse(generatrix)])), 2 * m * n
+
+        return counted
+
+    growth = tuple(
+        grow("stretches of contact segments", family.__name__, "2mn", sizes, count(family))
+        for family, sizes in (
+            (forks, [(6 << k, 6 << k) for k in range(2, last + 2)]),
+            (mm, double(16, last)),
+        )
+    )
+    failure = first_failure(
+        f"{p.count} stretches for ({p.m}, {p.n})" for g in growth for p in g.points if p.ratio > 1
+    )
+    return Evidence("", failure or first_failure(g.failure for g in growth), growth=growth)
+
+
+def count_trajectory(effort: Effort) -> Evidence:
+    """Count the edges of the exterior beside mn, with many holes inside it and with none."""
+
+    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
+        def counted(m: int, n: int) -> tuple[int, float]:
+            generatrix, directrix = family(m, n)
+            return len(no_fit_polygon(directrix, generatrix).exterior), MN[1](m, n)
+
+        return counted
+
+    last = 2 if effort.quick else 3
+    growth = tuple(
+        grow("edges of the trajectory", family.__name__, MN[0], sizes, count(family))
+        for family, sizes in (
+            (forks, [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]),
+            (mm, double(16, last + 1)),
+        )
+    )
+    return Evidence("Counts.", first_failure(g.failure for g in growth), growth=growth)

@@ -1,0 +1,47 @@
+"""The page inside a notebook."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from exactsweep.view.page import page
+
+if TYPE_CHECKING:
+    from exactsweep.evidence.swept import Swept
+
+
+class InlinePage:
+    """The page of a sweep, which a notebook shows at the end of a cell.
+
+    Args:
+        s: a Sweep.
+        height: of its frame, in pixels.
+
+    Attributes:
+        html: the page, as by `page`; write it to a file to open it alone.
+
+    Cost: that of `page`.
+
+    Example:
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> sweep(generatrix=square, directrix=square).view()
+        <InlinePage: Sweep of 4 around 4 vertices>
+    """
+
+    def __init__(self, s: Swept, height: int = 600) -> None:
+        self.html = page(s)
+        self._height = height
+        self._title = f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
+
+    def __repr__(self) -> str:
+        return f"<InlinePage: {self._title}>"
+
+    def _repr_html_(self) -> str:
+        # The scripts in it run in a frame of their own, with no access to the notebook.
+        return (
+            f'<iframe title="{escape(self._title)}" sandbox="allow-scripts" '
+            f'srcdoc="{escape(self.html)}" '
+            f'style="width:100%;height:{self._height}px;border:0"></iframe>'
+        )

@@ -1,0 +1,200 @@
+"""Faults told apart, and what a run has to reach: shares, time and memory."""
+
+import json
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from command import refusal, run
+from judged import CONVEX, CORRECT, HOSTILE, SQUARE, TWO, write_cases
+
+from exactsweep.conform import Outcome, Run, Verdict
+from exactsweep.conform.run.fault import name_fault
+from exactsweep.conform.run.outcome import judge_case
+from exactsweep.conform.run.process import ProcessPeer
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.run import MOST_FAULTS, SHOWN
+from exactsweep.corpus import Case
+
+MIB = 2**20
+CASES = [Case.of(f"case-{k}", "", [(0, 0), (k + 1, 0), (0, 1)], SQUARE) for k in range(12)]
+# Six ways to crash, in turn.
+CRASHING = """
+import json, os, signal, sys
+hello = {"hello": "crashing", "loops": ["trajectory"], "numbers": "rational", "reference": "given"}
+print(json.dumps(hello), flush=True)
+
+def one(case):
+    raise KeyError(case["id"])
+
+def another(case):
+    return [][len(case["id"])]
+
+for line in sys.stdin:
+    case = json.loads(line)
+    if "bye" in case:
+        break
+    way = int(case["id"].split("-")[1]) % 6
+    if way == 0:
+        one(case)
+    elif way == 1:
+        another(case)
+    elif way == 2:
+        print("no memory for 12345 cells", file=sys.stderr)
+        sys.exit(3)
+    elif way == 3:
+        print("no memory for 99 cells", file=sys.stderr)
+        sys.exit(4)
+    elif way == 4:
+        os.kill(os.getpid(), signal.SIGABRT)
+    print(json.dumps({"id": case["id"], "error": f"row {case['id']} is empty"}), flush=True)
+"""
+FAULTS = {
+    "crash: exited with code 1; KeyError: '#'; crashing.py line 7",
+    "crash: exited with code 1; IndexError: list index out of range; crashing.py line 10",
+    "crash: exited with code 3; no memory for # cells",
+    "crash: exited with code 4; no memory for # cells",
+    "crash: was ended by signal 6, SIGABRT",
+    "crash: says: row # is empty",
+}
+
+
+def test_six_ways_to_crash_are_told_apart_and_made_smaller(tmp_path: Path) -> None:
+    program, data = tmp_path / "crashing.py", tmp_path / "run.json"
+    program.write_text(CRASHING)
+    options = ("--cases", write_cases(tmp_path / "cases", CASES), "--json", str(data))
+    said = run("conform", *options, "--", sys.executable, str(program))
+    report = json.loads(data.read_text())
+    assert {fault["fault"]: fault["count"] for fault in report["faults"]} == dict.fromkeys(
+        FAULTS, 2
+    )
+    assert {small["fault"] for small in report["shrunk"].values()} == FAULTS
+    assert (
+        "crash  case-2  exited with code 3; it says: no memory for 12345 cells  (and 1 more "
+        in (said.stdout)
+    )
+
+
+def test_faults_without_end_are_bounded() -> None:
+    report = Run(Hello("mine"))
+    for k in range(3 * MOST_FAULTS):
+        words = "".join(chr(ord("a") + int(digit)) for digit in str(k))
+        fault = name_fault(Verdict.CRASH, f"says: {words}")
+        report.add(Outcome(str(k), "CC", (), Verdict.CRASH, words, fault))
+    *_, others = sorted(report.list_faults(), key=lambda fault: fault.count)
+    assert (others.name, others.count, len(others.kept)) == (
+        "crash: others",
+        2 * MOST_FAULTS,
+        SHOWN,
+    )
+
+
+@pytest.mark.parametrize(
+    ("share", "code"), [("0", 0), ("1/6", 0), ("16%", 0), ("0.2", 1), ("17%", 1), ("100%", 1)]
+)
+def test_a_run_must_judge_enough(share: str, code: int) -> None:
+    done = run("conform", "--least-judged", share, "--filter", "id=worked-s", "--", *CONVEX)
+    assert done.exit_code == code
+    *_, reason, ending = done.stdout.splitlines()
+    assert (reason == "only 1 of 6 cases judged, too few") == bool(code)
+    assert "1 of 6 cases judged, 0 worse than" in ending
+
+
+@pytest.mark.parametrize("share", ["2", "-1", "101%", "many", "%", "nan"])
+def test_a_share_is_between_none_and_all(share: str) -> None:
+    assert run("conform", "--least-judged", share, "--", *CONVEX).exit_code == 2
+
+
+def test_nothing_judged_is_said() -> None:
+    done = run("conform", "--filter", "id=undercuts", "--", *CONVEX)
+    assert done.exit_code == 1
+    assert done.stdout.splitlines()[-2] == "nothing was judged"
+
+
+def test_what_could_not_be_compared_neither_fails_nor_passes() -> None:
+    report = Run(Hello("mine"))
+    report.add(Outcome("a", "CC", (), Verdict.EXACT))
+    assert report.passed
+    report.add(Outcome("b", "CC", (), Verdict.UNDECIDED, "takes more than 60 s", "undecided: "))
+    assert not report.passed
+    assert report.summary.failures(Verdict.EXACT) == 0
+    assert report.find_objections() == ["1 answer could not be compared in time"]
+
+
+# Memory.
+
+HOLDER = """
+import json, sys
+hello = {"hello": "holder", "loops": ["trajectory"], "numbers": "rational", "reference": "given"}
+print(json.dumps(hello), flush=True)
+for line in sys.stdin:
+    case = json.loads(line)
+    if "bye" in case:
+        break
+    held = b"x" * (int(case["id"].partition("-")[2]) * 2**20)
+    held = str(len(held))
+    print(json.dumps({"id": case["id"], "unsupported": held}), flush=True)
+"""
+
+
+def hold(tmp_path: Path, most: int | None) -> ProcessPeer:
+    program = tmp_path / "holder.py"
+    program.write_text(HOLDER)
+    return ProcessPeer([sys.executable, str(program)], seconds=600, most=most)
+
+
+needs_proc = pytest.mark.skipif(
+    not Path("/proc/self/clear_refs").exists(), reason="the system does not tell the memory held"
+)
+
+
+@needs_proc
+def test_memory_is_that_of_each_case(tmp_path: Path) -> None:
+    peer = hold(tmp_path, None)
+    few, many, few_again = (
+        judge_case(peer, Case.of(f"hold-{size}", "", SQUARE, SQUARE)).memory or 0
+        for size in (0, 200, 0)
+    )
+    peer.kill()
+    assert 0 < few < few_again + 20 * MIB < few + 40 * MIB
+    assert many > few + 190 * MIB
+
+
+@needs_proc
+def test_too_much_memory_is_a_verdict(tmp_path: Path) -> None:
+    peer = hold(tmp_path, 150 * MIB)
+    verdicts = [
+        judge_case(peer, Case.of(f"hold-{size}", "", SQUARE, SQUARE)) for size in (300, 1, 300)
+    ]
+    peer.kill()
+    assert [outcome.verdict for outcome in verdicts] == ["memory", "unsupported", "memory"]
+    assert verdicts[0].reason == "holds more than 150.0 MiB"
+
+
+@needs_proc
+def test_memory_is_limited_and_told(tmp_path: Path) -> None:
+    data = tmp_path / "run.json"
+    options = ("--cases", write_cases(tmp_path / "cases", TWO), "--json", str(data))
+    assert run("conform", *options, "--memory", "2000", "--", *CORRECT).exit_code == 0
+    report = json.loads(data.read_text())
+    size, largest = report["largest"]
+    assert largest in {case.id for case in TWO}
+    assert size == max(outcome["memory"] for outcome in report["outcomes"]) > MIB
+    said = refusal(run("conform", *options, "--memory", "1", "--", *CORRECT))
+    assert said == "no hello, but more than 1.0 MiB"
+
+
+# What a user is told who has forgotten something.
+
+
+def test_a_hello_that_is_not_flushed_is_hinted_at() -> None:
+    with pytest.raises(ValueError, match=r"no hello within 0\.2 s; if it writes one, does it"):
+        ProcessPeer([*HOSTILE, "no-hello", "--"], to_start=0.2)
+
+
+def test_shares_are_exact() -> None:
+    report = Run(Hello("mine"), least_judged=Fraction(1, 3))
+    for k, verdict in enumerate((Verdict.EXACT, Verdict.UNSUPPORTED, Verdict.UNSUPPORTED)):
+        report.add(Outcome(str(k), "CC", (), verdict))
+    assert report.passed

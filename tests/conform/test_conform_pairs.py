@@ -1,0 +1,90 @@
+"""Pairs of one's own: in any format, with answers that are made here."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from command import refusal, run
+from judged import CONVEX, CORRECT, FAULTY, SLOT, SQUARE
+
+from exactsweep.conform.run.pairs import read_pairs
+from exactsweep.corpus import Case
+
+SVG = '<svg><rect id="plate" width="6" height="4"/><circle id="disc" r="1"/></svg>'
+WKT = "POLYGON ((0 0, 3 0, 0 3, 0 0)) POLYGON ((0 0, 1 0, 0 1, 0 0))"
+LINES: list[dict[str, Any]] = [
+    {"id": 7, "directrix": SLOT, "generatrix": SQUARE},
+    {"directrix": {"vertices": SLOT}, "generatrix": SQUARE, "reference": ["1/2", 1]},
+]
+
+
+def write(tmp_path: Path, text: str) -> str:
+    path = tmp_path / "pairs"
+    path.write_text(text)
+    return str(path)
+
+
+def test_each_polygon_is_put_around_each(tmp_path: Path) -> None:
+    ids = [case.id for case in read_pairs(write(tmp_path, SVG), "1/10")]
+    assert ids == ["plate/plate", "plate/disc", "disc/plate", "disc/disc"]
+    cases = [*read_pairs(write(tmp_path, WKT))]
+    assert [case.id for case in cases] == ["0/0", "0/1", "1/0", "1/1"]
+    assert [str(case.directrix) for case in cases[:2]] == ["(0, 0) (3, 0) (0, 3)"] * 2
+
+
+def test_lines_of_pairs_are_as_they_are_given(tmp_path: Path) -> None:
+    text = "\n" + "\n\n".join(map(json.dumps, LINES))
+    first, second = read_pairs(write(tmp_path, text))
+    assert (first, second) == (
+        Case.of("7", "", SLOT, SQUARE),
+        Case.of("pair-4", "", SLOT, SQUARE, ("1/2", 1)),
+    )
+    doubled = [vertex for vertex in SLOT for _ in range(2)]
+    (given,) = read_pairs(write(tmp_path, json.dumps({"directrix": doubled, "generatrix": SQUARE})))
+    assert given.directrix_ring == tuple(vertex for vertex in first.directrix_ring for _ in "ab")
+
+
+def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
+    path = write(tmp_path, "\n".join(map(json.dumps, LINES)))
+    assert run("conform", "--pairs", path, "--", *CORRECT).exit_code == 0
+    done = run("conform", "--pairs", path, "--", *FAULTY, "hull")
+    assert done.exit_code == 1
+    assert "2 of 2 cases judged, 2 worse than" in done.stdout
+    done = run(
+        "conform", "--pairs", "-", "--filter", "id=7", "--", *CORRECT, stdin=Path(path).read_text()
+    )
+    assert "1 of 1 case judged" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "empty"),
+        ("\n \n", "empty"),
+        ("[[0, 0], [1, 0], [2, 0]]", "0: zero area"),
+        (SVG, "disc: line 1: circle 'disc': a curve"),
+        ('{"directrix": 1}', "line 1: $ has no generatrix"),
+        ('\n{"directrix": 1, "generatrix": 2}', "line 2: directrix: $ is '1'"),
+        ('{"directrix": [], "generatrx": []}', "line 1: $ has 'generatrx'; did you mean 'gen"),
+        (json.dumps({**LINES[0], "reference": 3}), "line 1: $.reference[0] is '3', not a pair"),
+        (json.dumps({**LINES[0], "id": []}), "line 1: $.id is a list, not a string or a number"),
+        (json.dumps({**LINES[0], "generatrix": [[0, 0], [1, 1]]}), "line 1: generatrix: "),
+        (json.dumps(LINES[0]) + "\n[]", "line 2: $ is a list, not an object"),
+        ("[" * 100_000, "nested too deeply"),
+        (json.dumps(LINES[0]) + "\n" + json.dumps(LINES[0]), "two cases have the id '7'"),
+    ],
+)
+def test_what_is_no_pair_is_refused_by_line(tmp_path: Path, text: str, message: str) -> None:
+    said = refusal(run("conform", "--pairs", write(tmp_path, text), "--", *CONVEX))
+    assert message in said
+
+
+@pytest.mark.parametrize("options", [("--cases", "a", "--pairs", "b"), ("--flatten", "1")])
+def test_options_that_contradict_each_other_are_refused(options: tuple[str, ...]) -> None:
+    assert run("conform", *options, "--", *CONVEX).exit_code == 2
+
+
+def test_a_file_that_is_not_there_is_refused() -> None:
+    said = refusal(run("conform", "--pairs", "/none", "--", *CONVEX))
+    assert said == "/none: No such file or directory"

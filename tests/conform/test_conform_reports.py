@@ -1,0 +1,118 @@
+"""Reports of runs: JUnit, JSON and the page."""
+
+import json
+import re
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from command import run
+from judged import FAULTY, TWO, write_cases
+
+from exactsweep.check import classify
+from exactsweep.conform import Verdict
+from exactsweep.conform.report.junit import junit
+from exactsweep.conform.run.outcome import Outcome
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.run import Run
+
+
+@pytest.fixture
+def two(tmp_path: Path) -> str:
+    return write_cases(tmp_path / "two.jsonl", TWO)
+
+
+def test_junit_tells_failures_from_errors_and_skips() -> None:
+    outcomes = [
+        Outcome("a", "CC", (), Verdict.EXACT, seconds=0.5),
+        Outcome("b", "CM", (), Verdict.WRONG, "neither \x00 nor <"),
+        Outcome("c", "MM", (), Verdict.CRASH, "exited", stderr="Abort\x1b[0m"),
+        Outcome("d", "MM", (), Verdict.UNSUPPORTED, "too hard"),
+    ]
+    run = Run(Hello("mine & others"))
+    for outcome in outcomes:
+        run.add(outcome)
+    (suite,) = ElementTree.fromstring(junit(run))
+    counts = {"tests": "4", "failures": "1", "errors": "1", "skipped": "1", "time": "0.500"}
+    assert suite.attrib == {"name": "mine & others", **counts}
+    assert [(p.get("name"), p.get("value")) for p in suite[0]] == [("judged", "3")]
+    tested = suite.findall("testcase")
+    tags = [[child.tag for child in case] for case in tested]
+    assert tags == [[], ["failure"], ["error", "system-err"], ["skipped"]]
+    assert tested[1][0].attrib == {"type": "wrong", "message": "neither \ufffd nor <"}
+    run.complaints, run.interrupted = ["exited with code 1"], True
+    assert ElementTree.fromstring(junit(run))[0][-1].text == "exited with code 1\ninterrupted"
+
+
+def test_every_report_has_the_witness_in_full(two: str, tmp_path: Path) -> None:
+    page, xml = tmp_path / "run.html", tmp_path / "run.xml"
+    options = ("--cases", two, "--shrink", "0", "--html", str(page), "--junit", str(xml))
+    run("conform", *options, "--", *FAULTY, "vertex-inward")
+    # The page has the smallest first.
+    for text, judged in ((page.read_text(), TWO[::-1]), (xml.read_text(), TWO)):
+        places = re.findall(r"translation \((.*?),(.*?)\): OVERLAP, point \((.*?),(.*?)\)", text)
+        for case, (x, y, *point) in zip(judged, places, strict=True):
+            found = classify(case.directrix, case.generatrix, (x, y))
+            assert (found.verdict, [str(c) for c in found.witness or ()]) == ("OVERLAP", point)
+
+
+def test_all_outcomes_are_in_the_json(two: str, tmp_path: Path) -> None:
+    path = tmp_path / "run.json"
+    run("conform", "--cases", two, "--json", str(path), "--", *FAULTY, "vertex-outward")
+    data = json.loads(path.read_text())
+    assert data["counts"]["all"] == {"conservative": 2}
+    assert {outcome["id"] for outcome in data["outcomes"]} == {"mine-slot", "mine-square"}
+    # A corner moved by a third in x and in y: two ninths from its old place, squared.
+    assert data["worst"]["trajectory"]["distance_squared"][0] == "2/9"
+    assert not data["passed"]
+
+
+def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> None:
+    options = ("--filter", "id=undercuts-", "--accept", "within")
+    page, data = tmp_path / "run.html", tmp_path / "run.json"
+    command = ("--html", str(page), "--json", str(data), "--", *FAULTY, "undercut-open")
+    assert run("conform", *options, *command).exit_code == 1
+    (shrunk,) = json.loads(data.read_text())["shrunk"].values()
+    assert (shrunk["verdict"], shrunk["id"][-7:]) == ("unsound", "-shrunk")
+    assert len(shrunk["case"]["directrix"]) <= 5
+    assert len(shrunk["case"]["generatrix"]) == 3
+    assert "Made smaller" in page.read_text()
+    run("conform", *options, "--shrink", "0", *command)
+    assert json.loads(data.read_text())["shrunk"] == {}
+
+
+def test_the_page_is_whole_and_quotes_what_is_foreign(two: str, tmp_path: Path) -> None:
+    evil = "<script>alert(1)</script>"
+    program = tmp_path / "evil.py"
+    program.write_text(
+        "import json, sys\n"
+        f"evil = {evil!r}\n"
+        "hello = {'hello': evil, 'loops': ['trajectory'], 'numbers': 'rational',"
+        " 'reference': 'given'}\n"
+        "print(json.dumps(hello), flush=True)\n"
+        "for line in sys.stdin:\n"
+        "    case = json.loads(line)\n"
+        "    if 'bye' in case: break\n"
+        "    if case['id'] == 'mine-slot': answer = {'error': evil}\n"
+        "    else: answer = {'trajectory': [[0, 0], [1, 0], [0, 1]], evil: evil}\n"
+        "    print(json.dumps({'id': case['id'], **answer}), flush=True)\n"
+    )
+    path = tmp_path / "run.html"
+    options = ("--cases", two, "--html", str(path), "--shrink", "0")
+    run("conform", *options, "--", sys.executable, str(program))
+    page = path.read_text()
+    assert evil not in page
+    assert "&lt;script&gt;" in page
+    assert not re.search(r'src="|href="(?!#)|@import|url\(', page)
+    ElementTree.fromstring(
+        page.replace("<!DOCTYPE html>", "")
+        .replace('<meta charset="utf-8">', "")
+        .replace('<meta name="viewport" content="width=device-width, initial-scale=1">', "")
+        .replace("<br>", "")
+    )
+    pictures = re.findall(r'<svg width="320".*?</svg>', page, flags=re.S)
+    assert len(pictures) == 2
+    assert all('class="exact"' in picture for picture in pictures)
+    assert 'class="theirs"' in "".join(pictures)
+    assert 'class="witness"' in "".join(pictures)

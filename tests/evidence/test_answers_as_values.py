@@ -1,0 +1,143 @@
+"""Sweeps, no-fit polygons and inner fits as values; refusals that name the polygon."""
+
+import ast
+import copy
+import importlib
+import pickle
+import pkgutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+import shapely
+import strategies
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import exactsweep
+from exactsweep import (
+    ExactSweepError,
+    Polygon,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
+from exactsweep.check import classify
+
+SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
+HOLLOW = Region(
+    [(0, 0), (9, 0), (9, 9), (0, 9)], [[(5, 5), (8, 5), (5, 8)], [(1, 1), (3, 1), (1, 3)]]
+)
+NOTCH = [(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]
+COPIES: list[Callable[[Any], Any]] = [
+    copy.copy,
+    copy.deepcopy,
+    lambda answer: pickle.loads(pickle.dumps(answer)),
+]
+
+
+def all_that_is_told(answer: Any) -> list[Any]:
+    told = [answer.certificate(), str(answer), repr(answer)]
+    names = ("contacts", "vertex_contacts", "undercuts", "area", "kind", "unswept")
+    return told + [getattr(answer, name, None) for name in names]
+
+
+@pytest.mark.parametrize("directrix", [SQUARE, NOTCH, HOLLOW])
+@pytest.mark.parametrize("ask", [sweep, no_fit_polygon, inner_fit_polygon])
+@pytest.mark.parametrize("duplicate", COPIES, ids=["copy", "deepcopy", "pickle"])
+def test_a_copy_tells_the_same(
+    ask: Callable[..., Any], directrix: Any, duplicate: Callable[[Any], Any]
+) -> None:
+    answer = ask(SQUARE, directrix, reference=(1, 0))
+    fresh = duplicate(answer)
+    told = all_that_is_told(answer)
+    for twin in (fresh, duplicate(answer)):
+        assert type(twin) is type(answer)
+        assert twin == answer
+        assert hash(twin) == hash(answer)
+        assert all_that_is_told(twin) == told
+
+
+@settings(max_examples=20)
+@given(strategies.simple_polygons(), strategies.simple_polygons(), st.data())
+def test_answers_are_equal_if_the_same_was_asked(
+    g: Polygon, d: Polygon, data: st.DataObject
+) -> None:
+    spelled = data.draw(strategies.spellings(g))
+    for ask in (sweep, no_fit_polygon, inner_fit_polygon):
+        answer: Any = ask(g, d)
+        assert answer == ask(spelled, d)
+        assert answer != ask(g.translated((1, 0)), d)
+        assert answer != ask(g, d, reference=(1, 0))
+        assert (answer == ask(d, g)) == (g == d)
+    assert sweep(g, d) != no_fit_polygon(d, g)
+    assert len({sweep(g, d), sweep(spelled, d)}) == 1
+
+
+@pytest.mark.parametrize(
+    ("action", "name"),
+    [
+        (lambda bad: sweep(generatrix=bad, directrix=SQUARE), "generatrix"),
+        (lambda bad: sweep(generatrix=SQUARE, directrix=bad), "directrix"),
+        (lambda bad: no_fit_polygon(stationary=bad, orbiting=SQUARE), "stationary"),
+        (lambda bad: no_fit_polygon(stationary=SQUARE, orbiting=bad), "orbiting"),
+        (lambda bad: inner_fit_polygon(container=bad, part=SQUARE), "container"),
+        (lambda bad: inner_fit_polygon(container=SQUARE, part=bad), "part"),
+        (lambda bad: classify(directrix=bad, generatrix=SQUARE, t=(0, 0)), "directrix"),
+        (lambda bad: classify(directrix=SQUARE, generatrix=bad, t=(0, 0)), "generatrix"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        ([(0, 0), (4, 4), (4, 0), (0, 4)], "the boundary crosses itself: edges 0 and 2 cross"),
+        ([(0, 0), (1, 0), (0, "x")], "vertex 2: 'x' is not a number"),
+        (7, "int is not a sequence of vertices"),
+        (shapely.LineString([(0, 0), (1, 1)]), "a LineString is not a polygon"),
+    ],
+)
+def test_a_refusal_names_the_polygon(
+    action: Callable[[Any], Any], name: str, bad: Any, message: str
+) -> None:
+    with pytest.raises(ExactSweepError) as caught:
+        action(bad)
+    assert str(caught.value).startswith(f"{name}: {message}")
+
+
+def test_shapes_of_other_libraries_are_swept_with_their_holes() -> None:
+    hollow = shapely.geometry.shape(HOLLOW)
+    unit = shapely.box(0, 0, 0.5, 0.5)
+    assert sweep(generatrix=unit, directrix=hollow) == sweep([*unit.exterior.coords], HOLLOW)
+    n = no_fit_polygon(stationary=hollow, orbiting=unit)
+    assert len(n.holes) == 2
+    assert inner_fit_polygon(container=hollow, part=unit).regions[0].holes
+
+
+def package_errors() -> list[type[Exception]]:
+    found: list[type[Exception]] = []
+    for module in pkgutil.walk_packages(exactsweep.__path__, "exactsweep."):
+        if module.name.rsplit(".")[-1] in ("__main__", "convex", "reference"):
+            continue
+        found += [
+            value
+            for value in vars(importlib.import_module(module.name)).values()
+            if isinstance(value, type)
+            and issubclass(value, Exception)
+            and value.__module__.startswith("exactsweep")
+        ]
+    return found
+
+
+def test_every_refusal_has_one_base() -> None:
+    values = {error for error in package_errors() if issubclass(error, ValueError)}
+    assert len(values) > 15
+    assert {error for error in values if not issubclass(error, ExactSweepError)} == set()
+
+
+def test_no_module_raises_a_bare_value_error() -> None:
+    for path in Path(exactsweep.__path__[0]).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+                assert getattr(node.exc.func, "id", "") != "ValueError", f"{path}:{node.lineno}"

@@ -1,0 +1,231 @@
+"""Blocks, uses, splines, ends that miss each other: where they are put, and what they may cost."""
+
+import re
+from fractions import Fraction
+from math import cos, radians, sin
+
+import pytest
+import strategies
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_formats_curves import distance
+from test_formats_dxf import Tags, dxf, line, polyline
+
+from exactsweep import Polygon
+from exactsweep.formats import FormatError, parse_polygon, parse_polygons
+from exactsweep.formats.curved.affine import IDENTITY
+from exactsweep.formats.curved.join import OpenLine, join
+from exactsweep.formats.curved.spline import Spline
+from exactsweep.formats.reading import Reading
+from exactsweep.geometry.point import Point
+
+fewer = settings(max_examples=30)
+small = st.fractions(-9, 9, max_denominator=10)
+points = st.builds(Point, small, small)
+
+
+def with_blocks(blocks: dict[str, Tags], *inserts: Tags) -> str:
+    tags: Tags = [(0, "SECTION"), (2, "BLOCKS")]
+    for name, entities in blocks.items():
+        tags += [(0, "BLOCK"), (2, name), (10, 1), (20, 2), *entities, (0, "ENDBLK")]
+    tags.append((0, "ENDSEC"))
+    head = "".join(f"{code:>3}\n{value}\n" for code, value in tags)
+    return head + dxf(*inserts)
+
+
+def insert(name: str, *more: tuple[int, object]) -> Tags:
+    return [(0, "INSERT"), (2, name), (10, 10), (20, 20), *more]
+
+
+TRIANGLE = polyline((1, 2), (4, 2), (1, 4))
+
+
+@pytest.mark.parametrize(
+    ("more", "vertices"),
+    [
+        ([], [(10, 20), (13, 20), (10, 22)]),
+        ([(50, 90)], [(10, 20), (10, 23), (8, 20)]),
+        ([(41, -1)], [(10, 20), (7, 20), (10, 22)]),
+        ([(41, 2), (42, "0.5"), (50, 180)], [(10, 20), (4, 20), (10, 19)]),
+        ([(230, -1)], [(-10, 20), (-13, 20), (-10, 22)]),
+        ([(230, -1), (50, 90)], [(-10, 20), (-10, 23), (-8, 20)]),
+    ],
+)
+def test_blocks_are_placed_exactly(more: Tags, vertices: list[tuple[int, int]]) -> None:
+    assert parse_polygon(with_blocks({"a": TRIANGLE}, insert("A", *more))) == Polygon(vertices)
+
+
+def test_rows_and_columns_and_blocks_in_blocks() -> None:
+    grid = insert("a", (70, 2), (71, 3), (44, 5), (45, 7), (50, 90))
+    found = parse_polygons(with_blocks({"a": TRIANGLE}, grid))
+    corners = [min(part.polygon.translated((2, 0)).vertices) for part in found]
+    assert len(corners) == 6
+    assert [int(c) for c in max(corners)] == [10, 25]
+    inner = [*insert("a"), (8, "cut")]
+    outer = [*insert("b", (41, 2), (42, 2)), (8, "away")]
+    (part,) = parse_polygons(with_blocks({"a": TRIANGLE, "b": inner}, outer))
+    # What is on layer 0 in a block is on the layer of what draws it.
+    assert part.layer == "cut"
+    assert part.polygon == Polygon([(28, 56), (34, 56), (28, 60)])
+
+
+@fewer
+@given(st.fractions(-360, 360, max_denominator=100), points)
+def test_turned_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point) -> None:
+    tolerance = Fraction(1, 1000)
+    corners = [(1, 2), (4, 2), (str(float(third.x)), str(float(third.y) + 20))]
+    angle = f"{float(degrees):.6f}"
+    text = with_blocks({"a": polyline(*corners)}, insert("a", (50, angle)))
+    found = parse_polygon(text, tolerance=tolerance)
+    turn = radians(float(angle))
+    for x, y in corners:
+        u, v = float(str(x)) - 1, float(str(y)) - 2
+        true = (10 + u * cos(turn) - v * sin(turn), 20 + u * sin(turn) + v * cos(turn))
+        near = min(abs(p.x - true[0]) + abs(p.y - true[1]) for p in found.vertices)
+        assert near < tolerance
+
+
+def test_numbers_too_large_to_be_turned_are_refused() -> None:
+    far = polyline((0, 0), ("1e40", 0), (0, 1))
+    with pytest.raises(FormatError, match="numbers too large to be turned by an irrational angle"):
+        parse_polygon(with_blocks({"a": far}, insert("a", (50, 30))), tolerance="1e-3")
+
+
+BOMB = {f"b{k}": [*insert(f"b{k + 1}"), *insert(f"b{k + 1}")] for k in range(40)}
+REFUSED = {
+    with_blocks({}, insert("a")): "line 12: INSERT: there is no block 'a'",
+    with_blocks({"a": insert("a")}, insert("a")): "line 30: INSERT: line 14: INSERT: the block",
+    with_blocks({"a": TRIANGLE}, insert("a", (70, 10**5), (71, 10**5))): "draws more than 20,000",
+    with_blocks({"a": TRIANGLE}, insert("a", (50, 30))): "an angle of 30 degrees, which is irratio",
+    with_blocks({**BOMB, "b20": TRIANGLE}, insert("b0")): "blocks draw more than 20,000 entities",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED, ids=range(len(REFUSED)))
+def test_blocks_that_cannot_be_drawn_are_refused(text: str) -> None:
+    with pytest.raises(FormatError, match=re.escape(REFUSED[text])):
+        parse_polygon(text)
+
+
+def test_uses_that_draw_each_other_end() -> None:
+    uses = [f'<use href="#g{k + 1}"/>' * 10 for k in range(9)]
+    bomb = "".join(f'<g id="g{k}">{drawn}</g>' for k, drawn in enumerate(uses))
+    with pytest.raises(FormatError, match="uses draw more than 20,000 elements"):
+        parse_polygon(f"<svg>{bomb}</svg>")
+    text = '<svg><g id="a"><use href="#a"/><rect width="2" height="1"/></g></svg>'
+    with pytest.raises(FormatError, match="draws nothing that is in the file, or itself"):
+        parse_polygon(text, "0")
+
+
+def test_ends_that_miss_each_other_are_joined_on_request() -> None:
+    gap = "1e-9"
+    text = dxf(line(0, 0, 4, gap), line(4, 0, 0, 3), line(gap, 3, gap, gap))
+    with pytest.raises(FormatError, match=r"meets no other end exactly \(--join allows a distance"):
+        parse_polygon(text)
+    with pytest.raises(FormatError, match=r"meets no other end \.\.\.$"):
+        parse_polygon(text, join="1e-10")
+    assert parse_polygon(text, join="1e-8").vertices[0] == Point(Fraction(0), Fraction(0))
+    assert len(parse_polygon(text, join="1e-8")) == 3
+
+
+@fewer
+@given(strategies.simple_polygons(), st.randoms(use_true_random=False))
+def test_joined_ends_are_moved_no_farther_than_allowed(polygon: Polygon, random: object) -> None:
+    step = Fraction(1, 10**9)
+    ring = [Point(Fraction(x), Fraction(y)) for x, y in polygon.lattice()[1]]
+
+    def off(point: Point) -> Point:
+        by = [step * random.randint(-3, 3) for _ in "xy"]  # type: ignore[attr-defined]
+        return Point(point.x + by[0], point.y + by[1])
+
+    lines = []
+    for k, (a, b) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
+        ends = off(a), off(b)
+        lines.append(OpenLine(k, str(k), ends, lambda ends=ends: ends))  # type: ignore[misc]
+    random.shuffle(lines)  # type: ignore[attr-defined]
+    reach = 9 * step
+    ((_, candidate),) = join(lines, None, Reading(join=reach))
+    found = candidate.vertices()
+    assert len(found) == len(ring)
+    for point in ring:
+        assert min((p.x - point.x) ** 2 + (p.y - point.y) ** 2 for p in found) <= (2 * reach) ** 2
+
+
+class Counted(int):
+    """An int that counts how often it is hashed."""
+
+    hashes = 0
+
+    def __hash__(self) -> int:
+        Counted.hashes += 1
+        return super().__hash__()
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        lambda k: (0, 0, 1, 0),
+        lambda k: (0, 0, k + 1, 1),
+        lambda k: (k, 0, k + 1, 0),
+        lambda k: (k % 2, 0, k, 1),
+    ],
+    ids=["equal", "star", "chain", "two stars"],
+)
+def test_joining_takes_a_number_of_steps_in_proportion(ends: object) -> None:
+    counts = []
+    for size in (500, 4000):
+        lines = []
+        for k in range(size):
+            a, b, c, d = map(Counted, ends(k))  # type: ignore[operator]
+            both = Point(a, b), Point(c, d)  # type: ignore[arg-type]
+            lines.append(OpenLine(k, "", both, both.__iter__))  # type: ignore[arg-type]
+        Counted.hashes = 0
+        list(join(lines, None, Reading()))
+        counts.append(Counted.hashes)
+    assert counts[1] < 10 * counts[0]
+
+
+@fewer
+@given(
+    st.lists(points, min_size=4, max_size=7, unique=True),
+    st.lists(st.integers(0, 4), min_size=12, max_size=12),
+    st.lists(st.fractions("1/4", 4, max_denominator=4), min_size=7, max_size=7),
+    st.booleans(),
+    st.integers(0, 40),
+)
+def test_splines_stay_within_the_tolerance(
+    controls: list[Point], steps: list[int], weights: list[Fraction], rational: bool, place: int
+) -> None:
+    degree, size = 3, len(controls)
+    knots = [Fraction(sum(steps[:k])) for k in range(size + degree + 1)]
+    spline = Spline(degree, controls, knots, weights[:size] if rational else ())
+    if knots[degree] == knots[size] or any(knots[k] == knots[k + degree + 1] for k in range(size)):
+        return
+    spline.require_sound()
+    tolerance = Fraction(1, 50)
+    found = spline.flatten(IDENTITY, Reading(tolerance))
+    t = knots[degree] + (knots[size] - knots[degree]) * Fraction(place, 41)
+    shares = [cox_de_boor(knots, k, degree, t) for k in range(size)]
+    if rational:
+        shares = [share * weight for share, weight in zip(shares, weights, strict=False)]
+    x, y = (
+        sum((share * p[axis] for share, p in zip(shares, controls, strict=True)), Fraction(0))
+        / sum(shares)
+        for axis in (0, 1)
+    )
+    if len(found) > 1:
+        assert distance(Point(x, y), found) <= tolerance**2
+
+
+def cox_de_boor(knots: list[Fraction], k: int, degree: int, t: Fraction) -> Fraction:
+    """The basis function of a control point, from its definition."""
+    if degree == 0:
+        return Fraction(knots[k] <= t < knots[k + 1])
+    found = Fraction(0)
+    if knots[k + degree] > knots[k]:
+        share = (t - knots[k]) / (knots[k + degree] - knots[k])
+        found += share * cox_de_boor(knots, k, degree - 1, t)
+    if knots[k + degree + 1] > knots[k + 1]:
+        share = (knots[k + degree + 1] - t) / (knots[k + degree + 1] - knots[k + 1])
+        found += share * cox_de_boor(knots, k + 1, degree - 1, t)
+    return found

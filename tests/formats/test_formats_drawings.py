@@ -1,0 +1,35 @@
+"""Sixty part files as programs write them: read with two options at most, or refused by name."""
+
+from pathlib import Path
+
+import pytest
+from command import refusal, run
+from drawings import Drawing, every_drawing
+
+from exactsweep.formats import parse_regions
+
+DRAWINGS = every_drawing()
+
+
+def test_there_are_sixty_and_nearly_all_are_read() -> None:
+    assert len(DRAWINGS) == len({drawing.name for drawing in DRAWINGS}) == 60
+    assert sum(bool(drawing.areas) for drawing in DRAWINGS) >= 57
+    for drawing in DRAWINGS:
+        assert sum(option.startswith("--") for option in drawing.options) <= 2
+
+
+@pytest.mark.parametrize("drawing", DRAWINGS, ids=lambda drawing: drawing.name)
+def test_drawings_are_read_or_refused_with_the_reason(drawing: Drawing, tmp_path: Path) -> None:
+    path = tmp_path / drawing.name
+    path.write_text(drawing.text, encoding="utf-8", newline="")
+    result = run("convert", str(path), *drawing.options, "--to", "json")
+    if not drawing.areas:
+        assert drawing.reason in refusal(result)
+        return
+    assert result.exit_code == 0, result.output
+    assert (drawing.reason in result.stderr) if drawing.reason else (result.stderr == "")
+    regions = [part.region for part in parse_regions(result.stdout)]
+    assert len(regions) == len(drawing.areas)
+    for region, area in zip(regions, drawing.areas, strict=True):
+        # A line that is off by the tolerance all along changes the area by as much a length.
+        assert abs(float(region.area) - area) < 0.2 if drawing.options else region.area == area

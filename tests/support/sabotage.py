@@ -1,0 +1,83 @@
+"""Faults that are put into the kernel, each with the rows of the ledger that must notice.
+
+A sabotage is a function that takes a right procedure and returns a wrong one. It is put in the
+place of the right one in every module of the package that has it by name. Some faults show in
+seconds alone; these are timed, in a full run of their rows, and are no part of the test suite.
+"""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pkgutil import resolve_name
+from typing import Any, NamedTuple
+
+from exactsweep.paper import costs
+from exactsweep.paper.claim import Effort, reproduce
+from exactsweep.paper.ledger import CHECKS, CLAIMS, FIGURES, find, read_rows
+
+Procedure = Callable[..., Any]
+Sabotage = Callable[[Procedure], Procedure]
+
+# A module that is loaded while the kernel is broken would keep what is wrong.
+MODULES = [costs] + [
+    resolve_name(f"{folder}.{name.split('.')[0]}")
+    for row in read_rows()
+    for folder, names in (
+        (CHECKS, [*row.get("laws", ()), *([row["check"]] if "check" in row else [])]),
+        (FIGURES, [row["figure"]] if "figure" in row else []),
+    )
+    for name in names
+]
+
+
+class Mutation(NamedTuple):
+    """A procedure, what takes its place, and rows that must notice; by the clock, if timed."""
+
+    fault: str
+    procedure: Procedure
+    wrong: Sabotage
+    rows: tuple[str, ...]
+    timed: bool = False
+
+
+MUTATIONS: list[Mutation] = []
+
+
+def sabotage(
+    fault: str, procedure: Procedure, *rows: str, timed: bool = False
+) -> Callable[[Sabotage], Sabotage]:
+    """Register a function as a sabotage of a procedure that some rows must notice."""
+
+    def register(wrong: Sabotage) -> Sabotage:
+        MUTATIONS.append(Mutation(fault, procedure, wrong, rows, timed))
+        return wrong
+
+    return register
+
+
+@contextmanager
+def mutated(mutation: Mutation) -> Iterator[None]:
+    """Break the kernel for a while."""
+    right = mutation.procedure
+    wrong = mutation.wrong(right)
+    places = [
+        (module, name)
+        for key, module in list(sys.modules.items())
+        if key.split(".")[0] == "exactsweep"
+        for name, value in list(vars(module).items())
+        if value is right
+    ]
+    for module, name in places:
+        setattr(module, name, wrong)
+    try:
+        yield
+    finally:
+        for module, name in places:
+            setattr(module, name, right)
+
+
+def red_rows(mutation: Mutation, effort: Effort, names: tuple[str, ...] = ()) -> list[str]:
+    """The rows, of all or of those named, whose evidence fails under a mutation."""
+    claims = [find(name) for name in names] or CLAIMS
+    with mutated(mutation):
+        return [row.claim.name for row in reproduce(claims, effort) if row.disagreement]

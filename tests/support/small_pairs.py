@@ -1,0 +1,239 @@
+"""Small pairs of all classes, drawn afresh or bred from pairs that are known to do what is rare.
+
+Shapes are lists of rings of ints, the exterior first, so that they go into a journal as they are.
+"""
+
+from collections.abc import Callable
+from random import Random
+from typing import NamedTuple
+
+import families
+from cells import grown, shape_of
+from shape_families import untangled
+
+from exactsweep.check.monotone import has_shared_direction
+from exactsweep.corpus.generator.shapes import hull
+from exactsweep.geometry.canonical import PolygonError, canonical_ring
+
+Vertex = tuple[int, int]
+Ring = list[Vertex]
+Shape = list[Ring]
+Draw = Callable[[Random], Shape]
+FARTHEST = 2**40  # from the origin, along either axis
+SMALL = 14
+STRETCH = 2**34  # beyond what the kernel rounds slopes and places to
+
+
+class SmallPair(NamedTuple):
+    """G and D."""
+
+    generatrix: Shape
+    directrix: Shape
+
+    def size(self) -> tuple[int, int]:
+        """The number of vertices, and the sum of the coordinates."""
+        rings = [*self.generatrix, *self.directrix]
+        return sum(map(len, rings)), sum(abs(c) for ring in rings for p in ring for c in p)
+
+
+def convex(rng: Random) -> Shape:
+    side = rng.choice([1, 2, 3, 4, 6])
+    points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 7))]
+    found = hull(points)
+    return [[*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]]
+
+
+def monotone(rng: Random) -> Shape:
+    return [families.jagged(rng, rng.choice([0, 0.5]), (1, 3))]
+
+
+def rectilinear(rng: Random) -> Shape:
+    return [families.rectilinear(rng)]
+
+
+def teeth(rng: Random) -> Shape:
+    """Spikes of few slopes."""
+    steps = [(1, 2), (1, -2), (1, 2), (1, -2), (2, 0), (0, 1), (0, -1)]
+    chain = [(0, 0)]
+    for _ in range(rng.randint(2, 6)):
+        dx, dy = rng.choice(steps)
+        chain.append((chain[-1][0] + dx, chain[-1][1] + dy))
+    ceiling = max(y for _, y in chain) + rng.randint(1, 2)
+    return [[*chain, (chain[-1][0], ceiling), (0, ceiling)]]
+
+
+def tangle(rng: Random) -> Shape:
+    """Any simple polygon on a small grid."""
+    vertices = untangled(rng, 8, rng.choice([3, 4, 5])).vertices
+    return [[(int(x), int(y)) for x, y in vertices]]
+
+
+def clump(rng: Random) -> Shape:
+    """A few squares, perhaps around a hole."""
+    shape = shape_of(grown(rng.randrange(10**6) for _ in range(rng.randint(3, 8))))
+    rings = [shape.exterior, *shape.holes]
+    return [[(int(x), int(y)) for x, y in ring.vertices] for ring in rings]
+
+
+CONVEX: list[Draw] = [convex]
+MONOTONE: list[Draw] = [monotone, rectilinear, teeth]
+ANY: list[Draw] = [tangle, clump]
+CLASSES = [(CONVEX, CONVEX), (CONVEX, MONOTONE), (MONOTONE, CONVEX), (MONOTONE, MONOTONE)]
+SHAPELESS = [(CONVEX, ANY), (ANY, MONOTONE), (ANY, ANY)]
+TURNS = [(0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0), (1, 0, 0, -1)]
+STRETCHES = [
+    (1, 0, STRETCH, 1),
+    (STRETCH, 0, 0, 1),
+    (1, 0, 0, STRETCH),
+    (STRETCH, 1, -1, STRETCH),
+]
+
+
+def draw(rng: Random) -> SmallPair:
+    """A pair of any class but SS, turned by quarters, turned over, or stretched, perhaps."""
+    return _placed(rng, _draw_pair(rng, CLASSES))
+
+
+def draw_shapeless(rng: Random) -> SmallPair:
+    """A pair of class SS."""
+    pair = _draw_pair(rng, SHAPELESS)
+    while shares_direction(pair):  # as most small shapes do, whatever they are drawn as
+        pair = _draw_pair(rng, SHAPELESS)
+    return _placed(rng, pair)
+
+
+def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> SmallPair:
+    generatrix, directrix = (_draw_shape(rng, shapes) for shapes in rng.choice(classes))
+    if rng.random() < 0.1:
+        directrix = [[(-x, -y) for x, y in ring] for ring in generatrix]
+    return SmallPair(generatrix, directrix)
+
+
+def shares_direction(pair: SmallPair) -> bool:
+    """Whether both are monotone to one direction; with holes they are not."""
+    rings = [*pair.generatrix, *pair.directrix]
+    return len(rings) == 2 and has_shared_direction([tuple(ring) for ring in rings])
+
+
+def _draw_shape(rng: Random, shapes: list[Draw]) -> Shape:
+    while not _is_sound(shape := rng.choice(shapes)(rng)):
+        pass
+    return shape
+
+
+def _placed(rng: Random, pair: SmallPair) -> SmallPair:
+    chance = rng.random()
+    if chance < 0.5:
+        return pair
+    a, b, c, d = rng.choice(TURNS if chance < 0.9 else STRETCHES)
+    return SmallPair(
+        *([[(a * x + b * y, c * x + d * y) for x, y in ring] for ring in shape] for shape in pair)
+    )
+
+
+def breed(rng: Random, pair: SmallPair) -> SmallPair:
+    """A pair that differs from another one in one to three places.
+
+    Shapes with holes are only scaled, or given to the other polygon.
+    """
+    for _ in range(8):
+        shapes = [[list(ring) for ring in shape] for shape in pair]
+        for _ in range(rng.randint(1, 3)):
+            rng.choice(_CHANGES)(rng, shapes, rng.randrange(2))
+        if all(map(_is_sound, shapes)):
+            return SmallPair(*shapes)
+    return pair
+
+
+def _is_sound(shape: Shape) -> bool:
+    if any(abs(c) > FARTHEST for ring in shape for p in ring for c in p):
+        return False
+    try:
+        canonical_ring(shape[0])
+    except PolygonError:
+        return False
+    return True
+
+
+def _move(rng: Random, shapes: list[Shape], k: int) -> None:
+    if len(shapes[k]) == 1:
+        ring = shapes[k][0]
+        i = rng.randrange(len(ring))
+        x, y = ring[i]
+        ring[i] = (x + rng.randint(-1, 1), y + rng.randint(-1, 1))
+
+
+def _drop(rng: Random, shapes: list[Shape], k: int) -> None:
+    if len(shapes[k]) == 1 and len(shapes[k][0]) > 3:
+        del shapes[k][0][rng.randrange(len(shapes[k][0]))]
+
+
+def _insert(rng: Random, shapes: list[Shape], k: int) -> None:
+    """A vertex near the middle of an edge."""
+    ring = shapes[k][0]
+    if len(shapes[k]) == 1 and len(ring) < 12:
+        i = rng.randrange(len(ring))
+        (ax, ay), (bx, by) = ring[i - 1], ring[i]
+        middle = (ax + bx) // 2 + rng.randint(-1, 1), (ay + by) // 2 + rng.randint(-1, 1)
+        ring.insert(i, middle)
+
+
+def _copy_edge(rng: Random, shapes: list[Shape], k: int) -> None:
+    """An edge of one becomes parallel to one of the other, and as long."""
+    ring, other = shapes[k][0], shapes[1 - k][0]
+    if len(shapes[k]) == 1:
+        i, j, sign = rng.randrange(len(ring)), rng.randrange(len(other)), rng.choice([1, -1])
+        (ax, ay), (bx, by) = other[j - 1], other[j]
+        x, y = ring[i - 1]
+        ring[i] = (x + sign * (bx - ax), y + sign * (by - ay))
+
+
+def _double(rng: Random, shapes: list[Shape], k: int) -> None:
+    if max(abs(c) for p in shapes[k][0] for c in p) <= SMALL:
+        shapes[k] = [[(2 * x, 2 * y) for x, y in ring] for ring in shapes[k]]
+
+
+def _exchange(rng: Random, shapes: list[Shape], k: int) -> None:
+    shapes.reverse()
+
+
+def _invert(rng: Random, shapes: list[Shape], k: int) -> None:
+    shapes[k] = [[(-x, -y) for x, y in ring] for ring in shapes[k]]
+
+
+_CHANGES = [_move, _move, _move, _insert, _drop, _copy_edge, _double, _exchange, _invert]
+
+
+def shrink(pair: SmallPair, fails: Callable[[SmallPair], bool]) -> SmallPair:
+    """The smallest failing pair that dropping and moving single vertices leads to."""
+    while True:
+        for candidate in sorted(_smaller(pair), key=SmallPair.size):
+            is_smaller = all(map(_is_sound, candidate)) and candidate.size() < pair.size()
+            if is_smaller and fails(candidate):
+                pair = candidate
+                break
+        else:
+            return pair
+
+
+def _smaller(pair: SmallPair) -> list[SmallPair]:
+    found = []
+    for k, shape in enumerate(pair):
+        for r, ring in enumerate(shape):
+            rings = [[*ring[:i], *ring[i + 1 :]] for i in range(len(ring)) if len(ring) > 3]
+            for i, (x, y) in enumerate(ring):
+                for p in ((_nearer(x), y), (x, _nearer(y)), (x // 2, y), (x, y // 2)):
+                    rings.append([*ring[:i], p, *ring[i + 1 :]])
+            if r:
+                rings.append([])
+            low_x, low_y = (min(p[axis] for p in ring) for axis in (0, 1))
+            if len(shape) == 1:
+                rings.append([(x - low_x, y - low_y) for x, y in ring])
+            for other in rings:
+                changed = [*shape[:r], *([other] if other else []), *shape[r + 1 :]]
+                found.append(SmallPair(*(changed if j == k else s for j, s in enumerate(pair))))
+    return found
+
+
+def _nearer(c: int) -> int:
+    return c - (c > 0) + (c < 0)

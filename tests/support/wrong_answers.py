@@ -1,0 +1,283 @@
+"""Sabotages of the paper's procedures, and of the evidence, that give wrong answers."""
+
+from fractions import Fraction
+from typing import Any
+
+from sabotage import Procedure, sabotage
+
+from exactsweep.evidence import contact, exact_fit, steps, undercut
+from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner, part_pairs
+from exactsweep.procedures.envelope import Envelope
+
+
+@sabotage(
+    "Trajectory_CC: edges laid end to end, not merged",
+    cc.trajectory_cc,
+    "Trajectory_CC",
+    "Lemma 3.1",
+    "Corollary 3.3",
+)
+def lay_end_to_end(right: Procedure) -> Procedure:
+    def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
+        laid = list(directrix)
+        path = chain.inverse(generatrix)
+        (x, y), (dx, dy) = laid[-1], path[0]
+        return [(a + dx, b + dy) for a, b in laid] + [(x + a, y + b) for a, b in path[1:]]
+
+    return trajectory_cc
+
+
+@sabotage(
+    "SweepI_CC: D_b cut short by a straight edge",
+    cc.sweep_inner_cc,
+    "SweepI_CC",
+    "Lemma 3.2",
+    "Definition 1.2",
+)
+def straighten(right: Procedure) -> Procedure:
+    return lambda generatrix, directrix: [directrix[0], directrix[-1]]
+
+
+@sabotage(
+    "SweepO_CC: the edges of G_b forgotten",
+    cc.sweep_outer_cc,
+    "SweepO_CC",
+    "Lemma 3.2",
+    "Corollary A.4",
+)
+def forget_bottom(right: Procedure) -> Procedure:
+    return lambda top, bottom, directrix: cc.trajectory_cc(top, directrix)
+
+
+@sabotage(
+    "Trajectory_CM, step 2: only the first convex part of D_b",
+    cm.sweep_parts,
+    "Trajectory_CM",
+    "SweepO_CM",
+    "Lemma 4.2",
+    "Corollary 4.3",
+)
+def take_first_part(right: Procedure) -> Procedure:
+    return lambda edges, parts, first_source=0: right(edges, list(parts)[:1], first_source)
+
+
+@sabotage(
+    "SweepI_CM: undercuts left open",
+    cm.sweep_inner_cm,
+    "SweepI_CM",
+    "Monotone inner boundary",
+    "Number of undercuts",
+    "Corollary 4.4",
+)
+def leave_undercuts_open(right: Procedure) -> Procedure:
+    return lambda generatrix, directrix, trajectory=None: chain.corners(directrix)
+
+
+@sabotage(
+    "SweepO_CM: the edges of G_b forgotten",
+    cm.sweep_outer_cm,
+    "SweepO_CM",
+    "Lemma 4.2",
+    "Corollary 4.3",
+)
+def forget_bottom_cm(right: Procedure) -> Procedure:
+    return lambda top, bottom, directrix: cm.trajectory_cm(top, directrix)
+
+
+@sabotage(
+    "Trajectory_MM, steps 2 and 3: only the first convex part of G_t",
+    part_pairs.sweep_pairs,
+    "Trajectory_MM",
+    "Lemma 5.3",
+    "Lemma 5.2",
+    "Corollary 5.4",
+    "Definition 1.1",
+)
+def take_first_chain(right: Procedure) -> Procedure:
+    return lambda chains, *more, **options: right(chains[:1], *more, **options)
+
+
+@sabotage(
+    "Sweep_MM, outer loop: G mirrored in an axis instead of inverted",
+    mm.outer_mm,
+    "Sweep_MM",
+    "Corollary 5.4",
+    "Lemma 5.6",
+    "Figure 10's count",
+)
+def mirror_instead(right: Procedure) -> Procedure:
+    def outer_mm(bottom: Any, trajectory: Any) -> Any:
+        mirrored = [(-x, y) for x, y in bottom]
+        return mm.trajectory_mm(mirrored[::-1], trajectory)
+
+    return outer_mm
+
+
+@sabotage(
+    "Sweep_MM, inner loop: D_b returned",
+    mm_inner.inner_mm,
+    "Sweep_MM",
+    "Corollary 5.4",
+    "Lemma 5.5",
+    "Definition 2.1",
+)
+def return_directrix(right: Procedure) -> Procedure:
+    return lambda top, trajectory, directrix: chain.corners(directrix)
+
+
+@sabotage(
+    "LowerEnvelope_CM: the new piece always taken from its start",
+    lower_envelope.lower_envelope_cm,
+    "LowerEnvelope_CM",
+    "Lemma A.3",
+    "Trajectory_CM",
+)
+def always_take_over(right: Procedure) -> Procedure:
+    def lower_envelope_cm(partial: Any, piece: Any) -> Any:
+        k = partial.edge_before(piece.breaks[0]) if len(partial.pieces) > 1 else 0
+        cut = Envelope(
+            [*partial.breaks[: k + 1], piece.breaks[0]],
+            partial.pieces[: k + 1],
+        )
+        cut.pieces += piece.pieces
+        cut.breaks += piece.breaks[1:]
+        return cut
+
+    return lower_envelope_cm
+
+
+@sabotage(
+    "SweepI_CM: every other corner of a bottom chain left out",
+    cm.sweep_inner_cm,
+    "SweepI_CM",
+    "Monotone inner boundary",
+    "Corollary 4.4",
+)
+def draw_straight(right: Procedure) -> Procedure:
+    def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
+        inner = right(generatrix, directrix, trajectory)
+        known = set(directrix)
+        return chain.corners([p for k, p in enumerate(inner) if p in known or k % 2])
+
+    return sweep_inner_cm
+
+
+@sabotage(
+    "undercuts: all forgotten but the first of each half",
+    undercut.pockets,
+    "Number of undercuts, MM",
+    "Lemma 5.5",
+)
+def keep_first(right: Procedure) -> Procedure:
+    return lambda *arguments: list(right(*arguments))[:1]
+
+
+@sabotage("exact fits: cut in half", exact_fit.exact_fits, "Definition 1.1")
+def halve_fits(right: Procedure) -> Procedure:
+    def exact_fits(*arguments: Any) -> Any:
+        return [
+            (start, tuple((a + b) / Fraction(2) for a, b in zip(start, end, strict=True)))
+            for start, end in right(*arguments)
+        ]
+
+    return exact_fits
+
+
+@sabotage(
+    "step 1: chains not split at reflex vertices",
+    chain.convex_parts,
+    "Convex chain",
+    "Lemma 4.1",
+    "Lemma 5.1",
+    "Trajectory_CM",
+)
+def never_split(right: Procedure) -> Procedure:
+    return lambda points: [[p for part in right(points) for p in part]]
+
+
+@sabotage(
+    "LowerEnvelope_MM: the last sub-trajectory left out",
+    lower_envelope.lower_envelope_mm,
+    "LowerEnvelope_MM",
+    "Two chains in linear time",
+    "Trajectory_MM",
+)
+def leave_out_last(right: Procedure) -> Procedure:
+    return lambda envelopes: right(list(envelopes)[:-1] or envelopes)
+
+
+@sabotage(
+    "inverse: mirrored in the Y axis, not in a point",
+    chain.inverse,
+    "Definition 3.1",
+    "Definition 5.1",
+    "Trajectory_CC",
+    "Theorem 2.1",
+)
+def mirror_in_an_axis(right: Procedure) -> Procedure:
+    return lambda points: [(-x, y) for x, y in points]
+
+
+@sabotage(
+    "complement: walked the same way",
+    chain.complement,
+    "Definition 5.2",
+    "Sweep_MM",
+    "A faster inner loop",
+)
+def leave_as_it_is(right: Procedure) -> Procedure:
+    return lambda points: list(points)
+
+
+@sabotage(
+    "contacts: EE contacts lost",
+    contact.edge_contacts,
+    "Every edge of D is touched",
+    "Table 1",
+    "Lemma A.1",
+    "Labels of events",
+)
+def lose_parallel(right: Procedure) -> Procedure:
+    def edge_contacts(*arguments: Any) -> Any:
+        return [[c for c in found if c.event != "EE"] for found in right(*arguments)]
+
+    return edge_contacts
+
+
+@sabotage("undercuts: the first one forgotten", undercut.pockets, "Two forms of a bottom chain")
+def lose_first(right: Procedure) -> Procedure:
+    return lambda *arguments: list(right(*arguments))[1:]
+
+
+@sabotage("exact fits: none found", exact_fit.exact_fits, "Definition 1.1")
+def find_none(right: Procedure) -> Procedure:
+    return lambda *arguments: []
+
+
+@sabotage(
+    "Sweep_MM, inner loop: the last gap that G leaves is forgotten",
+    mm_inner.find_gaps,
+    "Sweep_MM",
+    "A faster inner loop",
+    "Lemma 5.5",
+)
+def forget_last_gap(right: Procedure) -> Procedure:
+    return lambda *arguments: list(right(*arguments))[:-1]
+
+
+@sabotage(
+    "undercuts: only one of the positions that close them",
+    undercut.closing_positions,
+    "Two forms of a bottom chain",
+)
+def close_once(right: Procedure) -> Procedure:
+    def closing_positions(*arguments: Any) -> Any:
+        intersection, positions = right(*arguments)
+        return intersection, positions[:1]
+
+    return closing_positions
+
+
+@sabotage("steps: the last contact of each forgotten", steps.explain, "Table 1", "Lemma A.1")
+def forget_last_touch(right: Procedure) -> Procedure:
+    return lambda s: [step._replace(touches=step.touches[:-1]) for step in right(s)]

@@ -1,0 +1,254 @@
+"""Sabotages that give right answers, and take too many operations, seconds or bytes."""
+
+from functools import reduce
+from typing import Any
+
+from sabotage import Procedure, sabotage
+
+from exactsweep.paper import literal
+from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner
+from exactsweep.procedures.envelope import Envelope, precedes
+
+
+def keep_pairs(first: Any, second: Any) -> list[tuple[int, int]]:
+    """A table of all pairs of two lists, which takes time and room."""
+    return [(i, j) for i in range(len(first)) for j in range(len(second))]
+
+
+@sabotage("Trajectory_CC: right, but in quadratic time", cc.merge_by_slope, "Corollary 3.4")
+def compare_all_edges(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        for x, _ in first:
+            for other, _ in second:
+                x < other  # noqa: B015
+        return right(first, second)
+
+    return merge_by_slope
+
+
+@sabotage(
+    "LowerEnvelope_CM: right, but all of the partial trajectory is walked each time",
+    lower_envelope.lower_envelope_cm,
+    "LowerEnvelope_CM",
+    "Corollary 4.5",
+)
+def walk_as_a_whole(right: Procedure) -> Procedure:
+    def lower_envelope_cm(partial: Any, piece: Any) -> Any:
+        for at in partial.breaks:
+            precedes(at, piece.breaks[0])
+        return right(partial, piece)
+
+    return lower_envelope_cm
+
+
+@sabotage(
+    "LowerEnvelope_CM: right, but all of the partial trajectory is copied each time",
+    lower_envelope.lower_envelope_cm,
+    "Corollary 4.5",
+    timed=True,
+)
+def copy_each_time(right: Procedure) -> Procedure:
+    def lower_envelope_cm(partial: Any, piece: Any) -> Any:
+        whole = Envelope(partial.breaks[:], partial.pieces[:])
+        return right(whole, piece)
+
+    return lower_envelope_cm
+
+
+@sabotage(
+    "LowerEnvelope_CM: replaced by LowerEnvelope_MM",
+    lower_envelope.lower_envelope_cm,
+    "Corollary 4.5",
+)
+def merge_instead(right: Procedure) -> Procedure:
+    return lambda partial, piece: lower_envelope.lower_envelope_mm([partial, piece])
+
+
+@sabotage(
+    "LowerEnvelope_CM: right, but every partial trajectory is kept",
+    lower_envelope.lower_envelope_cm,
+    "Corollary 4.5",
+)
+def keep_each(right: Procedure) -> Procedure:
+    kept: list[Any] = []
+
+    def lower_envelope_cm(partial: Any, piece: Any) -> Any:
+        kept.append((partial.breaks[:], partial.pieces[:]))
+        return right(partial, piece)
+
+    return lower_envelope_cm
+
+
+@sabotage(
+    "Trajectory_CC: right, but the list is copied for each edge",
+    cc.merge_by_slope,
+    "Corollary 3.4",
+    timed=True,
+)
+def concatenate(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        chain: list[Any] = []
+        for point in right(first, second):
+            chain = [*chain, point]
+        return chain
+
+    return merge_by_slope
+
+
+@sabotage(
+    "Trajectory_CM: right, but with m² + n² comparisons more", cm.trajectory_cm, "Corollary 4.5"
+)
+def compare_squared(right: Procedure) -> Procedure:
+    def trajectory_cm(generatrix: Any, directrix: Any) -> Any:
+        for points in (list(generatrix), list(directrix)):
+            for x, _ in points:
+                for other, _ in points:
+                    x < other  # noqa: B015
+        return right(generatrix, directrix)
+
+    return trajectory_cm
+
+
+@sabotage("Trajectory_MM: right, but run log n times", mm.trajectory_mm, "Corollary 5.7")
+def run_log_times(right: Procedure) -> Procedure:
+    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
+        for _ in range(len(generatrix).bit_length() - 1):
+            right(generatrix, directrix)
+        return right(generatrix, directrix)
+
+    return trajectory_mm
+
+
+@sabotage(
+    "LowerEnvelope_MM: right, but one chain after the other",
+    lower_envelope.lower_envelope_mm,
+    "Levels of divide and conquer",
+)
+def merge_by_turns(right: Procedure) -> Procedure:
+    return lambda envelopes: reduce(lower_envelope.merge, envelopes)
+
+
+@sabotage(
+    "Sweep_MM, inner loop: right, but all of T's inside is swept",
+    mm_inner.inner_mm,
+    "A faster inner loop",
+)
+def sweep_all_again(right: Procedure) -> Procedure:
+    def inner_mm(top: Any, trajectory: Any, directrix: Any) -> Any:
+        literal.trajectory_mm(top, chain.inverse(chain.complement(list(trajectory))))
+        return right(top, trajectory, directrix)
+
+    return inner_mm
+
+
+@sabotage("Trajectory_CC: right, but a table of mn is made", cc.trajectory_cc, "Corollary 3.4")
+def make_table(right: Procedure) -> Procedure:
+    def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
+        kept = keep_pairs(generatrix, directrix)
+        return right(generatrix, directrix) if kept else []
+
+    return trajectory_cc
+
+
+@sabotage("SweepI_CM: right, but a table of m² is made", cm.sweep_inner_cm, "Corollary 4.6")
+def make_square_table(right: Procedure) -> Procedure:
+    def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
+        kept = keep_pairs(directrix, directrix)
+        return right(generatrix, directrix, trajectory) if kept else []
+
+    return sweep_inner_cm
+
+
+@sabotage("Trajectory_MM: right, but a table of m² is made", mm.trajectory_mm, "Corollary 5.7")
+def make_table_of_parts(right: Procedure) -> Procedure:
+    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
+        kept = keep_pairs(directrix, directrix)
+        return right(generatrix, directrix) if kept else []
+
+    return trajectory_mm
+
+
+@sabotage("Sweep_MM: right, but a table of m² is made", mm.sweep_mm, "Corollary 5.8")
+def make_table_of_loops(right: Procedure) -> Procedure:
+    def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
+        kept = keep_pairs(directrix, directrix)
+        return right(top, bottom, directrix) if kept else []
+
+    return sweep_mm
+
+
+@sabotage(
+    "SweepO_CM: right, but begun anew for each vertex of D_b", cm.sweep_outer_cm, "Corollary 4.5"
+)
+def begin_anew(right: Procedure) -> Procedure:
+    def sweep_outer_cm(top: Any, bottom: Any, directrix: Any) -> Any:
+        for end in range(2, len(directrix)):
+            right(top, bottom, directrix[:end])
+        return right(top, bottom, directrix)
+
+    return sweep_outer_cm
+
+
+@sabotage(
+    "SweepI_CM: right, but every edge of the trajectory compared with every vertex of D_b",
+    cm.sweep_inner_cm,
+    "Misprint in SweepI_CM's cost",
+    "Corollary 4.6",
+)
+def compare_with_all(right: Procedure) -> Procedure:
+    def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
+        found = cm.trajectory_cm(generatrix, directrix) if trajectory is None else trajectory
+        for x, _ in directrix:
+            for other, _ in found:
+                x < other  # noqa: B015
+        return right(generatrix, directrix, found)
+
+    return sweep_inner_cm
+
+
+@sabotage("Sweep_MM: right, but run log n times", mm.sweep_mm, "Corollary 5.8")
+def sweep_log_times(right: Procedure) -> Procedure:
+    def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
+        for _ in range(len(top).bit_length() - 1):
+            right(top, bottom, directrix)
+        return right(top, bottom, directrix)
+
+    return sweep_mm
+
+
+@sabotage(
+    "merge: right, but all vertices of one chain are compared with all of the other",
+    lower_envelope.merge,
+    "Two chains in linear time",
+)
+def merge_squared(right: Procedure) -> Procedure:
+    def merge(first: Any, second: Any) -> Any:
+        for (x, _), (y, _) in ((p, q) for p in first for q in second):
+            x < y  # noqa: B015
+        return right(first, second)
+
+    return merge
+
+
+def copy_for_each(right: Procedure) -> Procedure:
+    """All that comes out is copied once for each vertex of it."""
+
+    def slow(*arguments: Any) -> Any:
+        found = right(*arguments)
+        chains = found if isinstance(found, tuple) else (found,)
+        for points in map(list, chains):
+            for _ in points:
+                points = list(points)
+        return found
+
+    return slow
+
+
+for fault, procedure, row in (
+    ("Trajectory_MM", mm.trajectory_mm, "Corollary 5.7"),
+    ("Sweep_MM", mm.sweep_mm, "Corollary 5.8"),
+    ("SweepI_CM", cm.sweep_inner_cm, "Corollary 4.6"),
+):
+    sabotage(f"{fault}: right, but copied for each vertex", procedure, row, timed=True)(
+        copy_for_each
+    )

@@ -1,0 +1,101 @@
+"""Sabotages of the procedures for polygons of any shape."""
+
+from typing import Any
+
+from sabotage import Procedure, sabotage
+
+from exactsweep.procedures import contact_lines, cover, crossings, free_positions, ss
+
+
+def is_point(fit: Any) -> bool:
+    """Whether an exact fit is a single position."""
+    return bool(fit[0] == fit[1])
+
+
+@sabotage(
+    "no-fit polygon: no holes", ss.no_fit_ss, "Loops of any shape", "Size of a no-fit polygon"
+)
+def forget_holes(right: Procedure) -> Procedure:
+    return lambda *arguments: right(*arguments)._replace(holes=[])
+
+
+@sabotage("no-fit polygon: the last hole forgotten", ss.no_fit_ss, "Size of a no-fit polygon")
+def forget_last_hole(right: Procedure) -> Procedure:
+    def no_fit_ss(*arguments: Any) -> Any:
+        found = right(*arguments)
+        return found._replace(holes=found.holes[:-1])
+
+    return no_fit_ss
+
+
+@sabotage("no-fit polygon: single positions forgotten", ss.no_fit_ss, "Exact fits of any shape")
+def forget_points(right: Procedure) -> Procedure:
+    def no_fit_ss(*arguments: Any) -> Any:
+        found = right(*arguments)
+        return found._replace(exact_fits=[fit for fit in found.exact_fits if not is_point(fit)])
+
+    return no_fit_ss
+
+
+@sabotage("no-fit polygon: a corner of the exterior is cut", ss.no_fit_ss, "Contact segments")
+def cut_corner(right: Procedure) -> Procedure:
+    def no_fit_ss(*arguments: Any) -> Any:
+        found = right(*arguments)
+        exterior = found.exterior
+        return found._replace(exterior=exterior[:-1] if len(exterior) > 3 else exterior)
+
+    return no_fit_ss
+
+
+@sabotage("inner fit: only the first region", ss.inner_fit_ss, "Inner fit")
+def take_first_region(right: Procedure) -> Procedure:
+    def inner_fit_ss(*arguments: Any) -> Any:
+        found = right(*arguments)
+        return found._replace(regions=found.regions[:1])
+
+    return inner_fit_ss
+
+
+@sabotage("inner fit: exact fits forgotten", ss.inner_fit_ss, "Inner fit")
+def forget_inner_fits(right: Procedure) -> Procedure:
+    return lambda *arguments: right(*arguments)._replace(exact_fits=[])
+
+
+@sabotage("loops: not parted where they come back to a point", free_positions._simple, "Inner fit")
+def leave_pinched(right: Procedure) -> Procedure:
+    return lambda ring: iter([list(ring)])
+
+
+@sabotage(
+    "contact segments: those of G's vertices forgotten",
+    contact_lines.contact_stretches,
+    "Loops of any shape",
+    "Contact segments",
+)
+def forget_one_side(right: Procedure) -> Procedure:
+    return lambda stationary, moving: right(stationary, moving)[::2]
+
+
+@sabotage(
+    "contact segments: right, but each one many times",
+    contact_lines.contact_stretches,
+    "Contact segments",
+)
+def repeat_stretches(right: Procedure) -> Procedure:
+    return lambda stationary, moving: right(stationary, moving) * 12
+
+
+@sabotage(
+    "squares that are known to be overlapped: one stretch too many is left out",
+    cover.leave_out_covered,
+    "Loops of any shape",
+)
+def leave_out_more(right: Procedure) -> Procedure:
+    return lambda *arguments: right(*arguments)[:-1]
+
+
+@sabotage(
+    "crossings: none is found", crossings.cut_at_crossings, "Loops of any shape", "Contact segments"
+)
+def find_no_crossing(right: Procedure) -> Procedure:
+    return lambda stretches: None
