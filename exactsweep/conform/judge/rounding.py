@@ -7,10 +7,12 @@ from fractions import Fraction
 from itertools import chain
 
 from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
+from exactsweep.conform.judge.fits import INSIDE, NAME, exact_fits
 from exactsweep.conform.judge.witness import exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
@@ -26,7 +28,7 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
     Args:
         case: as it was put to the implementation.
-        name: of the loop, or "exact_fits".
+        name: of the loop, or of the exact fits.
         loop: what it answered.
         numbers: what its hello says that it reads, or None.
 
@@ -56,20 +58,21 @@ def smaller_size(case: Case) -> Fraction:
     return min(_size(case.directrix), _size(case.generatrix))
 
 
-def _size(polygon: Polygon) -> Fraction:
-    low, high = polygon.bounding_box
+def _size(shape: Polygon | Region) -> Fraction:
+    low, high = shape.bounding_box
     return max(high.x - low.x, high.y - low.y)
 
 
 def _find_points(case: Case, name: str) -> Iterator[Point]:
     """The points of the exact answer."""
-    rings = case.exact_fits if name == "exact_fits" else exact_rings(case, name)
-    return chain.from_iterable(rings)
+    if name in (NAME, INSIDE):
+        return chain.from_iterable(exact_fits(case, name))
+    return chain.from_iterable(exact_rings(case, name))
 
 
 def _largest(case: Case) -> Fraction:
     loops = (_find_points(case, name) for name in LOOPS)
-    rings = (case.directrix_ring, case.generatrix_ring, (case.reference,))
+    rings = (*case.directrix_rings, *case.generatrix_rings, (case.reference,))
     return max(abs(c) for point in chain(*rings, *loops) for c in point)
 
 

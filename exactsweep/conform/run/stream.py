@@ -63,7 +63,7 @@ class Stream:
                 case = self._case(result.get("id"), find)
                 put = adapt(case, terms)
                 outcome = judge_answer_in_time(
-                    case, put, read_answer(result), self.hello.loops, self.hello.numbers
+                    case, put, read_answer(result), self.hello.parts(case), self.hello.numbers
                 )
             except ValueError as error:
                 if len(self.complaints) < _MOST_COMPLAINTS:

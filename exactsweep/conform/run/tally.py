@@ -75,7 +75,7 @@ class Tally:
         self.slowest = max(self.slowest, (outcome.seconds, outcome.id))
         self.largest = max(self.largest, (outcome.memory or 0, outcome.id))
         for part in outcome.parts:
-            if part["name"] == "trajectory" and Verdict(part["verdict"]) in _DIFFERENT:
+            if part["name"] in ("trajectory", "no_fit") and Verdict(part["verdict"]) in _DIFFERENT:
                 self.different += 1
                 for words in part["diagnosis"]:
                     # Of a reference point that moves, each case has an offset of its own.
