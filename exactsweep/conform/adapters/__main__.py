@@ -10,13 +10,14 @@ import click
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
 from exactsweep.conform.adapters.names import NAMES, load
-from exactsweep.conform.run.protocol import read_object
+from exactsweep.conform.run.protocol import QUESTIONS, read_object
 from exactsweep.geometry.number import format_fraction, quoted, to_fraction
 
 
 @click.command()
 @click.argument("name", required=False, type=click.Choice(NAMES))
-def main(name: str | None) -> None:
+@click.option("--ask", "question", type=click.Choice(QUESTIONS), help="One question, not all.")
+def main(name: str | None, question: str | None) -> None:
     """Answer cases on standard input, one a line, by the program NAME.
 
     The protocol is that of 'exactsweep conform'. Without a name, the programs are listed, and
@@ -28,6 +29,8 @@ def main(name: str | None) -> None:
         return
     try:
         adapter = load(name)
+        if question is not None:
+            adapter = adapter.limited(question)
     except MissingError as error:
         raise click.ClickException(str(error)) from None
     print(json.dumps(adapter.hello.to_json()), flush=True)
@@ -50,10 +53,16 @@ def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
     try:
         numbers = adapter.hello.numbers
         d, g = (
-            [(_number(x, numbers), _number(y, numbers)) for x, y in case[name]]
+            [
+                [(_number(x, numbers), _number(y, numbers)) for x, y in ring]
+                for ring in (case[name], *case.get(f"{name}_holes", ()))
+            ]
             for name in ("directrix", "generatrix")
         )
-        return adapter.answer(d, g, None)
+        shapes: tuple[list[Any], list[Any]] = (d, g)
+        if adapter.hello.shapes != "any":
+            shapes = (d[0], g[0])
+        return adapter.answer(*shapes, parts=case.get("ask", ()))
     except NotImplementedError as error:
         return {"unsupported": str(error)}
     except Exception as error:  # the program may fail in any way, and that is its answer
