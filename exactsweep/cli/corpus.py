@@ -24,7 +24,7 @@ def corpus_command() -> None:
 def _takes_filters(command: _Command) -> _Command:
     for option in (
         click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
-        click.option("--class", "kind", metavar="CLASS", help="CC, CM or MM."),
+        click.option("--class", "kind", metavar="CLASS", help="CC, CM, MM or SS."),
         click.option("--flag", "flags", multiple=True, help="A flag; repeatable."),
     ):
         command = option(command)
