@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from typing import Any
 
@@ -33,13 +34,16 @@ def main(name: str | None, question: str | None) -> None:
             adapter = adapter.limited(question)
     except MissingError as error:
         raise click.ClickException(str(error)) from None
-    print(json.dumps(adapter.hello.to_json()), flush=True)
+    # Libraries complain on standard output, which is for answers: it goes to standard error.
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    print(json.dumps(adapter.hello.to_json()), file=answers, flush=True)
     for line in sys.stdin:
         case = read_object(line)
         if "bye" in case:
             break
         answer = {"id": case["id"], **_answer(adapter, case)}
-        print(json.dumps(answer, default=_write), flush=True)
+        print(json.dumps(answer, default=_write), file=answers, flush=True)
 
 
 def _state(name: str) -> str:

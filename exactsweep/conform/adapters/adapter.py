@@ -15,6 +15,7 @@ from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
 Number = Any
+Position = tuple[Fraction, Fraction]
 Ring = list[tuple[Number, Number]]
 Shape = list[Ring]
 Rings = Sequence[Sequence[Sequence[Number]]]
@@ -167,6 +168,12 @@ def fillings(directrix: Ring, inverse: Ring) -> list[Ring]:
     -G, or in -G moved by a vertex of D.
     """
     return [_moved(directrix, inverse[0]), _moved(inverse, directrix[0])]
+
+
+def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> list[Position]:
+    """Return positions of G's origin, exactly, for those of one of its corners."""
+    x, y = map(to_fraction, corner)
+    return [(to_fraction(px) - x, to_fraction(py) - y) for px, py in ring]
 
 
 def _moved(ring: Ring, by: tuple[Number, Number]) -> Ring:

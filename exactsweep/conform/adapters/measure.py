@@ -129,6 +129,7 @@ def _cut(number: object) -> str:
 @click.option("--each", default=100, show_default=True, help="Generated cases of each family.")
 @click.option("--most", type=int, help="The most vertices of a case of the corpus; not all.")
 @click.option("--only", multiple=True, type=click.Choice(NAMES), help="Not all programs.")
+@click.option("--no-judging", is_flag=True, help="Only write what the folder has already.")
 @click.option("--timeout", "seconds", default=10.0, show_default=True, help="For one answer.")
 @click.option(
     "--into", type=click.Path(path_type=Path, exists=True), help="The file with the marks."
@@ -140,11 +141,12 @@ def main(
     only: Sequence[str],
     seconds: float,
     into: Path | None,
+    no_judging: bool,
 ) -> None:
     """Judge other programs and write what came of it."""
     folder.mkdir(exist_ok=True)
     missing = []
-    for name in only or NAMES:
+    for name in () if no_judging else only or NAMES:
         try:
             adapter = load(name)
         except MissingError as error:

@@ -64,7 +64,10 @@ function orbit(part, d, g) {
   const found = geometry.noFitPolygon(exterior, g, false, true);
   if (!found || !found.length) throw new Error('no answer');
   const rings = [...found];
-  for (const hole of holes) rings.push(...(geometry.noFitPolygon(hole, g, true, true) || []));
+  for (const hole of holes) {
+    // Inside it wants the orientation of a bin, and holes run clockwise here.
+    rings.push(...(geometry.noFitPolygon(hole.reverse(), g, true, true) || []));
+  }
   return rings;
 }
 

@@ -5,7 +5,7 @@ ring, so no holes.
 
 What they are asked: `minkowskiDifference(D, G)` of SVGnest, and `getOuterNfp(D, G)` of Deepnest,
 both without holes; Deepnest has another program for these, an addon to be compiled, which is not
-asked. The answer is the path of G's first vertex.
+asked. The answer is the path of G's first vertex, from which that of the origin follows.
 
 Their source is the user's, in the folders that the environment variables EXACTSWEEP_SVGNEST and
 EXACTSWEEP_DEEPNEST name; `nest.js` beside this module loads it as it is.
@@ -19,7 +19,7 @@ from pathlib import Path
 from shutil import which
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError, Shape
+from exactsweep.conform.adapters.adapter import Adapter, MissingError, Shape, refer
 from exactsweep.conform.adapters.program import Program, write_shape
 from exactsweep.conform.run.protocol import Hello
 
@@ -39,10 +39,10 @@ def adapter(name: str) -> Adapter:
     def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
         line = f"{part} {write_shape(directrix, repr)} {write_shape(generatrix, repr)}"
         (ring,) = program.ask(line)
-        return {part: ring}
+        return {part: refer(ring, generatrix[0][0])}
 
     title = f"{'SVGnest' if project == 'svgnest' else 'Deepnest'} {version}, Clipper"
-    hello = Hello(title, ("trajectory",), "binary64", "first", ("sweep",), "simple")
+    hello = Hello(title, ("trajectory",), "binary64", "origin", ("sweep",), "simple")
     return Adapter(hello, ask, program.close)
 
 

@@ -22,14 +22,19 @@ from fractions import Fraction
 from shutil import which
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError, Ring, Rings, Shape
+from exactsweep.conform.adapters.adapter import (
+    Adapter,
+    MissingError,
+    Position,
+    Ring,
+    Rings,
+    Shape,
+    refer,
+)
 from exactsweep.conform.adapters.nest import start
 from exactsweep.conform.adapters.program import Program, write_shape
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
-from exactsweep.geometry.number import to_fraction
-
-Position = tuple[Fraction, Fraction]
 
 
 def adapter(name: str) -> Adapter:
@@ -78,9 +83,8 @@ def _adapter(
         if part == "inner_fit" and len(directrix) > 1:
             raise NotImplementedError("a container with holes")
         ring = _from_least(generatrix[0])
-        corner = to_fraction(ring[0][0]), to_fraction(ring[0][1])
         found = orbit(part, directrix, [ring])
-        rings, fits = sort_out([_referred(one, corner) for one in found])
+        rings, fits = sort_out([refer(one, ring[0]) for one in found])
         return {part: rings, "exact_fits" if part == "no_fit" else "inner_exact_fits": fits}
 
     return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
@@ -89,11 +93,6 @@ def _adapter(
 def _from_least(ring: Ring) -> Ring:
     first = ring.index(min(ring))
     return [*ring[first:], *ring[:first]]
-
-
-def _referred(ring: Any, corner: Position) -> list[Position]:
-    """Positions of G's origin, from those of a corner."""
-    return [(to_fraction(x) - corner[0], to_fraction(y) - corner[1]) for x, y in ring]
 
 
 def sort_out(

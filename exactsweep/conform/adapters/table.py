@@ -58,7 +58,7 @@ class Row:
             if part["distance_squared"] is None or outcome.verdict not in _OFF:
                 continue
             square = read_exact(part["distance_squared"][1])
-            if self.relative and outcome.case is not None:
+            if square and self.relative and outcome.case is not None:
                 rings = expected_rings(outcome.case, part["name"])
                 square /= max(abs(Fraction(c)) for ring in rings for p in ring for c in p) ** 2
             known = self.squares.get(outcome.verdict, Fraction(0))
