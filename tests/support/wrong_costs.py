@@ -1,6 +1,7 @@
 """Sabotages that give right answers, and take too many operations, seconds or bytes."""
 
 from functools import reduce
+from math import isqrt
 from typing import Any
 
 from sabotage import Procedure, sabotage
@@ -206,10 +207,10 @@ def compare_with_all(right: Procedure) -> Procedure:
     return sweep_inner_cm
 
 
-@sabotage("Sweep_MM: right, but run log n times", mm.sweep_mm, "Corollary 5.8")
-def sweep_log_times(right: Procedure) -> Procedure:
+@sabotage("Sweep_MM: right, but run √n times", mm.sweep_mm, "Corollary 5.8")
+def sweep_root_times(right: Procedure) -> Procedure:
     def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
-        for _ in range(len(top).bit_length() - 1):
+        for _ in range(isqrt(len(top))):
             right(top, bottom, directrix)
         return right(top, bottom, directrix)
 
