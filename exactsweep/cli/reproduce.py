@@ -6,11 +6,12 @@ from pathlib import Path
 
 import click
 
+from exactsweep.cli.complete import list_claims, offer
 from exactsweep.formats import FormatError
 
 
 @click.command("reproduce")
-@click.argument("names", nargs=-1, metavar="[NAME]...")
+@click.argument("names", nargs=-1, metavar="[NAME]...", shell_complete=offer(list_claims))
 @click.option("--seed", default=1, show_default=True, help="Of the random pairs.")
 @click.option(
     "--quick",

@@ -7,7 +7,7 @@ from dataclasses import replace
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
-from exactsweep.evidence.undercut import pockets
+from exactsweep.evidence.undercut import find_pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
@@ -91,7 +91,7 @@ def count_undercuts(effort: Effort) -> Evidence:
 
     def count(m: int, n: int) -> tuple[int, float]:
         chains = SweepPair(*terraces(m, n)).chains
-        return len(pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
+        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
 
     last = 2 if effort.quick else 4
     growth = tuple(

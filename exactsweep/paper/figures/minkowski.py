@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
 from exactsweep.draw import Picture, draw_undercuts, placed_generatrix
-from exactsweep.evidence.undercut import pockets
+from exactsweep.evidence.undercut import find_pockets
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
@@ -60,7 +60,9 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     ceiling = highest.restrict(left, right)
     ceilings = list(ceiling)
     lower = lower_envelope_mm([ceiling.of(floor), ceiling])
-    holes = [(*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in pockets(list(lower), ceilings)]
+    holes = [
+        (*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in find_pockets(list(lower), ceilings)
+    ]
     return outer, tuple(holes)
 
 
