@@ -1,7 +1,6 @@
 """Sabotages that give right answers, and take too many operations, seconds or bytes."""
 
 from functools import reduce
-from math import isqrt
 from typing import Any
 
 from sabotage import Procedure, sabotage
@@ -207,14 +206,21 @@ def compare_with_all(right: Procedure) -> Procedure:
     return sweep_inner_cm
 
 
-@sabotage("Sweep_MM: right, but run √n times", mm.sweep_mm, "Corollary 5.8")
-def sweep_root_times(right: Procedure) -> Procedure:
-    def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
-        for _ in range(isqrt(len(top))):
-            right(top, bottom, directrix)
-        return right(top, bottom, directrix)
+@sabotage(
+    "Sweep_MM, outer loop: right, but every vertex of it compared with every one of T",
+    mm.outer_mm,
+    "Corollary 5.8",
+)
+def compare_outer_with_all(right: Procedure) -> Procedure:
+    def outer_mm(bottom: Any, trajectory: Any) -> Any:
+        found = right(bottom, trajectory)
+        path = list(trajectory)
+        for x, _ in found:
+            for other, _ in path:
+                x < other  # noqa: B015
+        return found
 
-    return sweep_mm
+    return outer_mm
 
 
 @sabotage(
