@@ -247,6 +247,12 @@ def test_measured_growth_is_judged_by_its_exponent() -> None:
     assert not series(1.25, limit=0.2).is_flat
 
 
+def test_of_seconds_that_are_measured_again_the_least_count() -> None:
+    slow, fast = series(2, "seconds of f"), series(1, "seconds of f")
+    assert slow.least(fast).points == fast.least(slow).points == fast.points
+    assert not slow.least(slow).is_flat
+
+
 def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
     named = {name for row in read_rows() for name in row.get("laws", {})}
     named |= {row["check"] for row in read_rows() if "check" in row}
