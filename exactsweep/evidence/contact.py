@@ -48,40 +48,42 @@ def list_edges(loop: Sequence[Vertex]) -> list[Edge]:
 
 
 def find_edge_contacts(
-    trajectory: Sequence[Vertex], generatrix: Outline, directrix: Outline
+    edges: Sequence[Edge], generatrix: Outline, directrix: Outline
 ) -> list[list[Contact]]:
-    """Find all contacts along each edge of a trajectory.
+    """Find all contacts along each edge of a trajectory, or of other loops of free translations.
 
     Args:
-        trajectory: canonical loop of the translations.
+        edges: the edges, in the order of travel.
         generatrix: the features of G.
         directrix: the features of D.
 
     Returns:
-        For each edge of the trajectory the sorted contacts that last for a piece of positive
-        length of it. An EV or VE that is part of an EE contact is not listed beside it.
+        For each edge the sorted contacts that last for a piece of positive length of it. An EV or
+        VE that is part of an EE contact is not listed beside it.
 
     Cost: O((t + m + n) log(t + m + n)) for t edges, and a look-up, O(log t), for each pair that can
     touch without overlap: O(m + n) pairs for convex polygons, O(m n) for any.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
-    for k, edge in enumerate(list_edges(trajectory)):
+    for k, edge in enumerate(edges):
         piece = segment(edge)
         lines[piece.direction, piece.offset].append((piece, k))
-    # On one line, edges of a simple loop follow each other; two that go there and back are one.
-    for pieces in lines.values():
-        pieces.sort()
-    found: list[set[Contact]] = [set() for _ in trajectory]
+    for line in lines.values():
+        line.sort(key=_low)
+    longest = {key: max(p.high - p.low for p, _ in line) for key, line in lines.items()}
+    found: list[set[Contact]] = [set() for _ in edges]
 
     def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
         touching = segment((first, last))
-        pieces = lines.get((touching.direction, touching.offset), [])
-        start = bisect_right(pieces, touching.low, key=lambda item: item[0].high)
-        for at in range(start, len(pieces)):
-            piece, k = pieces[at]
-            if piece.low >= touching.high:
-                break
-            found[k].add(Contact(event, i, j))
+        key = touching.direction, touching.offset
+        if key not in lines:
+            return
+        # Of many pieces on one line only those nearby.
+        line = lines[key]
+        start = bisect_left(line, touching.low - longest[key], key=_low)
+        for piece, k in line[start : bisect_right(line, touching.high, key=_low)]:
+            if touching.shares_piece(piece):
+                found[k].add(Contact(event, i, j))
 
     directions = {direction for direction, _ in lines}
     g_edges, d_edges = (
@@ -104,6 +106,10 @@ def find_edge_contacts(
         (r, s), w = d_edges[j], generatrix.vertices[i]
         note("VE", i, j, minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
+
+
+def _low(item: tuple[Segment, int]) -> Rational:
+    return item[0].low
 
 
 def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contact]:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from math import lcm
 from typing import Any
 
@@ -30,6 +31,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep
+from exactsweep.words import vector
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -152,7 +154,7 @@ class Swept:
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
         """Contacts along the edges of the trajectory, features numbered in canonical order."""
-        return find_edge_contacts(self._route.vertices, *self._boundaries)
+        return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
@@ -169,14 +171,22 @@ class Swept:
         """
         return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
 
-    def contacts_along(self, loop: Sequence[Point]) -> tuple[tuple[Contact, ...], ...]:
-        """The contacts along each edge of another loop of positions, all free, as `contacts`.
+    def contacts_along(
+        self, loops: Iterable[Sequence[Point]]
+    ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
+        """The contacts along each edge of each of some loops of positions, all free, as `contacts`.
 
         A loop of two positions is the way from one to the other, and back.
+
+        Cost: that of `contacts` for all loops together, not for each.
         """
-        translations = [self._frame.enter_point(point, self.reference) for point in loop]
-        found = find_edge_contacts(translations, *self._boundaries)
-        return tuple(tuple(map(self._as_given, contacts)) for contacts in found)
+        edges = [
+            list_edges([self._frame.enter_point(point, self.reference) for point in loop])
+            for loop in loops
+        ]
+        found = iter(find_edge_contacts([*chain.from_iterable(edges)], *self._boundaries))
+        for of_loop in edges:
+            yield tuple(tuple(map(self._as_given, next(found))) for _ in of_loop)
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:
@@ -275,14 +285,14 @@ class Swept:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
         return "\n".join(
-            [f"{self.kind} sweep, monotone to {self.direction}, area {abridged(self.area)}"]
+            [f"{self.kind} sweep, monotone to {vector(self.direction)}, area {abridged(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
         )
 
     def __repr__(self) -> str:
         return (
             f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
-            f"direction {self.direction}: trajectory {len(self.trajectory)}, "
+            f"direction {vector(self.direction)}: trajectory {len(self.trajectory)}, "
             f"inner {len(self.inner)}, outer {len(self.outer)} vertices>"
         )
 

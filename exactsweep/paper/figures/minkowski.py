@@ -16,7 +16,7 @@ from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
-from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Box, Margins, Sheet
+from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Extent, Margins, Sheet
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import trajectory_mm
@@ -119,8 +119,8 @@ def draw() -> Figure:
     shapes = s.outer.vertices, sum_outer
     margins = Margins(top=22)
     boxes = [
-        Box.around(*shapes, title="(a) sweep", margins=margins),
-        Box.around(*shapes, title="(b) Minkowski sum", margins=margins),
+        Extent.around(*shapes, title="(a) sweep", margins=margins),
+        Extent.around(*shapes, title="(b) Minkowski sum", margins=margins),
     ]
     with Sheet([boxes], PAGE) as sheet:
         left, right = sheet.panels
