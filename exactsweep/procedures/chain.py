@@ -176,6 +176,8 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
 
 def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
     """Whether three points lie on one line: a difference of Fractions would first be reduced."""
+    if all(type(c) is int for c in (*p, *q, *r)):
+        return (q[0] - p[0]) * (r[1] - q[1]) == (q[1] - p[1]) * (r[0] - q[0])
     (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))
     (py, pe), (qy, qe), (ry, re) = (y.as_integer_ratio() for _, y in (p, q, r))
     first, second = (
