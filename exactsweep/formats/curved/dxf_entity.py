@@ -30,6 +30,7 @@ _INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
 class _Text(str):
     """A value and the line of the file on which it is."""
 
+    __slots__ = ("line",)
     line: int
 
 
@@ -216,6 +217,10 @@ def _tags(text: str) -> Iterator[DXFTag]:
     for k, tag in enumerate(ascii_tags_loader(lines, skip_comments=False)):
         if tag.code == 999:
             continue
+        if tag.code not in (0, _NAME):
+            yield DXFTag(tag.code, tag.value)
+            continue
+        # Of kinds and names it is told where they are.
         value = _Text(tag.value)
         value.line = 2 * k + 2
         if opens_section and value == "ENTITIES":

@@ -18,7 +18,7 @@ from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
-from exactsweep.formats.reading import Reading
+from exactsweep.formats.reading import MAX_VERTICES, Reading
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -177,7 +177,10 @@ def _name(shape: Placed) -> str | None:
 
 
 def _polygon(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    numbers = read_decimals(shape.element.get("points", ""))
+    text = shape.element.get("points", "")
+    if len(text) > 4 * MAX_VERTICES:
+        raise FormatError(f"points: more than {4 * MAX_VERTICES:,} characters")
+    numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")
     points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
