@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 import click
 
 from exactsweep.cli.export import Rounding, takes_rounding
-from exactsweep.cli.output import say_left_out, write
+from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH, Reading, takes_reading
-from exactsweep.formats import FormatError, file_name
+from exactsweep.cli.parts import find_parts
+from exactsweep.formats import file_name
 from exactsweep.geometry.number import quoted
 from exactsweep.words import count
 
@@ -186,13 +187,8 @@ def _job(
 def _parts(path: str, reading: Reading) -> Sequence[Part]:
     """Read the parts of files, and say what is left out."""
     from exactsweep.batch.parts import make_parts
-    from exactsweep.formats.folder import list_parts
 
-    listing = list_parts([path], **reading)
-    if listing.left_out and not listing.parts:
-        raise FormatError(f"nothing can be read: {listing.first_reason()}")
-    say_left_out(listing.left_out)
-    return make_parts(listing)
+    return make_parts(find_parts([path], reading))
 
 
 @contextmanager

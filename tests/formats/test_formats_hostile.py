@@ -73,6 +73,12 @@ def test_more_vertices_than_memory_is_for_are_refused_unread(text: Callable[[], 
         parse_polygon(text())
 
 
+def test_entities_beyond_counting_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.formats.curved.dxf_entity.MAX_ENTITIES", 1000)
+    with pytest.raises(FormatError, match=r"^more than 1,000 entities$"):
+        parse_polygon("0\nSECTION\n2\nENTITIES\n" + "0\nLINE\n" * 2000)
+
+
 def test_a_path_stops_at_the_vertex_that_is_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("exactsweep.formats.curved.svg_path.MAX_VERTICES", 1000)
     data = "M0 0" + "h1" * 5000
