@@ -13,11 +13,11 @@ from exactsweep import __version__
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
-from exactsweep.batch.rounded import Rounding
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import MAX_BYTES, file_name
 from exactsweep.formats.folder import make_unique
+from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.number import format_fraction, quoted
 
 CHUNK_PAIRS = 16

@@ -4,7 +4,7 @@ from pathlib import PurePath
 
 import click
 
-from exactsweep.cli.export import Rounding, export, takes_rounding
+from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.output import takes_output
 from exactsweep.cli.pair import PATH, Reading, takes_reading
 from exactsweep.cli.parts import read_named
@@ -13,7 +13,7 @@ from exactsweep.formats import (
     FormatError,
     file_name,
 )
-from exactsweep.formats.rounding import Side
+from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.words import count
 
@@ -38,7 +38,7 @@ def convert_command(
     files: tuple[str, ...],
     form: str | None,
     free: bool,
-    rounding: Rounding,
+    rounding: Rounding | None,
     reading: Reading,
     output: str,
 ) -> None:
@@ -59,7 +59,7 @@ def convert_command(
     polygons = read_named(files, reading, keep=True)
     # Of a part it is not known what is forbidden.
     side: Side = "closest"
-    if rounding.outward:
+    if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"
     try:
         export(polygons, (), form, rounding, output, lambda region: side)
