@@ -39,10 +39,15 @@ class Started:
         command: the program and its arguments.
 
     Raises:
-        OSError: it cannot be started.
+        OSError: it cannot be started; or the system has no groups of processes, as Windows.
     """
 
     def __init__(self, command: Sequence[str]) -> None:
+        if not hasattr(os, "killpg"):
+            raise OSError(
+                "programs are started and ended on POSIX systems only; a Python function can be "
+                "judged here, and what 'exactsweep judge' reads from a pipe"
+            )
         self._mark = uuid4().hex
         with _starting:
             self.process = subprocess.Popen(

@@ -50,7 +50,11 @@ RULES: dict[str, tuple[set[str], str]] = {
     "batch": (SHOWN | {"__init__", "batch"}, "batches sweep many pairs"),
     "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
     "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),
-    "cli": (ABOVE | {"cli"}, "commands are on top"),
+    "lessons": (
+        {"lessons", "draw"},
+        "what runs notebooks draws; these see all",
+    ),
+    "cli": (ABOVE | {"cli", "lessons"}, "commands are on top"),
     "__init__": (EVIDENCE | {"sweep"}, "the public names"),
     "__main__": ({"cli"}, "the command line"),
 }

@@ -1,4 +1,4 @@
-"""A progress bar with the rate and the remaining time, for a terminal."""
+"""How far a command is, for a terminal: a bar with rate and remaining time, or words."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -45,3 +45,18 @@ def bar(total: int) -> Iterator[Callable[[int], None]]:
             progress.update(task, completed=done)
 
         yield show
+
+
+@contextmanager
+def words() -> Iterator[Callable[[str], None]]:
+    """Say on standard error what is being done, if that is a terminal.
+
+    Yields:
+        A function to be told what is done from now on.
+    """
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda doing: None
+        return
+    with console.status("") as status:
+        yield status.update

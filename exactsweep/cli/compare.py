@@ -8,13 +8,14 @@ from fractions import Fraction
 
 import click
 
+from exactsweep.cli.complete import list_cases, offer
 from exactsweep.cli.output import takes_output, write
 from exactsweep.cli.pair import PATH
 from exactsweep.cli.reports import takes_accept, takes_rounding
 
 
 @click.command("compare")
-@click.argument("case", type=PATH)
+@click.argument("case", type=PATH, shell_complete=offer(list_cases, files=True))
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept

@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 
 import click
 
+from exactsweep.cli.complete import list_filters, offer
 from exactsweep.cli.pair import PATH, takes_reading
 from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
 
@@ -31,6 +32,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     "filters",
     multiple=True,
     metavar="NAME=VALUE",
+    shell_complete=offer(list_filters),
     help="Only cases whose id starts with id=..., with flag=..., class=CC, CM or MM, or at most "
     "size=... vertices. May be repeated.",
 )

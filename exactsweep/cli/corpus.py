@@ -8,6 +8,14 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
+from exactsweep.cli.complete import (
+    list_cases,
+    list_classes,
+    list_families,
+    list_flags,
+    list_themes,
+    offer,
+)
 from exactsweep.cli.output import takes_output, write
 
 if TYPE_CHECKING:
@@ -24,16 +32,38 @@ def corpus_command() -> None:
 def _takes_filters(command: _Command) -> _Command:
     for option in (
         click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
-        click.option("--class", "kind", metavar="CLASS", help="CC, CM or MM."),
-        click.option("--flag", "flags", multiple=True, help="A flag; repeatable."),
+        click.option(
+            "--class",
+            "kind",
+            metavar="CLASS",
+            shell_complete=offer(list_classes),
+            help="CC, CM or MM.",
+        ),
+        click.option(
+            "--flag",
+            "flags",
+            multiple=True,
+            shell_complete=offer(list_flags),
+            help="A flag; repeatable.",
+        ),
     ):
         command = option(command)
     return command
 
 
 @corpus_command.command("list")
-@click.argument("what", default="cases", metavar="[cases|themes|flags|families]")
-@click.option("--prefix", default="", help="How the ids start; the name of a theme, for example.")
+@click.argument(
+    "what",
+    default="cases",
+    metavar="[cases|themes|flags|families]",
+    shell_complete=offer(lambda: ["cases", "themes", "flags", "families"]),
+)
+@click.option(
+    "--prefix",
+    default="",
+    shell_complete=offer(list_themes, list_cases),
+    help="How the ids start; the name of a theme, for example.",
+)
 @_takes_filters
 def list_command(
     what: str, prefix: str, flags: tuple[str, ...], kind: str | None, max_size: int | None
@@ -62,7 +92,11 @@ def list_command(
 
 
 @corpus_command.command("show")
-@click.argument("name", metavar="ID|FLAG|FAMILY")
+@click.argument(
+    "name",
+    metavar="ID|FLAG|FAMILY",
+    shell_complete=offer(list_cases, list_flags, list_families),
+)
 @click.option("--json", "as_json", is_flag=True, help="Write the case as one line of JSON.")
 def show_command(name: str, as_json: bool) -> None:
     """Show a case, with the notes on its flags; or a flag; or a family of the generator.
@@ -77,7 +111,7 @@ def show_command(name: str, as_json: bool) -> None:
 
 
 @corpus_command.command("export")
-@click.argument("names", nargs=-1, metavar="[ID]...")
+@click.argument("names", nargs=-1, metavar="[ID]...", shell_complete=offer(list_themes, list_cases))
 @_takes_filters
 @click.option(
     "--format",
@@ -130,7 +164,13 @@ def export_command(
 
 
 @corpus_command.command("generate")
-@click.option("--family", "families", multiple=True, help="Repeatable; all families if left out.")
+@click.option(
+    "--family",
+    "families",
+    multiple=True,
+    shell_complete=offer(list_families),
+    help="Repeatable; all families if left out.",
+)
 @click.option("--seed", type=click.IntRange(min=0), default=0, help="0 if left out.")
 @click.option("--count", type=click.IntRange(min=0), required=True, help="How many cases.")
 def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:

@@ -7,6 +7,9 @@ from pathlib import Path
 from typing import get_type_hints
 
 import pdoc
+from jinja2 import Environment
+
+from exactsweep.lessons import read_notebook, titles
 
 MODULES = (
     "exactsweep",
@@ -25,6 +28,7 @@ MODULES = (
     "exactsweep.batch",
     "exactsweep.draw",
     "exactsweep.view",
+    "exactsweep.lessons",
     "exactsweep.corpus",
     "exactsweep.conform",
     "exactsweep.conform.adapters",
@@ -32,10 +36,70 @@ MODULES = (
 )
 
 
+_LESSON = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{{ title }}</title>
+<style>
+:root { color-scheme: light dark; }
+body { max-width: 50rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif; }
+pre { overflow-x: auto; padding: .6rem; border: 1px solid #8886; border-radius: 4px; }
+pre.shown { border-style: dashed; }
+svg { max-width: 100%; height: auto; background: #fff; }
+.shown { overflow-x: auto; }
+</style>
+<p><a href="../../exactsweep.html">exactsweep</a></p>
+{% for cell in cells %}
+{% if cell.cell_type == "markdown" %}
+{{ to_html("".join(cell.source))|safe }}
+{% else %}
+<pre><code>{{ "".join(cell.source) }}</code></pre>
+{% for output in cell.outputs %}
+{% set data = output.data or {} %}
+{% if data["text/html"] or data["image/svg+xml"] %}
+<div class="shown">{{ "".join(data["text/html"] or data["image/svg+xml"])|safe }}</div>
+{% else %}
+<pre class="shown">{{ "".join(output.text or data["text/plain"]) }}</pre>
+{% endif %}
+{% endfor %}
+{% endif %}
+{% endfor %}
+</html>
+"""
+
+
+def front() -> str:
+    """Return what the first page says: every part with a line on it, the lessons, the project."""
+    lines = ["", "", "## The parts", ""]
+    for name in MODULES[1:]:
+        summary = (import_module(name).__doc__ or "").strip().partition("\n")[0]
+        lines.append(f"- [`{name}`]({name.replace('.', '/')}.html): {summary}")
+    lines += ["", "## Lessons", ""]
+    lines += [f"- [{title}](exactsweep/lessons/{name}.html)" for name, title in titles().items()]
+    return "\n".join([*lines, "", ".. include:: PROJECT.md", ""])
+
+
+def write_lessons(folder: Path) -> None:
+    """Write a page for each of the lessons, with what its cells show."""
+    folder.mkdir(parents=True, exist_ok=True)
+    template = Environment(autoescape=True).from_string(_LESSON)
+    for name, title in titles().items():
+        cells = read_notebook(name)["cells"]
+        text = template.render(title=title, cells=cells, to_html=pdoc.render_helpers.to_html)
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
+
+
 def main(output: str = "reference") -> None:
-    """Write a page for each of the MODULES, with the README.md beside it, and a search index."""
+    """Write a page for each of the MODULES and of the lessons, and a search index.
+
+    A README.md beside a module is on its page; the first page leads to all others.
+    """
+    overview = front()
     for name in MODULES:
         module = import_module(name)
+        if name == "exactsweep":
+            module.__doc__ = f"{module.__doc__}{overview}"
         if any(Path(folder, "README.md").exists() for folder in getattr(module, "__path__", ())):
             module.__doc__ = f"{module.__doc__}\n\n.. include:: README.md\n"
         for value in vars(module).values():
@@ -46,6 +110,7 @@ def main(output: str = "reference") -> None:
     # A package that exports nothing would bring all of its modules: each name is one page.
     specs = (spec for name in MODULES for spec in (name, rf"!{name}\."))
     pdoc.pdoc(*specs, output_directory=Path(output))
+    write_lessons(Path(output, "exactsweep", "lessons"))
 
 
 if __name__ == "__main__":

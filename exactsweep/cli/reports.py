@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.output import terminal_size, write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError
@@ -115,6 +116,7 @@ def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
     option = click.option(
         "--accept",
         metavar="VERDICT",
+        shell_complete=offer(list_verdicts),
         default="equivalent but for exact fits",
         callback=_known_verdict,
         help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
@@ -157,10 +159,7 @@ def _to_share(ctx: click.Context, option: click.Parameter, value: str) -> Fracti
 
 def _known_verdict(ctx: click.Context, option: click.Parameter, name: str) -> str:
     """Refuse what is no verdict, or says nothing on an answer."""
-    from exactsweep.conform.judge.verdict import Verdict
-
-    unjudged = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
-    allowed = [verdict.value for verdict in Verdict if verdict not in unjudged]
+    allowed = list_verdicts()
     if name not in allowed:
         raise click.BadParameter(f"{name!r} is not one of: {', '.join(allowed)}")
     return name

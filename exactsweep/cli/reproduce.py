@@ -6,11 +6,12 @@ from pathlib import Path
 
 import click
 
+from exactsweep.cli.complete import list_claims, offer
 from exactsweep.formats import FormatError
 
 
 @click.command("reproduce")
-@click.argument("names", nargs=-1, metavar="[NAME]...")
+@click.argument("names", nargs=-1, metavar="[NAME]...", shell_complete=offer(list_claims))
 @click.option("--seed", default=1, show_default=True, help="Of the random pairs.")
 @click.option(
     "--quick",
@@ -27,7 +28,7 @@ from exactsweep.formats import FormatError
     "--list",
     "only_list",
     is_flag=True,
-    help="List the claims, with verdicts and kinds of evidence.",
+    help="List all statements, with sections, verdicts and kinds of evidence.",
 )
 @click.option(
     "--cite", is_flag=True, help="Write CITATION.cff and references.bib, and nothing else."
@@ -60,7 +61,9 @@ def reproduce_command(
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
         for claim in claims:
-            click.echo(f"{claim.name}: {claim.verdict.value} ({', '.join(claim.evidence)})")
+            kinds = ", ".join(claim.evidence)
+            click.echo(f"{claim.section}, {claim.name}: {claim.verdict.value} ({kinds})")
+            click.echo(f"    {claim.words}")
         return
     effort = Effort(seed, quick)
     rows = []

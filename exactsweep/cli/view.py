@@ -4,13 +4,15 @@ import click
 
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import takes_pair
+from exactsweep.cli.pair import files_of_pair, takes_pair, takes_way_up
+from exactsweep.formats import file_name
 
 
 @click.command("view")
 @takes_pair
+@takes_way_up
 @takes_output
-def view_command(result: Sweep, output: str) -> None:
+def view_command(result: Sweep, y_down: bool, output: str) -> None:
     """Write a page on which the generatrix can be moved.
 
     The page is one HTML file that needs no network: open it in a browser. The generatrix goes
@@ -20,6 +22,11 @@ def view_command(result: Sweep, output: str) -> None:
 
     Files are read as by 'exactsweep sweep'; without files, its example is shown.
     """
+    from exactsweep.cli.bar import words
     from exactsweep.view import page
 
-    write(page(result), output)
+    files = files_of_pair()
+    names = None if files is None else (file_name(files[0]), file_name(files[1]))
+    with words() as tell:
+        text = page(result, names=names, y_down=y_down, tell=tell)
+    write(text, output)

@@ -19,7 +19,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
-from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save
+from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save, save_svg
 from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import Stretch, stretches
@@ -59,6 +59,7 @@ __all__ = [
     "plot_no_fit",
     "plot_sweep",
     "save",
+    "save_svg",
     "stretches",
     "style",
     "telling_positions",

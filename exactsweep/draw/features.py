@@ -29,40 +29,17 @@ class Features:
 
     def span(self, contact: Contact) -> Span:
         """Return the ends of the positions, all on one line, at which two features touch."""
-        first, second = self._meetings(contact)
-        return self._position(first), self._position(second)
-
-    def meetings(self, contact: Contact, position: Point) -> list[Contact]:
-        """Return the vertices of two features in contact that meet at a position.
-
-        Example:
-            >>> from exactsweep import sweep
-            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-            >>> Features(s).meetings(Contact("EE", 2, 0), s.trajectory.vertices[0])
-            [Contact(event='VV', generatrix=2, directrix=0)]
-        """
-        return [met for met in self._meetings(contact) if self._position(met) == position]
-
-    def _meetings(self, contact: Contact) -> tuple[Contact, Contact]:
-        """The vertices that meet at the ends of a contact."""
         event, i, j = contact
         (a, b), (c, d) = (
             ends[k] if letter == "E" else (k, k)
             for ends, k, letter in ((self._g_ends, i, event[0]), (self._d_ends, j, event[1]))
         )
-        return Contact("VV", a, c), Contact("VV", b, d)
+        return self._position(a, c), self._position(b, d)
 
-    def _position(self, meeting: Contact) -> Point:
-        """The position of the reference point at which two vertices meet."""
-        (x, y), g, d = self._reference, self.g_vertices[meeting[1]], self.d_vertices[meeting[2]]
+    def _position(self, i: int, j: int) -> Point:
+        """The position of the reference point at which vertex i of G is on vertex j of D."""
+        (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
         return Point(d.x - g.x + x, d.y - g.y + y)
-
-    def parts(self, contact: Contact) -> set[Contact]:
-        """Return the EV and VE contacts that are part of an EE contact."""
-        _, i, j = contact
-        return {Contact("EV", i, k) for k in self._d_ends[j]} | {
-            Contact("VE", k, j) for k in self._g_ends[i]
-        }
 
     def spot(self, contact: Contact, position: Point) -> Span:
         """Return where two features touch at a position: the ends of a segment, or a point twice.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -81,3 +82,11 @@ def save(figure: Figure, path: str) -> None:
     suffix = picture_suffix(path)
     with in_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
+
+
+def save_svg(figure: Figure) -> str:
+    """Write a figure as the text of an SVG document, the same each time, as `save` does."""
+    text = StringIO()
+    with in_style():
+        figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")
+    return text.getvalue()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
@@ -35,15 +35,14 @@ class Stretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-def stretches(s: Swept, loop: Sequence[Point] | None = None) -> list[Stretch]:
-    """Cut the trajectory, or another loop of positions, where a contact begins or ends.
+def stretches(s: Swept) -> list[Stretch]:
+    """Cut the trajectory where a contact begins or ends.
 
     Args:
         s: a Sweep.
-        loop: of positions, as for `Sweep.contacts_along`; the trajectory if left out.
 
     Returns:
-        list of Stretch, all the way around from the first vertex of the loop.
+        list of Stretch, all the way around from the first vertex of the trajectory.
 
     Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
 
@@ -53,10 +52,31 @@ def stretches(s: Swept, loop: Sequence[Point] | None = None) -> list[Stretch]:
         >>> [stretch.event for stretch in stretches(s)]
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
+    return _cut(Features(s), s.trajectory.vertices, s.contacts)
+
+
+def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[Stretch]]:
+    """Cut other loops of positions likewise.
+
+    Args:
+        s: a Sweep.
+        loops: of positions, as for `Sweep.contacts_along`.
+
+    Yields:
+        For each loop, list of Stretch.
+
+    Cost: that of `Sweep.contacts_along`, and as for `stretches`.
+    """
     features = Features(s)
-    corners = s.trajectory.vertices if loop is None else loop
+    for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):
+        yield _cut(features, loop, contacts)
+
+
+def _cut(
+    features: Features, corners: Sequence[Point], along: Sequence[Sequence[Contact]]
+) -> list[Stretch]:
     found: list[Stretch] = []
-    for k, contacts in enumerate(s.contacts if loop is None else s.contacts_along(loop)):
+    for k, contacts in enumerate(along):
         start, end = corners[k], corners[(k + 1) % len(corners)]
         axis = 0 if start.x != end.x else 1
         sign = 1 if start[axis] < end[axis] else -1

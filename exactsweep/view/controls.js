@@ -4,6 +4,9 @@
 const REST = 120;
 let resting = null;
 
+// What the arrow keys move when the picture has the focus: G, once it was dragged.
+let arrowsMove = "picture";
+
 const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
 const zoom = d3.zoom().scaleExtent([0.5, 1e9]).duration(isStill ? 0 : 250).on("zoom", ({ transform }) => {
   view.zoom = transform;
@@ -28,6 +31,7 @@ surface
       })
       .on("start", () => {
         play(false);
+        arrowsMove = "generatrix";
         pointer = null;
         element("tip").hidden = true;
       })
@@ -40,6 +44,7 @@ surface
     refresh(false);
   })
   .on("pointerdown", (event) => {
+    if (!isOnGeneratrix(event.offsetX, event.offsetY)) arrowsMove = "picture";
     // A finger does not hover.
     if (event.pointerType !== "touch") return;
     point(event.offsetX, event.offsetY);
@@ -65,10 +70,14 @@ const actions = {
   undercut: visitUndercut,
   fit: visitFit,
   track: () => moveTo(0, tracks[(tracks.indexOf(stops) + 1) % tracks.length]),
+  grid() {
+    scene.hasGrid = !scene.hasGrid;
+    refresh(true);
+  },
 };
 const keys = {
   "+": "closer", "=": "closer", "-": "farther", 0: "whole", PageUp: "back", PageDown: "on",
-  Home: "start", End: "end", " ": "play", u: "undercut", f: "fit", t: "track",
+  Home: "start", End: "end", " ": "play", u: "undercut", f: "fit", t: "track", g: "grid",
 };
 const slides = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -82,7 +91,7 @@ document.documentElement.addEventListener("keydown", (event) => {
     : key === " " && target.matches("button");
   if (isOwn) return;
   const action = keys[key.length === 1 ? key.toLowerCase() : key];
-  if (target === top && pans[key]) pan(...pans[key].map((step) => step * 60));
+  if (target === top && pans[key] && arrowsMove === "picture") pan(...pans[key].map((step) => step * 60));
   else if (slides[key]) {
     const step = event.shiftKey ? SLIDER_STEP : 20 * SLIDER_STEP;
     moveTo((at + slides[key] * step + stops.span) % stops.span);
@@ -94,6 +103,29 @@ document.documentElement.addEventListener("keydown", (event) => {
 for (const button of document.querySelectorAll("[data-do]")) {
   button.addEventListener("click", () => actions[button.dataset.do]());
 }
+for (const button of document.querySelectorAll("[data-copy]")) {
+  button.addEventListener("click", async () => {
+    const isCopied = await copied(element(button.dataset.copy).dataset.full || "");
+    button.textContent = isCopied ? "copied" : "not permitted";
+    setTimeout(() => setText(button, "copy"), 1500);
+  });
+}
+
+// Where a page may not write to the clipboard, it may still copy what is selected.
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = document.body.appendChild(document.createElement("textarea"));
+    field.value = text;
+    field.select();
+    const isCopied = document.execCommand("copy");
+    field.remove();
+    return isCopied;
+  }
+}
+
 element("track").replaceChildren(...tracks.map(({ name }, k) => new Option(name, k)));
 element("track").hidden = tracks.length === 1;
 element("track").addEventListener("change", ({ target }) => {
@@ -119,7 +151,10 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 
 setText(document.querySelector("h1"), data.title);
 setText(element("class"), data.class);
-setText(element("area"), data.area);
+setNumber(element("area"), data.area);
+for (const [k, id] of ["called-g", "called-d"].entries()) {
+  setText(element(id), data.names ? `, ${data.names[k]}` : "");
+}
 setText(element("area-about"), about([rational.parse(data.area)]));
 setText(element("path"), `of the reference point of G${data.path && `; the dot is ${data.path}`}`);
 setText(element("undercuts"), `undercut (${data.undercuts.length})`);
@@ -127,7 +162,7 @@ setText(element("fits"), `exact fit (${data.fits.length})`);
 setText(element("holes"), `hole of the no-fit polygon (${data.holes})`);
 element("hole").hidden = !data.holes;
 element("stretched").hidden = !data.stretched;
-element("incomplete").hidden = data.allBrief;
+element("incomplete").hidden = data.hasMeetings;
 
 // For scripts: where G is, exactly, where its corners are drawn, and long numbers in short.
 window.exactsweep = {
@@ -138,5 +173,8 @@ window.exactsweep = {
     return data.generatrix.places.map((c, i) => c + (i % 2 ? dy : dx));
   },
   pixels: () => Array.from(view.pixels(data.generatrix.places, ...place())),
+  roundStep,
+  contacts: (k, track) => contactsAt(exactStop(k, tracks[track]), placeOn(tracks[track], k)),
+  brief: (k, track) => briefContacts(tracks[track], k),
   about: (text) => rational.about(rational.parse(text)),
 };

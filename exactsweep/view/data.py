@@ -2,18 +2,19 @@
 
 A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
 two vertices meet or where an undercut is closed; from each stop to the next the same features
-touch. In large sweeps, what touches for an instant only is not looked for. Holes of the no-fit
-polygon and exact fits have stops as the trajectory has.
+touch. In large sweeps, where two vertices meet is not looked for. Holes of the no-fit polygon and
+exact fits have stops as the trajectory has. What touches at a stop for an instant only is found by
+the page, when G is there.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from exactsweep.draw import Scale, Stretch, stretches
-from exactsweep.draw.features import Features
+from exactsweep.draw import Scale, Stretch
+from exactsweep.draw.stretches import stretches_of
 from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
@@ -21,7 +22,7 @@ from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.view.touches import Meetings, brief_contacts, can_be_found
+from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES
 
 
@@ -42,7 +43,6 @@ class Stop(NamedTuple):
 
     position: Point
     vertex: int | None
-    brief: tuple[Contact, ...]
     contacts: tuple[Contact, ...]
 
 
@@ -57,49 +57,56 @@ def tracks(s: Swept) -> list[Track]:
 
 def stops(s: Swept) -> list[Stop]:
     """Find all stops of the trajectory, as `track_stops` does."""
-    return next(track_stops(s, tracks(s)[:1]))
+    found, _ = track_stops(s, tracks(s)[:1])
+    return found[0]
 
 
-def track_stops(s: Swept, listed: Iterable[Track]) -> Iterator[list[Stop]]:
+def track_stops(s: Swept, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
     """Find all stops of tracks, each all the way around from its first vertex.
 
-    Yields:
-        For each track a list of Stop: its `vertex` is its number in the track, None inside an edge;
-        its `contacts` last from there to the next stop; its `brief` ones are those there that last
-        neither up to it nor from it: all of them if `can_be_found`, else those of two vertices
-        that meet there as ends of features in contact before or after.
+    Returns:
+        For each track a list of Stop, whose `vertex` is its number in the track, None inside an
+        edge, and whose `contacts` last from there to the next stop; and whether it was looked for
+        where two vertices meet.
 
-    Cost: that of `Sweep.contacts`, `undercuts` and `exact_fits`, and O(u t) if u of their
-    positions are inside one of t stretches; that of `Meetings` and of `Sweep.contacts_at` for each
-    vertex if `can_be_found`.
+    Cost: that of `Sweep.contacts_along`, `undercuts` and `exact_fits`, of `Meetings`, and
+    O(log u) for each stretch if there are u positions of undercuts and ends of exact fits.
     """
-    features = Features(s)
-    meetings = Meetings(s) if can_be_found(s) else None
     landmarks = _landmarks(s)
-    for k, track in enumerate(listed):
+    meetings = find_meetings(s, sum(len(track.corners) for track in listed))
+    loops = [track.corners for track in listed if len(track.corners) > 1]
+    pieces_of_loops = stretches_of(s, loops)
+    found = []
+    for track in listed:
         if len(track.corners) == 1:
-            brief = brief_contacts(features, s.contacts_at(track.corners[0]), set())
-            yield [Stop(track.corners[0], 0, tuple(sorted(brief)), ())]
+            found.append([Stop(track.corners[0], 0, ())])
             continue
-        met = {} if meetings is None else meetings.on_edges(track.corners)
-        cut = stretches(s, track.corners if k else None)
-        pieces = _cut(cut, landmarks.union(met))
-        found = []
-        for i, (edge, start, _, contacts) in enumerate(pieces):
-            around = {*contacts, *pieces[i - 1].contacts}
-            vertex = edge if start == track.corners[edge] else None
-            if meetings is None:
-                brief = {m for c in around for m in features.meetings(c, start)}
-            elif vertex is None:
-                brief = set(met.get(start, ()))
-            else:
-                brief = brief_contacts(features, s.contacts_at(start), around)
-            found.append(Stop(start, vertex, tuple(sorted(brief)), contacts))
-        yield found
+        pieces = _cut(next(pieces_of_loops), landmarks)
+        if meetings is not None:
+            pieces = _cut(pieces, meetings.on_edges(track.corners))
+        found.append(
+            [
+                Stop(start, edge if start == track.corners[edge] else None, contacts)
+                for edge, start, _, contacts in pieces
+            ]
+        )
+    return found, meetings is not None
 
 
-def page_data(s: Swept) -> dict[str, Any]:
+def page_data(
+    s: Swept,
+    *,
+    names: tuple[str, str] | None = None,
+    y_down: bool = False,
+    tell: Callable[[str], object] = str,
+) -> dict[str, Any]:
     """Gather what the page shows, as plain JSON data.
+
+    Args:
+        s: a Sweep.
+        names: what G and D are called.
+        y_down: whether Y points down.
+        tell: is called with a few words before each step that may take long.
 
     Returns:
         Places are flat lists x, y, x, y, ... of floats, those of G relative to the point whose
@@ -108,10 +115,15 @@ def page_data(s: Swept) -> dict[str, Any]:
     Cost: that of `stops` and of the loops.
     """
     dx, dy = shift(s)
+    tell("the loops")
     outer, moved = s.outer.vertices, path(s).vertices
     scale = Scale.of(outer, moved)
+    tell("exact fits")
     listed = tracks(s)
-    found = list(track_stops(s, listed))
+    tell("undercuts")
+    closed = s.undercuts
+    tell(f"contacts along {sum(len(track.corners) for track in listed)} edges")
+    found, has_meetings = track_stops(s, listed)
     number = {stop.position: k for k, stop in enumerate(found[0])}
     holes = len(s.no_fit_holes)
     on_loops = {stop.position for on_track in found[: holes + 1] for stop in on_track}
@@ -129,12 +141,19 @@ def page_data(s: Swept) -> dict[str, Any]:
         placed = shown(Point(p.x + dx, p.y + dy) for p in points)["places"]
         return {"places": placed, "exact": [format_fraction(c) for p in points for c in p]}
 
+    sizes = f"{len(s.generatrix)} around {len(s.directrix)} vertices"
     return {
-        "title": f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices",
+        "title": f"Sweep of {sizes}" if names is None else f"{' around '.join(names)}: {sizes}",
+        "names": names,
+        "down": y_down,
+        "axes": [
+            {"origin": format_fraction(axis.origin), "exponent": axis.exponent}
+            for axis in scale[:2]
+        ],
         "class": CLASSES[s.kind],
         "area": format_fraction(s.area),
         "stretched": not scale.is_true,
-        "allBrief": can_be_found(s),
+        "hasMeetings": has_meetings,
         "path": "" if anchor(s) == s.reference else anchor_name(s),
         "reference": [format_fraction(c) for c in s.reference],
         "generatrix": {**_around_anchor(s, scale), **_numbers(s.generatrix)},
@@ -148,7 +167,6 @@ def page_data(s: Swept) -> dict[str, Any]:
                 "name": track.name,
                 **positions(stop.position for stop in on_track),
                 "vertex": [stop.vertex for stop in on_track],
-                "brief": [stop.brief for stop in on_track],
                 "contacts": [stop.contacts for stop in on_track],
             }
             for track, on_track in zip(listed, found, strict=True)
@@ -161,7 +179,7 @@ def page_data(s: Swept) -> dict[str, Any]:
                 "extremes": [format_fraction(c) for p in undercut.extremes for c in p],
                 "stops": [number[position] for position in undercut.positions],
             }
-            for undercut in s.undercuts
+            for undercut in closed
         ],
         "fits": [
             {**positions(fit), "hangs": [end in on_loops for end in fit]} for fit in s.exact_fits
@@ -169,14 +187,13 @@ def page_data(s: Swept) -> dict[str, Any]:
     }
 
 
-def _landmarks(s: Swept) -> set[Point]:
+def _landmarks(s: Swept) -> list[Point]:
     ends = {end for fit in s.exact_fits for end in fit}
-    return ends.union(*(undercut.positions for undercut in s.undercuts))
+    return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
 
-def _cut(pieces: list[Stretch], landmarks: set[Point]) -> list[Stretch]:
-    """Cut stretches at those positions that are inside one."""
-    inside = sorted(landmarks - {piece.start for piece in pieces})
+def _cut(pieces: list[Stretch], inside: Sequence[Point]) -> list[Stretch]:
+    """Cut stretches at those of some sorted positions that are inside one."""
     found = []
     for piece in pieces:
         low, high = sorted((piece.start, piece.end))

@@ -25,13 +25,18 @@ for (const track of tracks) {
 for (const polygon of [data.generatrix, data.directrix]) {
   polygon.vertexOf = new Map(polygon.vertices.map((number, k) => [number, k]));
   polygon.edgeOf = new Map(polygon.edges.map((number, k) => [number, k]));
-  polygon.after = polygon.rings.flatMap((size, k) => {
-    const first = polygon.rings.slice(0, k).reduce((sum, before) => sum + before, 0);
-    return Array.from({ length: size }, (_, i) => first + (i + 1) % size);
-  });
+  const around = (step) => {
+    let first = 0;
+    return polygon.rings.flatMap((size) => {
+      first += size;
+      return Array.from({ length: size }, (_, i) => first - size + (i + step + size) % size);
+    });
+  };
+  polygon.after = around(1);
+  polygon.before = around(-1);
 }
 
-const view = new View(bounds([...data.outer.places, ...tracks[0].places]), data.stretched);
+const view = new View(bounds(data.outer.places.concat(tracks[0].places)), data.stretched, data.down);
 const scene = new Scene(data, view, element("ground"), element("top"));
 const top = element("top");
 
@@ -59,8 +64,8 @@ function place() {
   return [ax + share * (bx - ax), ay + share * (by - ay)];
 }
 
-function exactStop(k) {
-  return [0, 1].map((axis) => rational.parse(stops.exact[2 * (k % stops.size) + axis]));
+function exactStop(k, track = stops) {
+  return [0, 1].map((axis) => rational.parse(track.exact[2 * (k % track.size) + axis]));
 }
 
 // The exact position of the reference point.
@@ -87,7 +92,7 @@ function contactsHere() {
   const before = stops.contacts.at(k - 1);
   const lasted = new Set(before.map(String));
   return [
-    ...stops.brief[k].map((contact) => ({
+    ...briefContacts(stops, k).map((contact) => ({
       contact,
       note: contact[0] === "VV" ? "" : ", here only",
     })),
@@ -127,7 +132,7 @@ function write() {
   const k = stopBefore();
   const exact = exactPosition();
   const position = pair(exact);
-  setText(element("position"), position);
+  setNumber(element("position"), position);
   setText(element("position-about"), about(exact));
   const where = whereIs(k);
   setText(element("where"), where);
@@ -162,10 +167,17 @@ function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
 
+// Long numbers are cut short; all of the text is kept to be copied.
+function setNumber(node, text) {
+  node.dataset.full = text;
+  setText(node, text.replace(/-?\d+(\/\d+)?/g, rational.brief));
+}
+
 function setLines(node, lines) {
+  node.dataset.full = lines.join("\n");
   node.replaceChildren(...lines.map((line) => {
     const item = document.createElement("div");
-    item.textContent = line;
+    setNumber(item, line);
     return item;
   }));
 }

@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64encode
+from collections.abc import Callable
 from hashlib import sha256
 from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING
+
+from exactsweep.canvas.style import style_sheet
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -25,15 +28,27 @@ _LIBRARIES = (
     "d3-transition",
     "d3-zoom",
 )
-_SCRIPTS = ("rational.js", "shapes.js", "scene.js", "page.js", "pointing.js", "controls.js")
+_SCRIPTS = tuple(
+    f"{name}.js"
+    for name in ("rational", "shapes", "scene", "grid", "contacts", "page", "pointing", "controls")
+)
 _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 
-def page(s: Swept) -> str:
+def page(
+    s: Swept,
+    *,
+    names: tuple[str, str] | None = None,
+    y_down: bool = False,
+    tell: Callable[[str], object] = str,
+) -> str:
     """Make a page on which G can be moved around D.
 
     Args:
         s: a Sweep.
+        names: what G and D are called, such as their files.
+        y_down: whether Y points down, as viewers of SVG have it.
+        tell: is called with a few words before each step that may take long.
 
     Returns:
         An HTML document that needs nothing else: no network, no other file. A policy in it lets
@@ -49,7 +64,7 @@ def page(s: Swept) -> str:
     """
     from exactsweep.view.data import page_data
 
-    data = page_data(s)
+    data = page_data(s, names=names, y_down=y_down, tell=tell)
     library = "\n".join(_text(f"vendor/{name}.min.js") for name in _LIBRARIES)
     notice = _text("vendor/LICENSE").strip()
     script = "\n".join(map(_text, _SCRIPTS))
@@ -59,7 +74,7 @@ def page(s: Swept) -> str:
         "policy": f"default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; "
         "img-src data:",
         "title": escape(data["title"]),
-        "style": _text("page.css"),
+        "style": style_sheet() + _text("page.css"),
         "data": embedded_json(data),
         "library": scripts[0],
         "script": scripts[1],

@@ -64,10 +64,9 @@ function exactCorner(k) {
 }
 
 function fitAt(x, y) {
-  for (const [k, fit] of data.fits.entries()) {
-    if (nearest(x, y, ...view.pixels(fit.places))[1] < REACH) return describeFit(k);
-  }
-  return null;
+  const k = data.fits.findIndex(({ places: [ax, ay, bx, by] }) =>
+    nearest(x, y, view.x(ax), view.y(ay), view.x(bx), view.y(by))[1] < REACH);
+  return k < 0 ? null : describeFit(k);
 }
 
 const isSingle = ({ exact: [ax, ay, bx, by] }) => ax === bx && ay === by;
@@ -99,7 +98,7 @@ function describeUndercut(k) {
   return {
     undercut,
     lines: [
-      `undercut ${k}, area ${undercut.area}`,
+      `undercut ${k}, area ${[undercut.area, about([rational.parse(undercut.area)])].filter(Boolean).join(", ")}`,
       `extreme contact points ${a} and ${b}`,
       `closed by G ${undercut.slides ? "from" : "at"} ${shown}${positions.length > 4 ? ", ..." : ""}`,
     ],

@@ -7,9 +7,33 @@ const rational = {
   text([n, d]) {
     return d === 1n ? String(n) : `${n}/${d}`;
   },
-  // Six digits of one that is long; "" for one that is not.
+  // A long one cut short, with the number of its characters.
+  brief(text) {
+    if (text.length <= 64) return text;
+    return `${text.slice(0, 28)}\u2026${text.slice(-16)} (${text.length} characters)`;
+  },
+  isLess([a, b], [c, d]) {
+    return a * d < c * b;
+  },
+  areEqual([[a, b], [c, d]], [[e, f], [g, h]]) {
+    return a === e && b === f && c === g && d === h;
+  },
+  vector(from, to) {
+    return [0, 1].map((axis) => rational.minus(to[axis], from[axis]));
+  },
+  scalar([a, b], [c, d]) {
+    return rational.plus(rational.times(a, c), rational.times(b, d));
+  },
+  // Numerators, whose signs are those of the products.
+  dot(u, v) {
+    return rational.scalar(u, v)[0];
+  },
+  cross([a, b], v) {
+    return rational.dot([[-b[0], b[1]], a], v);
+  },
+  // Six digits of a long one, or of a fraction that is not short; "" for others.
   about([n, d]) {
-    if (rational.text([n, d]).length <= 20) return "";
+    if (rational.text([n, d]).length <= (d === 1n ? 20 : 7)) return "";
     const size = n < 0n ? -n : n;
     // The power of ten of the first digit, or one more.
     let exponent = String(size).length - String(d).length;

@@ -13,6 +13,7 @@ class Scene {
     this.layers = [ground, top].map((canvas) => ({ canvas, context: canvas.getContext("2d") }));
     this.loops = data.tracks.slice(0, 1 + data.holes);
     this.runs = runs(this.loops);
+    this.hasGrid = true;
     this.readColors();
   }
 
@@ -105,6 +106,7 @@ class Scene {
     this.isDense = false;
     this.drawn = view.zoom;
     this.layers[0].canvas.style.transform = "";
+    if (this.hasGrid) drawGrid(context, view, data.axes, this.color);
     const [inner, outer] = ["inner", "outer"].map((name) => view.pixels(data[name].places));
     const unswept = data.unswept.map(({ places }) => view.pixels(places));
     const directrix = ringsOf(data.directrix.rings, view.pixels(data.directrix.places));
@@ -112,7 +114,8 @@ class Scene {
     this.area(context, directrix, this.color("directrix-fill"));
     this.lines(context, directrix, "directrix", 1, { isClosed: true });
     const holes = this.loops.slice(1).map(({ places }) => view.pixels(places));
-    this.area(context, holes, this.color("hole"));
+    this.area(context, holes, this.color("free-fill"));
+    this.lines(context, holes, "free", 2.5, { isClosed: true });
     const undercuts = data.undercuts.map(({ places }) => view.pixels(places));
     this.area(context, undercuts, this.hatching(context));
     this.lines(context, undercuts, "undercut", 0.7, { isClosed: true });
@@ -120,7 +123,7 @@ class Scene {
     this.line(context, outer, "outer", 1.8, { isClosed: true, dash: [16, 4] });
     for (const [event, chains] of this.runs) {
       const pixels = chains.map((places) => view.pixels(places));
-      this.lines(context, pixels, event, 2, { dash: DASHES[event] });
+      this.lines(context, pixels, event === "several" ? "path" : event, 2, { dash: DASHES[event] });
     }
     // Many are thin, so that they do not hide each other.
     const isThin = data.fits.length > MANY;
@@ -149,7 +152,7 @@ class Scene {
     const { data, view } = this;
     const context = this.cleared(1);
     if (pointed.undercut) {
-      this.area(context, [view.pixels(pointed.undercut.places)], this.color("pointed"));
+      this.area(context, [view.pixels(pointed.undercut.places)], this.color("undercut-fill"));
     }
     if (pointed.fit) this.line(context, view.pixels(pointed.fit.places), "fit", 7);
     const g = view.pixels(data.generatrix.places, px, py);
@@ -171,10 +174,10 @@ class Scene {
         } else this.dot(context, pixels[k], pixels[k + 1], event, 5);
       }
     }
-    this.dot(context, view.x(px), view.y(py), "anchor", 4.5);
+    this.dot(context, view.x(px), view.y(py), "generatrix", 4.5);
     if (pointed.place) {
       const ring = circle(view.x(pointed.place[0]), view.y(pointed.place[1]), 8);
-      this.line(context, ring, "anchor", 1.5, { isClosed: true });
+      this.line(context, ring, "text", 1.5, { isClosed: true });
     }
   }
 }

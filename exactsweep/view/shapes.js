@@ -1,4 +1,4 @@
-// From places, which are those of the data with y upward, to pixels, and lines between them.
+// From places, which are those of the data with y upward unless it is said to point down, to pixels, and lines between them.
 
 // Lines are cut so many pixels outside the canvas: far off it would lose precision, and dashes take
 // forever.
@@ -20,9 +20,10 @@ function bounds(places) {
 
 class View {
   // Shows a box of places on a canvas; one unit for both axes unless they are stretched.
-  constructor(box, isStretched) {
+  constructor(box, isStretched, isDown) {
     this.box = box;
     this.isStretched = isStretched;
+    this.sign = isDown ? 1 : -1;
     this.zoom = { k: 1, x: 0, y: 0 };
     this.resize(1, 1);
   }
@@ -35,7 +36,7 @@ class View {
     if (!this.isStretched) kx = ky = Math.min(kx, ky);
     Object.assign(this, { width, height, kx, ky });
     this.x0 = width / 2 - (kx * (left + right)) / 2;
-    this.y0 = height / 2 + (ky * (low + high)) / 2;
+    this.y0 = height / 2 - (this.sign * ky * (low + high)) / 2;
   }
 
   x(place) {
@@ -43,7 +44,7 @@ class View {
   }
 
   y(place) {
-    return this.zoom.k * (this.y0 - this.ky * place) + this.zoom.y;
+    return this.zoom.k * (this.y0 + this.sign * this.ky * place) + this.zoom.y;
   }
 
   // The pixels that are drawn: [left, top, right, bottom].
@@ -53,7 +54,7 @@ class View {
 
   place(x, y) {
     const { k, x: tx, y: ty } = this.zoom;
-    return [((x - tx) / k - this.x0) / this.kx, (this.y0 - (y - ty) / k) / this.ky];
+    return [((x - tx) / k - this.x0) / this.kx, ((y - ty) / k - this.y0) / (this.sign * this.ky)];
   }
 
   // The pixels of places moved by (dx, dy).

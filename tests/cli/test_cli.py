@@ -158,7 +158,7 @@ def test_wkt_is_refused_where_it_cannot_be_exact() -> None:
     message = refusal(run("sweep", "--wkt", HOUSE, "-", stdin=third))
     assert message == (
         "trajectory, vertex 2: -2/3 is not a finite decimal, which is all that WKT can hold; "
-        "use --json"
+        "use --json, or --round"
     )
 
 
@@ -238,10 +238,12 @@ def test_only_what_is_needed_is_imported(code: str, absent: set[str]) -> None:
     assert done.stdout.endswith("found:")
 
 
-def test_a_piped_report_is_never_wrapped_or_cut() -> None:
+def test_a_piped_report_is_never_wrapped_and_long_numbers_are_on_request() -> None:
     digits = 3000 * "7"
-    lines = report(sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])).splitlines()
-    assert lines[8].split() == ["directrix", "3", "7.77778E+2999", digits]
+    result = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])
+    lines = report(result).splitlines()
+    assert lines[8].split() == ["directrix", "3", "7.77778E+2999", f"{digits[:21]}..."]
+    assert f"({digits},0)" in report(result, everything=True)
     assert not any(line != line.rstrip() for line in lines)
     assert len(lines) == len(REPORT.splitlines())
     assert "".join(lines).isascii()

@@ -14,6 +14,7 @@ from command import PATIENCE
 
 import exactsweep
 from exactsweep.cli.reference import MODULES
+from exactsweep.lessons import titles as read_lessons
 
 
 def public_names(module: ModuleType) -> list[str]:
@@ -75,3 +76,14 @@ def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
             if (readme := Path(folder, "README.md")).exists():
                 title = readme.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
                 assert f">{title}</h1>" in page, name
+    front = (tmp_path / "exactsweep.html").read_text(encoding="utf-8")
+    for path in tmp_path.rglob("*.html"):
+        if path.name not in ("index.html", "exactsweep.html"):
+            assert f'href="{path.relative_to(tmp_path).as_posix()}"' in front, path
+    assert 'id="platforms"' in front
+    lessons = tmp_path / "exactsweep" / "lessons"
+    for lesson in read_lessons():
+        text = (lessons / f"{lesson}.html").read_text(encoding="utf-8")
+        assert "<h1" in text
+        assert "{{" not in text
+    assert "<svg" in (lessons / "tour.html").read_text(encoding="utf-8")

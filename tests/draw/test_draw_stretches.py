@@ -47,12 +47,10 @@ def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Poly
 
 @settings(max_examples=40)
 @given(any_pair)
-def test_vertices_that_meet_touch_there(pair: tuple[Polygon, Polygon]) -> None:
+def test_edges_touch_in_a_segment_and_vertices_in_a_point(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
     features = Features(s)
     for stretch in stretches(s)[:12]:
-        met = {m for c in stretch.contacts for m in features.meetings(c, stretch.start)}
-        assert met <= set(s.contacts_at(stretch.start))
         for contact in stretch.contacts:
             low, high = features.spot(contact, middle(stretch))
             assert (low < high) == (contact.event == "EE")

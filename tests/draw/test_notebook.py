@@ -1,23 +1,20 @@
-"""What notebooks show, and a notebook that is run."""
+"""What notebooks show."""
 
-import ast
-import json
+import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from html import unescape
 from html.parser import HTMLParser
-from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import pytest
 from command import EXAMPLE, PATIENCE
 from hypothesis import given, settings
 from strategies import pairs, simple_polygons
 
 from exactsweep import Polygon, sweep
+from exactsweep.view import page
 
-NOTEBOOK = Path(__file__).parent / "tour.ipynb"
 SVG = "{http://www.w3.org/2000/svg}"
 VOID = {"meta", "link", "input"}
 
@@ -112,35 +109,11 @@ def test_matplotlib_is_not_needed() -> None:
     assert run.stdout == "<svg <div\n"
 
 
-@pytest.fixture
-def without_windows() -> Iterator[None]:
-    from matplotlib import pyplot
-
-    pyplot.switch_backend("Agg")
-    yield
-    pyplot.close("all")
-
-
-@pytest.mark.usefixtures("without_windows")
-def test_the_notebook_runs() -> None:
-    notebook = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
-    names: dict[str, Any] = {"__name__": "notebook"}
-    shown = []
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "code":
-            assert not cell["outputs"]
-            tree = ast.parse("".join(cell["source"]))
-            last = tree.body[-1]
-            if isinstance(last, ast.Expr):
-                tree.body.pop()
-            exec(compile(tree, str(NOTEBOOK), "exec"), names)
-            if isinstance(last, ast.Expr):
-                shown.append(eval(compile(ast.Expression(last.value), "cell", "eval"), names))
-    block, s, figure, view = shown
-    assert s.area == 72
-    assert inside(ElementTree.fromstring(block._repr_svg_()))
-    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()][:2] == [
-        "$D_1$",
-        "$D_2$",
-    ]
-    assert view._repr_html_().startswith("<iframe srcdoc=")
+def test_the_page_stands_in_a_frame_of_its_own() -> None:
+    view = EXAMPLE.view(height=300)
+    Balanced(view._repr_html_())
+    (frame,) = re.findall(r"<iframe .*</iframe>", view._repr_html_(), re.S)
+    assert unescape(re.findall(r'srcdoc="([^"]*)"', frame)[0]) == view.html == page(EXAMPLE)
+    assert 'sandbox="allow-scripts"' in frame
+    assert "height:300px" in frame
+    assert repr(view) == "<InlinePage: Sweep of 5 around 7 vertices>"

@@ -3,7 +3,6 @@
 import json
 import re
 from base64 import b64encode
-from collections.abc import Iterable
 from fractions import Fraction
 from hashlib import sha256
 from math import ulp
@@ -12,12 +11,12 @@ from typing import Any
 
 import pytest
 from command import EXAMPLE, HOUSE, NOTCH, refusal, run
+from contacts import between, without_parts
 from hypothesis import given, settings
 from strategies import pairs, points
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import Scale
-from exactsweep.draw.features import Features
 from exactsweep.draw.sweeps import anchor, path
 from exactsweep.evidence.contact import Contact
 from exactsweep.view import page
@@ -67,62 +66,31 @@ def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -
     s = sweep(*pair)
     found = stops(s)
     for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:12]:
-        (ax, ay), (bx, by) = stop.position, following.position
-        between = Point((2 * ax + bx) / 3, (2 * ay + by) / 3)
         assert stop.contacts
-        assert without_parts(s, s.contacts_at(between)) == set(stop.contacts)
+        here = s.contacts_at(between(stop.position, following.position))
+        assert without_parts(s, here) == set(stop.contacts)
 
 
-@settings(max_examples=30)
-@given(any_pair)
-def test_all_contacts_at_a_stop_are_named(pair: tuple[Polygon, Polygon]) -> None:
-    s = sweep(*pair, reference=(1, "1/3"))
-    found = stops(s)
-    at_vertices = iter(s.vertex_contacts)
-    for before, stop in list(zip(found[-1:] + found[:-1], found, strict=True)):
-        here = s.contacts_at(stop.position) if stop.vertex is None else next(at_vertices)
-        lasting = {*before.contacts, *stop.contacts}
-        assert not lasting & set(stop.brief)
-        assert set(stop.brief) <= set(here)
-        assert without_parts(s, lasting.union(here)) == lasting.union(stop.brief)
-
-
-def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:
-    """Contacts less those that are part of one of edges."""
-    parts = [Features(s).parts(contact) for contact in contacts if contact.event == "EE"]
-    return set(contacts).difference(*parts)
-
-
-def test_a_third_feature_that_touches_for_an_instant_is_named() -> None:
-    # G comes down one wall and goes up the other; between them it lies on the floor.
-    wedge = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
-    s = sweep([(0, 0), (3, 0), (3, 1), (0, 1)], wedge)
-    (bottom,) = (stop for stop in stops(s) if stop.position == Point(Fraction(0), Fraction(0)))
-    assert Contact("EE", 0, 0) in bottom.brief
+def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
     # One peak of D slides along a flat edge of G; halfway, another one meets a peak of G.
     roof = [(0, -20), (10, -20), (10, -12), (8, 1), (6, -12), (4, 0), (0, 0)]
     peaks = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
-    (halfway,) = (
-        stop
-        for stop in stops(sweep(roof, peaks))
-        if stop.position == Point(Fraction(-2), Fraction(0))
-    )
-    assert halfway.vertex is None
-    assert halfway.contacts == (Contact("EV", 5, 1),)
-    assert halfway.brief == (Contact("VV", 3, 3),)
+    s = sweep(roof, peaks)
+    halfway = Point(Fraction(-2), Fraction(0))
+    (stop,) = (stop for stop in stops(s) if stop.position == halfway)
+    assert stop.vertex is None
+    assert stop.contacts == (Contact("EV", 5, 1),)
+    assert Contact("VV", 3, 3) in s.contacts_at(halfway)
 
 
-def test_large_sweeps_say_that_they_do_not_look_for_all_contacts(
-    monkeypatch: pytest.MonkeyPatch,
+@pytest.mark.parametrize("limit", ["_MOST_PAIRS", "_MOST_LOOKS"])
+def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
+    monkeypatch: pytest.MonkeyPatch, limit: str
 ) -> None:
-    assert page_data(EXAMPLE)["allBrief"]
-    monkeypatch.setattr("exactsweep.view.touches._MOST", 9 * 12 - 1)
-    assert not page_data(EXAMPLE)["allBrief"]
-    found = stops(EXAMPLE)
-    assert [stop.position for stop in found] == list(EXAMPLE.trajectory.vertices)
-    assert {contact.event for stop in found for contact in stop.brief} == {"VV"}
-    monkeypatch.setattr("exactsweep.view.touches._MOST", 9 * 12)
-    assert page_data(EXAMPLE)["allBrief"]
+    assert page_data(EXAMPLE)["hasMeetings"]
+    monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", 1)
+    assert not page_data(EXAMPLE)["hasMeetings"]
+    assert [stop.position for stop in stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 
 
 @settings(max_examples=30)
@@ -217,13 +185,42 @@ def test_data_cannot_leave_its_element() -> None:
     assert json.loads(written) == hostile
 
 
-def test_file_names_are_not_in_the_page(tmp_path: Path) -> None:
+def test_file_names_are_in_the_page_as_text(tmp_path: Path) -> None:
     bad = tmp_path / "<img src=x onerror=alert(1)>.json"
     bad.write_text(Path(HOUSE).read_text())
     result = run("view", str(bad), NOTCH)
     assert result.exit_code == 0
-    assert "onerror" not in result.stdout
-    assert result.stdout == run("view", HOUSE, NOTCH).stdout
+    assert "<img" not in result.stdout
+    assert data_of(result.stdout)["names"] == [str(bad), NOTCH]
+    assert f"&lt;img src=x onerror=alert(1)&gt;.json around {NOTCH}: 5 around" in result.stdout
+
+
+def test_what_is_done_is_told() -> None:
+    told: list[str] = []
+    assert page(SLOT, tell=told.append) == page(SLOT)
+    assert told == ["the loops", "exact fits", "undercuts", "contacts along 8 edges"]
+
+
+def test_many_fits_cost_what_one_costs() -> None:
+    # Contacts of all tracks are found at once: a thousand slots side by side, and in a line.
+    def contacts_along(count: int) -> tuple[int, int]:
+        comb = [(0, 0), (4 * count, 0)]
+        for k in reversed(range(count)):
+            comb += [(4 * k + 4, 5), (4 * k + 2, 5), (4 * k + 2, 1), (4 * k + 1, 1), (4 * k + 1, 5)]
+        s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [*comb, (0, 5)])
+        calls: list[int] = []
+        found = s.contacts_along
+
+        def counted(loops: Any) -> Any:
+            calls.append(len(loops))
+            return found(loops)
+
+        s.contacts_along = counted  # type: ignore[method-assign]
+        assert len(page_data(s)["tracks"]) == 1 + count
+        return len(calls), sum(calls)
+
+    assert contacts_along(3) == (1, 4)
+    assert contacts_along(60) == (1, 61)
 
 
 def test_the_command_writes_a_page(tmp_path: Path) -> None:

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from contacts import between, without_parts
 from hypothesis import given, settings
 from shown import FLAGS, MILLISECONDS, Shown
 from strategies import points, simple_polygons
 
-from exactsweep import Point, Polygon, Region, Sweep, sweep
-from exactsweep.draw.features import Features
+from exactsweep import Polygon, Region, Sweep, sweep
 from exactsweep.view import page
 from exactsweep.view.data import page_data, stops, track_stops, tracks
 
@@ -87,20 +87,15 @@ def track_of(shown: Shown) -> str:
 def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d, reference=(1, "1/3"))
     listed = tracks(s)
-    features = Features(s)
-    for track, found in zip(listed, track_stops(s, listed), strict=True):
+    for track, found in zip(listed, track_stops(s, listed)[0], strict=True):
         corners = [stop.position for stop in found if stop.vertex is not None]
         assert corners == list(track.corners)
         for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:8]:
-            here = s.contacts_at(stop.position)
-            assert set(stop.brief) <= set(here)
             if len(found) == 1:
-                assert stop.brief
+                assert not stop.contacts
                 continue
-            (ax, ay), (bx, by) = stop.position, following.position
-            between = s.contacts_at(Point((2 * ax + bx) / 3, (2 * ay + by) / 3))
-            parts = [features.parts(c) for c in between if c.event == "EE"]
-            assert set(between).difference(*parts) == set(stop.contacts)
+            here = s.contacts_at(between(stop.position, following.position))
+            assert without_parts(s, here) == set(stop.contacts)
 
 
 def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
@@ -123,11 +118,14 @@ def test_what_is_not_swept_is_shown() -> None:
     assert hole["exact"] == ["3", "3", "7", "3", "7", "7", "3", "7"]
 
 
-def test_a_shape_that_just_fits_touches_all_round() -> None:
-    *_, single = track_stops(EXAMPLE, tracks(EXAMPLE))
-    assert [(c.event, c.generatrix, c.directrix) for c in single[0].brief if c.event == "EE"] == [
-        ("EE", 0, 12), ("EE", 1, 13), ("EE", 2, 14), ("EE", 3, 15)
-    ]  # fmt: skip
+def test_a_shape_that_just_fits_touches_all_round(show: Open) -> None:
+    shown = show(EXAMPLE)
+    shown.tab.select_option("#track", "3")
+    shown.settle()
+    told = shown.text("contacts").splitlines()
+    assert [line for line in told if line.startswith("EE")] == [
+        f"EE edge {i} of G on edge {12 + i} of D, here only" for i in range(4)
+    ]
 
 
 def test_g_can_be_played_on_every_track(show: Open) -> None:
@@ -220,8 +218,7 @@ def test_size_does_not_matter() -> None:
     exterior, *holes = ([(x * big, y * big) for x, y in ring] for ring in PLATE.rings)
     s = sweep([(x * big, y * big) for x, y in SQUARE], Region(exterior, holes))
     for small, large in zip(
-        track_stops(EXAMPLE, tracks(EXAMPLE)), track_stops(s, tracks(s)), strict=True
+        track_stops(EXAMPLE, tracks(EXAMPLE))[0], track_stops(s, tracks(s))[0], strict=True
     ):
         assert [stop.contacts for stop in small] == [stop.contacts for stop in large]
-        assert [stop.brief for stop in small] == [stop.brief for stop in large]
     assert stops(s)[0].position == (Fraction(-2 * big), Fraction(-2 * big))

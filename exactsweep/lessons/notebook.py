@@ -1,0 +1,129 @@
+"""Notebooks read, run without Jupyter, and written with what their cells show."""
+
+from __future__ import annotations
+
+import ast
+import io
+import json
+from collections.abc import Iterator
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+from exactsweep.draw import save_svg
+
+Notebook = dict[str, Any]
+
+FOLDER = Path(__file__).parent
+"""Where the lessons are."""
+
+# Longer outputs, such as the interactive page with its scripts, are made anew by whoever runs it.
+_MOST_STORED = 60_000
+
+
+def titles() -> dict[str, str]:
+    """Return the lessons, by file name without its suffix, with their titles.
+
+    Example:
+        >>> titles()["judging"]
+        'Judging your own program'
+    """
+    order = ("tour", "sweeps", "paper", "judging")
+    return {name: _source(read_notebook(name)["cells"][0]).split("\n")[0][2:] for name in order}
+
+
+def read_notebook(name: str) -> Notebook:
+    """Read a lesson.
+
+    Args:
+        name: one of `titles`.
+
+    Returns:
+        The document, as the format of notebooks has it.
+    """
+    found: Notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
+    return found
+
+
+def write_notebook(path: Path, notebook: Notebook) -> None:
+    """Write a notebook, one line an element, as Jupyter does."""
+    text = json.dumps(notebook, indent=1, ensure_ascii=False)
+    path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
+
+
+def run_notebook(notebook: Notebook) -> Notebook:
+    """Run the cells of a notebook in order, as Jupyter would.
+
+    Args:
+        notebook: as `read_notebook` returns it.
+
+    Returns:
+        The same with what each cell prints, the value at its end as text, HTML or SVG, and what it
+        draws with `matplotlib.pyplot`, as SVG.
+
+    Raises:
+        Whatever a cell raises.
+    """
+    names: dict[str, Any] = {"__name__": "__main__"}
+    cells = []
+    number = 0
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            number += 1
+            outputs = list(_run(_source(cell), names, number))
+            cell = cell | {"execution_count": number, "outputs": outputs}
+        cells.append(cell)
+    return notebook | {"cells": cells}
+
+
+def _source(cell: dict[str, Any]) -> str:
+    return "".join(cell["source"])
+
+
+def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, Any]]:
+    tree = ast.parse(source)
+    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    value = None
+    with redirect_stdout(io.StringIO()) as printed:
+        exec(compile(tree, f"cell {number}", "exec"), names)
+        if isinstance(last, ast.Expr):
+            value = eval(compile(ast.Expression(last.value), f"cell {number}", "eval"), names)
+    if printed.getvalue():
+        yield {"name": "stdout", "output_type": "stream", "text": _lines(printed.getvalue())}
+    if value is not None:
+        yield {
+            "data": {kind: _lines(text) for kind, text in _shown(value).items()},
+            "execution_count": number,
+            "metadata": {},
+            "output_type": "execute_result",
+        }
+    for picture in _drawn():
+        data = {"image/svg+xml": _lines(picture), "text/plain": ["<Figure>"]}
+        yield {"data": data, "metadata": {}, "output_type": "display_data"}
+
+
+def _shown(value: object) -> dict[str, str]:
+    """What a notebook shows of a value, by media type."""
+    from matplotlib.figure import Figure
+
+    if isinstance(value, Figure):
+        return {"image/svg+xml": save_svg(value), "text/plain": "<Figure>"}
+    found = {}
+    for kind, method in (("text/html", "_repr_html_"), ("image/svg+xml", "_repr_svg_")):
+        text = getattr(value, method, lambda: None)()
+        if text is not None and len(text) <= _MOST_STORED:
+            found[kind] = text
+    return found | {"text/plain": repr(value)}
+
+
+def _drawn() -> Iterator[str]:
+    """The figures of pyplot that are open, which are then closed."""
+    from matplotlib import pyplot
+
+    for number in pyplot.get_fignums():
+        yield save_svg(pyplot.figure(number))
+    pyplot.close("all")
+
+
+def _lines(text: str) -> list[str]:
+    return text.splitlines(keepends=True)

@@ -1,0 +1,92 @@
+"""Where two vertices meet on the way: positions that the contacts which last do not tell.
+
+Nothing else touches inside an edge of a loop for an instant only: two features that touch at
+positions on a segment, which does not cross the loop, touch it inside an edge with an end only.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import lcm
+
+from exactsweep.evidence.contact import find_facing, minus
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+# Pairs of vertices, and looks at one of them from an edge, that take a second at most.
+_MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
+
+
+class Meetings:
+    """The positions at which two vertices meet without overlap near them.
+
+    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
+    overlap: O(m + n) for convex polygons, O(m n) for any.
+
+    Args:
+        s: a Sweep.
+
+    Attributes:
+        reference: that of the sweep.
+        scale: of the lattice on which the two meet.
+        translations: the translations, on the lattice, sorted.
+    """
+
+    def __init__(self, s: Swept) -> None:
+        self.reference = s.reference
+        self.scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
+        g, d = (_outline(shape, self.scale) for shape in (s.generatrix, s.directrix))
+        pairs = set()
+        for i, j in find_facing(dict(enumerate(g.edges)), d):
+            pairs |= {(i, j), (g.after[i], j)}
+        for j, i in find_facing(dict(enumerate(d.edges)), g):
+            pairs |= {(i, j), (i, d.after[j])}
+        self.translations = sorted({minus(d.vertices[j], g.vertices[i]) for i, j in pairs})
+
+    def on_edges(self, loop: Sequence[Point]) -> list[Point]:
+        """Find where two vertices meet inside an edge of a loop of free positions, sorted.
+
+        Cost: O(t log p), and O(1) for each edge and each position in its x-range.
+
+        Example:
+            >>> from exactsweep import sweep
+            >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
+            >>> Point(2, -1) in Meetings(s).on_edges(s.trajectory.vertices)
+            True
+        """
+        (rx, ry), scale = self.reference, self.scale
+        raised = [((x - rx) * scale, (y - ry) * scale) for x, y in loop]
+        found = set()
+        for p, q in pairwise([*raised, raised[0]]):
+            (px, py), (qx, qy) = low, high = sorted((p, q))
+            start = bisect_right(self.translations, low)
+            for x, y in self.translations[start : bisect_left(self.translations, high)]:
+                if (qx - px) * (y - py) == (qy - py) * (x - px):
+                    found.add(Point(Fraction(x, scale) + rx, Fraction(y, scale) + ry))
+        return sorted(found)
+
+
+def find_meetings(s: Swept, corners: int) -> Meetings | None:
+    """Find where vertices meet, if that takes a second at most.
+
+    Args:
+        s: a Sweep.
+        corners: the number of corners of all loops on which they are looked for.
+    """
+    if len(s.generatrix) * len(s.directrix) > _MOST_PAIRS:
+        return None
+    found = Meetings(s)
+    return found if len(found.translations) * corners <= _MOST_LOOKS else None
+
+
+def _outline(shape: Polygon | Region, scale: int) -> Outline:
+    """The features of a shape on a lattice."""
+    exterior, *holes = ([(int(x * scale), int(y * scale)) for x, y in ring] for ring in shape.rings)
+    # With the interior on the left, as all of an outline has it.
+    return Outline([exterior, *(hole[::-1] for hole in holes)])

@@ -1,0 +1,120 @@
+"""Completion, as shells ask for it, and names that it offers against those that commands take."""
+
+import os
+import subprocess
+from collections.abc import Callable, Iterable
+
+import click
+import pytest
+from click.shell_completion import ShellComplete
+from command import EXACTSWEEP, PATIENCE, run
+
+from exactsweep.cli import main
+from exactsweep.cli.complete import (
+    list_cases,
+    list_claims,
+    list_classes,
+    list_families,
+    list_filters,
+    list_flags,
+    list_themes,
+    list_verdicts,
+)
+
+
+def offered(*words: str) -> list[str]:
+    *before, last = words
+    items = ShellComplete(main, {}, "exactsweep", "_X").get_completions(before, last)
+    return [item.value for item in items if item.type == "plain"]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("reprod",), ["reproduce"]),
+        (("reproduce", "Lemma 5.3"), ["Lemma 5.3"]),
+        (("reproduce", "lemma 5.3"), ["Lemma 5.3"]),
+        (("corpus", "show", "directions-y"), ["directions-y"]),
+        (("corpus", "show", "exact-f"), ["exact-fit"]),
+        (("corpus", "list", "--class", "C"), ["CC", "CM"]),
+        (("corpus", "list", "the"), ["themes"]),
+        (("corpus", "generate", "--family", "near-p"), ["near-parallel"]),
+        (("corpus", "export", "--format", "g"), ["geojson"]),
+        (("compare", "directions-y"), ["directions-y"]),
+        (("conform", "--filter", "class=M"), ["class=MM"]),
+        (("conform", "--filter", "flag=exact-f"), ["flag=exact-fit"]),
+        (("conform", "--accept", "unso"), ["unsound"]),
+        (("corpus", "show", "zzz"), []),
+    ],
+)
+def test_names_are_completed(words: tuple[str, ...], expected: list[str]) -> None:
+    assert offered(*words)[: len(expected)] == expected
+    assert bool(offered(*words)) == bool(expected)
+
+
+def test_a_file_is_offered_where_there_is_no_such_case() -> None:
+    items = ShellComplete(main, {}, "exactsweep", "_X").get_completions(["compare"], "my-case.js")
+    assert [item.type for item in items] == ["file"]
+
+
+@pytest.mark.parametrize(
+    ("source", "arguments"),
+    [
+        (list_cases, ("corpus", "show")),
+        (list_flags, ("corpus", "show")),
+        (list_families, ("corpus", "show")),
+        (list_themes, ("corpus", "list", "--prefix")),
+        (list_classes, ("corpus", "list", "--max-size", "9", "--class")),
+        (list_claims, ("reproduce", "--list")),
+    ],
+)
+def test_what_is_offered_is_taken(
+    source: Callable[[], Iterable[str]], arguments: tuple[str, ...]
+) -> None:
+    names = list(source())
+    assert names
+    for name in names[:: max(1, len(names) // 3)]:
+        result = run(*arguments, name)
+        assert (result.exit_code, result.stderr) == (0, "")
+
+
+def test_verdicts_and_filters_that_are_offered_are_taken() -> None:
+    for verdict in list_verdicts():
+        result = run("compare", "directions-y", "-", "--accept", verdict, stdin="{}")
+        assert result.exit_code in (0, 1)
+        assert "is not one of" not in result.stderr
+    for words in list_filters():
+        assert words.split("=")[0] in ("id", "size", "class", "flag")
+
+
+@pytest.mark.parametrize(("shell", "text"), [("bash", "Lemma\\ 5.3"), ("zsh", "Lemma 5.3")])
+def test_blanks_are_escaped_where_the_shell_does_not(shell: str, text: str) -> None:
+    environment = {
+        **os.environ,
+        "_EXACTSWEEP_COMPLETE": f"{shell}_complete",
+        "COMP_WORDS": "exactsweep reproduce Lemma\\ 5.3",
+        "COMP_CWORD": "2",
+    }
+    done = subprocess.run(
+        [EXACTSWEEP], env=environment, capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert text in done.stdout
+
+
+def commands(group: click.Command, name: str = "") -> Iterable[tuple[str, click.Command]]:
+    if isinstance(group, click.Group):
+        for word, inner in group.commands.items():
+            yield from commands(inner, f"{name} {word}".strip())
+    else:
+        yield name, group
+
+
+@pytest.mark.parametrize("name", [name for name, _ in commands(main)])
+def test_help_names_all_that_a_command_takes(name: str) -> None:
+    shown = run(*name.split(), "--help").stdout
+    for parameter in dict(commands(main))[name].params:
+        for word in (*parameter.opts, *parameter.secondary_opts):
+            if word.startswith("-"):
+                assert word in shown
+        if isinstance(parameter, click.Option):
+            assert parameter.help, f"{name} {parameter.opts}"

@@ -1,0 +1,91 @@
+"""Every lesson runs, and shows what is stored with it."""
+
+import copy
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from exactsweep.lessons.notebook import (
+    FOLDER,
+    read_notebook,
+    run_notebook,
+    titles,
+    write_notebook,
+)
+
+TEXTS = ("text/plain",)
+
+
+@pytest.fixture(autouse=True)
+def without_windows() -> Iterator[None]:
+    from matplotlib import pyplot
+
+    pyplot.switch_backend("Agg")
+    yield
+    pyplot.close("all")
+
+
+def told(notebook: dict[str, Any]) -> list[Any]:
+    """What the cells print and show, of pictures only that there is one."""
+    found: list[Any] = []
+    for cell in notebook["cells"]:
+        for output in cell.get("outputs", ()):
+            data = output.get("data", {})
+            texts = ["".join(data[kind]) for kind in TEXTS if kind in data]
+            found.append((sorted(data), texts, "".join(output.get("text", ()))))
+    return found
+
+
+def code(notebook: dict[str, Any]) -> list[str]:
+    return ["".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "code"]
+
+
+@pytest.mark.parametrize("name", titles())
+def test_a_lesson_runs_and_shows_what_is_stored(name: str) -> None:
+    stored = read_notebook(name)
+    made = run_notebook(copy.deepcopy(stored))
+    assert told(made) == told(stored), f"python -m exactsweep.lessons ({name})"
+    assert code(made) == code(stored)
+    pictures = 0
+    for cell in stored["cells"]:
+        for output in cell.get("outputs", ()):
+            svg = "".join(output.get("data", {}).get("image/svg+xml", ()))
+            pictures += bool(svg)
+            assert not svg or ElementTree.fromstring(svg).tag.endswith("svg")
+    assert pictures > 1 or name == "judging"
+
+
+def test_all_lessons_are_listed() -> None:
+    assert sorted(titles()) == sorted(path.stem for path in FOLDER.glob("*.ipynb"))
+    assert all(titles().values())
+
+
+def test_nothing_of_a_machine_is_stored() -> None:
+    for name in titles():
+        text = (FOLDER / f"{name}.ipynb").read_text(encoding="utf-8")
+        assert not re.search(r"0x[0-9a-f]{6,}|/(?:tmp|home|root|work|usr)/", text)
+        assert json.loads(text)["nbformat"] == 4
+
+
+def test_a_notebook_that_shows_something_else_is_noticed(tmp_path: Any) -> None:
+    stored = read_notebook("sweeps")
+    (cell,) = (c for c in stored["cells"] if told_by(c).startswith("swept 72"))
+    cell["outputs"][0]["text"] = ["swept 71\n"]
+    assert told(run_notebook(copy.deepcopy(stored))) != told(stored)
+    path = tmp_path / "lesson.ipynb"
+    write_notebook(path, stored)
+    assert json.loads(path.read_text(encoding="utf-8")) == stored
+
+
+def told_by(cell: dict[str, Any]) -> str:
+    return "".join("".join(output.get("text", ())) for output in cell.get("outputs", ()))
+
+
+def test_a_cell_that_fails_fails_the_notebook() -> None:
+    cell = {"cell_type": "code", "source": ["from exactsweep import sweep\n", "sweep([], [])"]}
+    with pytest.raises(ValueError, match="generatrix: fewer than three"):
+        run_notebook({"cells": [cell]})

@@ -1,0 +1,33 @@
+"""Contacts as the pages list them."""
+
+from collections.abc import Iterable
+
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.region import Region, around
+
+
+def without_parts(s: Swept, contacts: Iterable[Contact]) -> set[Contact]:
+    """Contacts less those of an end of an edge that, as a whole, touches the other one."""
+    listed = set(contacts)
+    ends = [_ends(Region(shape)) for shape in (s.generatrix, s.directrix)]
+    implied: set[Contact] = set()
+    for event, i, j in listed:
+        if event == "EE":
+            implied |= {Contact("VE", k, j) for k in ends[0][i]}
+            implied |= {Contact("EV", i, k) for k in ends[1][j]}
+    return listed - implied
+
+
+def _ends(shape: Region) -> dict[int, set[int]]:
+    """The numbers of the ends of each edge."""
+    return {
+        shape.edge_index(k): {shape.vertex_index(k), shape.vertex_index(following)}
+        for _, k, following in around(shape)
+    }
+
+
+def between(a: Point, b: Point) -> Point:
+    """A point of a way, nearer to its start."""
+    return Point((2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3)

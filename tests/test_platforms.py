@@ -1,0 +1,40 @@
+"""What is said where the system lacks something, and metadata of the package."""
+
+import os
+import signal
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from exactsweep import __version__
+from exactsweep.conform.run.outcome import stop_after
+from exactsweep.processes import Started
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+
+
+def test_programs_are_not_started_where_they_cannot_be_ended(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.delattr(os, "killpg")
+    with pytest.raises(OSError, match="on POSIX systems only"):
+        Started([sys.executable, "-c", "pass"])
+
+
+def test_without_alarms_nothing_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(signal, "SIGALRM")
+    with stop_after(1e-9):
+        assert sum(range(10**5)) == 4999950000
+
+
+def test_the_metadata_fits_together() -> None:
+    assert PROJECT["version"] == __version__
+    assert PROJECT["requires-python"] == ">=3.11"
+    versions = [c.rsplit(" ", 1)[1] for c in PROJECT["classifiers"] if ":: Python :: 3." in c]
+    assert versions == ["3.11", "3.12", "3.13"]
+    cited = (ROOT / "exactsweep" / "paper" / "CITATION.cff").read_text("utf-8")
+    assert f"\nversion: {__version__}\n" in cited
+    assert f"\n### {__version__}\n" in (ROOT / "exactsweep" / "PROJECT.md").read_text("utf-8")
