@@ -25,6 +25,15 @@ def pair(point: Iterable[object]) -> str:
     return f"({','.join(abridged(to_fraction(c)) for c in point)})"
 
 
+def vector(direction: Iterable[object]) -> str:
+    """Write a direction as Python writes a pair of ints, long numbers cut short.
+
+    >>> vector((1, -2)), vector((1, 10**5000))
+    ('(1, -2)', '(1, 100000000000000000000...)')
+    """
+    return pair(direction).replace(",", ", ")
+
+
 def count(number: int, thing: str) -> str:
     """Write how many there are, in the plain plural.
 

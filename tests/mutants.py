@@ -41,6 +41,7 @@ ROOT = Path(__file__).parent.parent
 ROOMS = ("geometry", "procedures", "evidence", "check")
 FEW = "a few pairs"  # instead of tests
 PAIRS = 60
+STAGES = ("pairs", "room", "wider")
 WIDER = ("tests/geometry", "tests/procedures", "tests/check", "tests/evidence")
 NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "LICENSE")
 OPTIONS = (
@@ -82,12 +83,12 @@ def read_equivalent() -> dict[tuple[str, str, str], str]:
     }
 
 
-def stages_of(path: str, wider: bool) -> list[tuple[str, ...]]:
+def stages_of(path: str, tests: str) -> list[tuple[str, ...]]:
     """The tests that concern a module, in the order in which they are run."""
     room = path.split("/")[1]
     own = f"tests/{room if room in ROOMS else 'evidence'}"
     others = tuple(folder for folder in WIDER if folder != own)
-    return [(FEW,), (own,), *([others] if wider else [])]
+    return [(FEW,), (own,), others][: 1 + STAGES.index(tests)]
 
 
 def run_tests(tree: Path, paths: Sequence[str], limit: float) -> tuple[str, str, float]:
@@ -139,7 +140,7 @@ def _find_failure(tree: Path) -> int:
 
 
 def try_mutants(
-    sample: Sequence[tuple[Mutant, bytes]], wider: bool, console: Console
+    sample: Sequence[tuple[Mutant, bytes]], tests: str, console: Console
 ) -> Iterator[Result]:
     """Try one mutant after the other in a copy of the checkout."""
     for name in LOADED:
@@ -156,7 +157,7 @@ def try_mutants(
                 yield Result(mutant, "equivalent", why, 0)
                 continue
             total = 0.0
-            for paths in stages_of(mutant.path, wider):
+            for paths in stages_of(mutant.path, tests):
                 if paths not in limits:
                     verdict, by, seconds = run_tests(tree, paths, 3600)
                     if verdict != "survived":
@@ -188,14 +189,20 @@ def _copy(source: Path, target: Path) -> None:
     show_default=True,
     help="Only there: a folder, a module, or MODULE:LINE.",
 )
-@click.option("--wider", is_flag=True, help="Not only the tests of the room.")
+@click.option(
+    "--tests",
+    type=click.Choice(STAGES),
+    default="room",
+    show_default=True,
+    help="How far to go with what survives: a few pairs, its room, all rooms.",
+)
 @click.option("--results", type=click.File("a"), help="A file to add results to, as JSON lines.")
 def main(
     sample: int,
     seed: int,
     first: int,
     under: str,
-    wider: bool,
+    tests: str,
     results: IO[str] | None,
 ) -> None:
     """Try a sample of mutants; exit code 1 if one survives."""
@@ -209,7 +216,7 @@ def main(
     drawn = Random(seed).sample(chosen, min(sample, len(chosen)))[first:]
     texts = dict(drawn)
     counts: Counter[str] = Counter()
-    for result in try_mutants(drawn, wider, console):
+    for result in try_mutants(drawn, tests, console):
         counts[result.verdict] += 1
         before, after = result.mutant.shown(texts[result.mutant])
         place = f"{result.mutant.path}:{result.mutant.line}"

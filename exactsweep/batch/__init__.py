@@ -4,14 +4,16 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job, all_pairs, pairs_of
 from exactsweep.batch.parts import Part, read_parts
 from exactsweep.batch.record import QUANTITIES
-from exactsweep.batch.run import Summary, run
+from exactsweep.batch.rounded import Rounding
+from exactsweep.batch.run import Counts, run
 
 __all__ = [
     "QUANTITIES",
     "BatchError",
+    "Counts",
     "Job",
     "Part",
-    "Summary",
+    "Rounding",
     "all_pairs",
     "pairs_of",
     "read_parts",

@@ -13,9 +13,11 @@ from exactsweep import __version__
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
+from exactsweep.batch.rounded import Rounding
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import MAX_BYTES, file_name
+from exactsweep.formats.folder import make_unique
 from exactsweep.geometry.number import format_fraction, quoted
 
 CHUNK_PAIRS = 16
@@ -49,6 +51,7 @@ def all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
     what: str = "loops",
+    rounding: Rounding | None = None,
 ) -> Job:
     """Make a batch of all pairs of two part lists, the generatrix changing most slowly.
 
@@ -56,9 +59,10 @@ def all_pairs(
         generatrices: NamedPolygons, as `read_polygons` returns them, or Parts.
         directrices: likewise.
         what: "trajectory", "loops", "areas" or "nfp".
+        rounding: how numbers are rounded, which are decimals then, not strings; None to leave them.
 
     Returns:
-        A Job for `run`.
+        A Job for `run`. Of parts with one name, all but the first get a number after it.
 
     Raises:
         BatchError: no such quantities.
@@ -69,12 +73,17 @@ def all_pairs(
         >>> all_pairs([square], [square, square]).total
         2
     """
-    work = Work(_known(what), _parts(generatrices), _parts(directrices))
+    work = Work(_known(what), _unique(generatrices), _unique(directrices), rounding)
     total = len(work.generatrices) * len(work.directrices)
     return Job(work, total, _digest(work, b"all pairs"), None)
 
 
-def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "loops") -> Job:
+def pairs_of(
+    path: str,
+    parts: Iterable[NamedPolygon | Part] = (),
+    what: str = "loops",
+    rounding: Rounding | None = None,
+) -> Job:
     """Make a batch of the pairs in a file, a line of JSON each.
 
     Args:
@@ -83,6 +92,7 @@ def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "
             Empty lines do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops", "areas" or "nfp".
+        rounding: as for `all_pairs`.
 
     Returns:
         A Job for `run`.
@@ -100,7 +110,7 @@ def pairs_of(path: str, parts: Iterable[NamedPolygon | Part] = (), what: str = "
     for line in _lines(path):
         seen.update(line)
         total += 1
-    work = Work(_known(what), listed, listed)
+    work = Work(_known(what), listed, listed, rounding)
     return Job(work, total, _digest(work, seen.digest()), path)
 
 
@@ -117,8 +127,15 @@ def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
     )
 
 
+def _unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
+    parts = _parts(polygons)
+    names = make_unique([part.name for part in parts])
+    return tuple(part._replace(name=name) for part, name in zip(parts, names, strict=True))
+
+
 def _digest(work: Work, source: bytes) -> str:
-    digest = sha256(f"{__version__} {work.what} ".encode() + source)
+    rounded = "" if work.rounding is None else f"{tuple(work.rounding)} "
+    digest = sha256(f"{__version__} {work.what} {rounded}".encode() + source)
     for part in (*work.generatrices, None, *work.directrices):
         digest.update(repr(part and part.name).encode())
         if part is None or isinstance(part.polygon, str):

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import pickle
+import sys
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, nullcontext
 
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.processes import Pool, count_cores
@@ -22,19 +25,40 @@ class LocalProcesses:
 
     def __init__(self, work: Work, count: int | None = None) -> None:
         self.count = count or count_cores()
-        self._pool = Pool(self.count, _hold, work)
+        # A worker may need the module that was run for classes of the caller's own.
+        self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hiding_main
+        with self._around():
+            self._pool = Pool(self.count, _hold, work)
 
     def submit(self, chunk: Chunk) -> Future[Sequence[bytes]]:
         """Compute a chunk in some process."""
-        try:
-            return self._pool.submit(_compute, chunk)
-        except BrokenProcessPool:
-            self._pool.start()
-            return self._pool.submit(_compute, chunk)
+        with self._around():
+            try:
+                return self._pool.submit(_compute, chunk)
+            except BrokenProcessPool:
+                self._pool.start()
+                return self._pool.submit(_compute, chunk)
 
     def close(self) -> None:
         """End all processes, whatever they are doing."""
         self._pool.close()
+
+
+@contextmanager
+def _hiding_main() -> Iterator[None]:
+    """Let processes be started that do not import the module that was run.
+
+    They would run it again where it has no main guard.
+    """
+    main = vars(sys.modules["__main__"])
+    hidden: dict[str, object] = {
+        name: main.pop(name) for name in ("__spec__", "__file__") if name in main
+    }
+    main["__spec__"] = None
+    try:
+        yield
+    finally:
+        main.update({"__spec__": None, **hidden})
 
 
 _work: Work

@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterable
 from contextlib import ExitStack, suppress
 from pathlib import Path
+from stat import S_IFREG, S_ISDIR, S_ISREG
 from types import TracebackType
 from typing import Self
 
@@ -22,6 +23,9 @@ from exactsweep.processes import lock
 
 PARQUET = ".parquet"
 """What the name of a Parquet file ends with."""
+
+CSV = ".csv"
+"""What the name of a CSV file ends with."""
 
 
 class Output:
@@ -42,16 +46,24 @@ class Output:
 
     def __init__(self, path: str, job: Job, *, restart: bool = False) -> None:
         self.path, self.job = Path(path), job
-        if self.path.is_dir():
+        try:
+            mode = self.path.stat().st_mode
+        except (FileNotFoundError, NotADirectoryError):
+            mode = S_IFREG
+        except (OSError, ValueError) as error:
+            # A part of the path that is too long, for instance, or a byte 0 in it.
+            reason = error.strerror if isinstance(error, OSError) else str(error)
+            raise BatchError(f"{file_name(path)}: {reason}") from None
+        if S_ISDIR(mode):
             raise BatchError(f"{file_name(path)}: Is a directory")
-        if self.path.exists() and not self.path.is_file():
+        if not S_ISREG(mode):
             raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be resumed")
-        self.is_table = self.path.suffix.lower() == PARQUET
+        self.is_table = self.path.suffix.lower() in (PARQUET, CSV)
         self.part = self.path.with_name(f"{self.path.name}.part")
         self.note = self.path.with_name(f"{self.path.name}.job")
         self.done = self.refused = 0
-        if self.is_table:
-            from exactsweep.batch.parquet import require_pyarrow
+        if self.path.suffix.lower() == PARQUET:
+            from exactsweep.batch.table import require_pyarrow
 
             require_pyarrow()
         with ExitStack() as opened:
@@ -119,10 +131,15 @@ class Output:
             os.fsync(self.file.fileno())
             self.file.close()
             if self.is_table:
-                from exactsweep.batch.parquet import write_parquet
+                from exactsweep.batch.table import write_csv, write_parquet
 
                 table = self.path.with_name(f"{self.path.name}.tmp")
-                write_parquet(self.part, table, self.job.work.what)
+                work = self.job.work
+                if self.path.suffix.lower() == PARQUET:
+                    rounded = work.rounding is not None
+                    write_parquet(self.part, table, work.what, rounded=rounded)
+                else:
+                    write_csv(self.part, table, work.what)
                 table.replace(self.path)
                 self.part.unlink()
             else:

@@ -1,9 +1,9 @@
 """Parts: polygons that many pairs share, each one read and validated once."""
 
+from collections.abc import Sequence
 from typing import NamedTuple, Unpack
 
-from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.polygons import read_candidates
+from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -25,24 +25,51 @@ def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) 
     """Read a part list, each polygon once.
 
     Args:
-        path: a file of polygons, or "-" for standard input.
+        path: a file of polygons, "-" for standard input, a folder or a pattern, as
+            `exactsweep.formats.folder.find_files` takes it, perhaps with "#" and a choice.
         tolerance: as for `exactsweep.formats.parse_polygons`.
+        options: likewise.
 
     Returns:
-        tuple of Part; one that is no simple polygon is among them and concerns only its own pairs.
+        tuple of Part, named as by `exactsweep.formats.folder.list_parts`; one that is no simple
+        polygon is among them and concerns only its own pairs.
 
     Raises:
-        FormatError: anything wrong with the file as a whole; the message names it.
+        FormatError: anything wrong with the only file as a whole, or with all of several.
     """
-    return tuple(
-        _read(outline, str(k))
-        for k, outline in enumerate(read_candidates(path, tolerance, **options))
-    )
+    return make_parts(list_parts([path], tolerance, **options))
 
 
-def _read(outline: Candidate, index: str) -> Part:
-    name = index if outline.name is None else outline.name
-    try:
-        return Part(name, outline.shape())
-    except ValueError as error:
-        return Part(name, str(error))
+def make_parts(listing: Listing) -> tuple[Part, ...]:
+    """Read what files hold, as `read_parts` does."""
+    found = []
+    for name, _, candidate in listing.parts:
+        try:
+            found.append(Part(name, candidate.shape()))
+        except ValueError as error:
+            found.append(Part(name, str(error)))
+    return tuple(found)
+
+
+def rotate_parts(parts: Sequence[Part], degrees: Sequence[int]) -> list[Part]:
+    """Turn each part about the origin, exactly.
+
+    Args:
+        parts: the parts.
+        degrees: multiples of 90, counter-clockwise.
+
+    Returns:
+        list of Part, one after another, named "part@90" where there is a turn.
+
+    Example:
+        >>> (part,) = rotate_parts([Part("a", Polygon([(0, 0), (2, 0), (0, 1)]))], [90])
+        >>> print(part.name, part.polygon)
+        a@90 (-1, 0) (0, 0) (0, 2)
+    """
+    return [
+        Part(f"{name}@{by}", shape if isinstance(shape, str) else shape.rotated(by))
+        if by % 360
+        else Part(name, shape)
+        for name, shape in parts
+        for by in degrees
+    ]

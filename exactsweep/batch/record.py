@@ -1,12 +1,13 @@
 """The record of one pair, a line of JSON."""
 
-import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any, Literal
 
 from exactsweep import NoFitPolygon, Sweep
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.polygon import Polygon
+from exactsweep.batch.rounded import Rounding, round_values
+from exactsweep.formats.decimals import format_decimal
+from exactsweep.formats.exact_json import write_json
 from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]
@@ -27,7 +28,11 @@ Only records of kind "SS" have "unswept".
 
 
 def result_line(
-    index: int, names: Mapping[str, object], result: Sweep | NoFitPolygon, what: Quantities
+    index: int,
+    names: Mapping[str, object],
+    result: Sweep | NoFitPolygon,
+    what: Quantities,
+    rounding: Rounding | None = None,
 ) -> bytes:
     """Write what is wanted of a pair.
 
@@ -36,14 +41,18 @@ def result_line(
         names: "id", "generatrix" and "directrix", those that there are.
         result: the pair's sweep, or its no-fit polygon if that is wanted.
         what: the quantities.
+        rounding: how numbers are rounded; None to leave them.
 
     Returns:
-        A line of JSON; its members are "index", the names and COLUMNS of the quantities, all
-        numbers but the index and the direction, which is null for kind "SS", strings that
-        `to_fraction` reads.
+        A line of JSON; its members are "index", the names and COLUMNS of the quantities. The index
+        and the components of the direction, which is null for kind "SS", are integers; all other
+        numbers are decimals if they are rounded, else strings that `to_fraction` reads.
     """
     columns = (c for c in COLUMNS[what] if c != "unswept" or result.kind == "SS")
-    return _line({"index": index, **names, **{c: _value(result, c) for c in columns}})
+    values = {c: _value(result, c) for c in columns}
+    if rounding is not None:
+        values = round_values(values, rounding)
+    return _line({"index": index, **names, **values}, format_decimal if rounding else None)
 
 
 def error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
@@ -65,17 +74,13 @@ def _value(result: Sweep | NoFitPolygon, column: str) -> object:
     if column.endswith("_area"):
         return getattr(result, column.removesuffix("_area")).area
     value: Any = getattr(result, column)
-    if isinstance(value, Polygon):
-        return value.vertices
-    return [loop.vertices for loop in value] if column in ("holes", "unswept") else value
+    return list(value) if column in ("holes", "unswept") else value
 
 
-def _line(record: Mapping[str, object]) -> bytes:
-    members = (f'"{name}": {_text(name, value)}' for name, value in record.items())
+def _line(record: Mapping[str, object], number: Callable[[Fraction], str] | None = None) -> bytes:
+    members = (f'"{name}": {_text(name, value, number)}' for name, value in record.items())
     return f"{{{', '.join(members)}}}\n".encode()
 
 
-def _text(name: str, value: Any) -> str:
-    if name == "direction":
-        return direction_to_json(value)
-    return json.dumps(value, default=format_fraction)
+def _text(name: str, value: Any, number: Callable[[Fraction], str] | None) -> str:
+    return direction_to_json(value) if name == "direction" else write_json(value, number)

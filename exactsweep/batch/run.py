@@ -18,7 +18,7 @@ _CHUNKS_AHEAD = 8
 _TRIES = 3
 
 
-class Summary(NamedTuple):
+class Counts(NamedTuple):
     """How a batch ended.
 
     Attributes:
@@ -60,7 +60,7 @@ def run(
     scheduler: str | None = None,
     restart: bool = False,
     progress: Callable[[int], None] | None = None,
-) -> Summary:
+) -> Counts:
     """Compute a batch, or go on with one that was interrupted.
 
     Args:
@@ -75,7 +75,7 @@ def run(
         progress: is called with the number of records there are, each time that it grows.
 
     Returns:
-        A Summary.
+        Counts.
 
     Raises:
         BatchError: the file cannot be written, has records of another batch, or is being written;
@@ -106,7 +106,7 @@ def run(
         if records.done < job.total:
             raise BatchError(f"{job.path} has become shorter since the batch began")
         records.finish()
-        return Summary(job.total, records.refused, resumed)
+        return Counts(job.total, records.refused, resumed)
 
 
 def _processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, error_line, result_line
+from exactsweep.batch.rounded import Rounding
 from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json
@@ -49,11 +50,17 @@ class Work:
         generatrices: the parts that are swept, all round each of the directrices; or those to
             which lines of a file refer by name.
         directrices: the parts that they are swept around, or the same again.
+        rounding: how numbers are rounded; None to leave them.
     """
 
     def __init__(
-        self, what: Quantities, generatrices: Sequence[Part], directrices: Sequence[Part]
+        self,
+        what: Quantities,
+        generatrices: Sequence[Part],
+        directrices: Sequence[Part],
+        rounding: Rounding | None = None,
     ) -> None:
+        self.rounding = rounding
         self.what = what
         self.generatrices = generatrices
         self.directrices = directrices
@@ -74,7 +81,7 @@ class Work:
                 )
             else:
                 result = self._read(pair, names)
-            return result_line(index, names, result, self.what)
+            return result_line(index, names, result, self.what, self.rounding)
         except ValueError as error:
             reason = str(error)
         except RecursionError:

@@ -12,18 +12,23 @@ from itertools import pairwise
 from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
+from exactsweep.check.length import answer_digits, area_digits
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, limits, to_fraction
+from exactsweep.geometry.number import (
+    NumberError,
+    allowed_digits,
+    format_fraction,
+    limits,
+    to_fraction,
+)
 from exactsweep.geometry.point import Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1
 
-# Crossings have more digits than the input, and the area has more again; but reading a number
-# takes time that grows with the square of its length.
-MAX_DIGITS = 20_000
-MAX_AREA_DIGITS = 200_000
-MAX_BITS = 400_000  # of an int, which no reader has bounded yet
+# Of a number of the input, if no larger one is in force: it may have been an int from the start.
+INPUT_DIGITS = 20_000
+DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
 
 Event = Literal["EV", "VE", "EE"]
 Kind = Literal["CC", "CM", "MM"]
@@ -98,14 +103,17 @@ def read(certificate: Any) -> Certificate:
     check_keys(certificate, Certificate._fields)
     if not any(is_exactly(certificate["kind"], str, kind) for kind in ("CC", "CM", "MM")):
         raise CertificateError("kind is not CC, CM or MM")
-    with limits(max_digits=MAX_DIGITS):
-        g, d, t, inner, outer = (
-            read_loop(certificate[name], name)
-            for name in ("generatrix", "directrix", "trajectory", "inner", "outer")
-        )
+    with limits(max_digits=max(INPUT_DIGITS, allowed_digits())):
+        g, d = (read_loop(certificate[name], name) for name in ("generatrix", "directrix"))
         reference = _point(certificate["reference"], "reference")
+    inputs = (certificate[name] for name in ("generatrix", "directrix", "reference"))
+    with limits(max_digits=answer_digits(*inputs)):
+        direction = _direction(certificate["direction"])
+        t, inner, outer = (
+            read_loop(certificate[name], name) for name in ("trajectory", "inner", "outer")
+        )
         fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
-    with limits(max_digits=MAX_AREA_DIGITS):
+    with limits(max_digits=area_digits(certificate["inner"], certificate["outer"])):
         area = read_number(certificate["area"], "area")
 
     def contact(item: Any, place: str) -> Contact:
@@ -126,7 +134,7 @@ def read(certificate: Any) -> Certificate:
         generatrix=g,
         directrix=d,
         kind=certificate["kind"],
-        direction=_direction(certificate["direction"]),
+        direction=direction,
         reference=reference,
         trajectory=t,
         inner=inner,
@@ -208,14 +216,19 @@ def read_fit(item: Any, place: str) -> tuple[Point, Point]:
 
 
 def _direction(item: Any) -> tuple[int, int]:
-    p, q = read_tuple(item, "direction", 2)
+    p, q = (_read_long_int(c) if type(c) is str else c for c in read_tuple(item, "direction", 2))
     if type(p) is not int or type(q) is not int:
         raise CertificateError("direction: not a pair of integers")
-    if max(p.bit_length(), q.bit_length()) > MAX_BITS:
-        raise CertificateError(f"direction: more than {MAX_BITS} bits")
     if gcd(p, q) != 1 or not (p > 0 or (p, q) == (0, 1)):
         raise CertificateError("direction: not primitive")
     return p, q
+
+
+def _read_long_int(text: str) -> int | Fraction:
+    """Read an int that Python's reader of JSON would refuse."""
+    value = read_number(text, "direction")
+    is_long = value.denominator == 1 and len(text) > DIGITS_OF_AN_INT
+    return value.numerator if is_long else value
 
 
 def _index(item: Any, length: int, place: str) -> int:

@@ -16,8 +16,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from exactsweep.check.certificate import (
-    MAX_AREA_DIGITS,
-    MAX_DIGITS,
+    INPUT_DIGITS,
     CertificateError,
     Loop,
     check_keys,
@@ -27,7 +26,8 @@ from exactsweep.check.certificate import (
     read_loop,
     read_number,
 )
-from exactsweep.geometry.number import limits
+from exactsweep.check.length import answer_digits, area_digits
+from exactsweep.geometry.number import allowed_digits, limits
 from exactsweep.geometry.point import Point
 
 Fits = tuple[tuple[Point, Point], ...]
@@ -94,13 +94,14 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
     if name is None:
         raise CertificateError(f"claim is not {', '.join(_KEYS)}")
     check_keys(certificate, ("claim", *_KEYS[name]))
-    with limits(max_digits=MAX_DIGITS):
+    shapes = ("container", "part") if name == "inner_fit" else ("directrix", "generatrix")
+    with limits(max_digits=max(INPUT_DIGITS, allowed_digits())):
+        d, g = (_outline(certificate[key], key) for key in shapes)
+    with limits(max_digits=answer_digits(*(certificate[key] for key in shapes))):
         fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
         if name == "inner_fit":
-            container, part = (_outline(certificate[k], k) for k in ("container", "part"))
             regions = read_list(certificate["regions"], "regions", _outline)
-            return InnerFitClaim(container, part, regions, fits)
-        d, g = (_outline(certificate[k], k) for k in ("directrix", "generatrix"))
+            return InnerFitClaim(d, g, regions, fits)
         exterior = read_loop(certificate["exterior"], "exterior")
         no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
         if name == "no_fit":
@@ -109,7 +110,8 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
             raise CertificateError("kind is not SS")
         inner, outer = (read_loop(certificate[k], k) for k in ("inner", "outer"))
         unswept = _loops(certificate["unswept"], "unswept")
-    with limits(max_digits=MAX_AREA_DIGITS):
+    loops = (certificate[key] for key in ("inner", "outer", "unswept"))
+    with limits(max_digits=area_digits(*loops)):
         area = read_number(certificate["area"], "area")
     return SweepClaim(no_fit, inner, outer, unswept, area)
 

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from math import lcm
+from typing import Any
 
-from exactsweep.check.certificate import MAX_BITS, CertificateError
+from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
+from exactsweep.check.length import reading_steps
 from exactsweep.geometry.point import Point
 
 
-def common_scale(points: Iterable[Point]) -> int:
-    """The least common denominator; raise CertificateError if it is enormous."""
+def common_scale(points: Collection[Point], max_steps: int) -> int:
+    """The least common denominator; raise CertificateError if it alone makes too many steps."""
     scale = 1
     for x, y in points:
         scale = lcm(scale, x.denominator, y.denominator)
-        if scale.bit_length() > MAX_BITS:
-            raise CertificateError(f"too large: a common denominator has more than {MAX_BITS} bits")
+        _allow(len(points) * _weight(scale.bit_length()), max_steps)
     return scale
 
 
@@ -26,7 +27,16 @@ def check_size(loops: Collection[Sequence[Node]], steps: int, max_steps: int) ->
     work = (steps + sum(map(len, loops))) * _weight(bits)
     # The area comes over the product of all denominators.
     work += max(_weight(2 * sum(w.bit_length() for _, _, w in nodes)) for nodes in loops)
-    if work > max_steps:
+    _allow(work, max_steps)
+
+
+def check_reading(certificate: Any, max_steps: int) -> None:
+    """Raise CertificateError if to read its numbers takes more steps than are allowed."""
+    _allow(reading_steps(certificate), max_steps)
+
+
+def _allow(steps: int, max_steps: int) -> None:
+    if steps > max_steps:
         raise CertificateError(f"too large: to check it would take more than {max_steps} steps")
 
 

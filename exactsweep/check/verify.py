@@ -39,7 +39,7 @@ from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import exact_fits
 from exactsweep.check.loop import Frame, Loop
-from exactsweep.check.size import check_size, common_scale
+from exactsweep.check.size import check_reading, check_size, common_scale
 from exactsweep.check.sums import check_sum_within, steps_within
 from exactsweep.geometry.point import Point
 
@@ -85,6 +85,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     Verification(proved=False, reason="the key 'version' is missing", witness=None)
     """
     try:
+        check_reading(certificate, max_steps)
         if type(certificate) is dict and "claim" in certificate:
             prove_claim(read_claim(certificate), max_steps)
         else:
@@ -95,7 +96,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = Frame(c.direction, common_scale(c.generatrix + c.directrix))
+    frame = Frame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
         "generatrix": frame.enter(c.generatrix, _ORIGIN),
         "directrix": frame.enter(c.directrix, _ORIGIN),

@@ -19,6 +19,7 @@ from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
 from exactsweep.cli.view import view_command
+from exactsweep.formats.files import file_name
 
 
 class _Commands(click.Group):
@@ -27,10 +28,24 @@ class _Commands(click.Group):
     def invoke(self, ctx: click.Context) -> object:
         try:
             return super().invoke(ctx)
+        except click.ClickException as error:
+            if type(error) is not click.ClickException:
+                raise  # of click, which writes on several lines how a command is used
+            raise click.ClickException(_on_one_line(error.message)) from None
         except ValueError as error:
-            raise click.ClickException(str(error)) from None
+            raise click.ClickException(_on_one_line(str(error))) from None
+        except BrokenPipeError:
+            raise  # click ends without a word
+        except OSError as error:
+            place = "" if error.filename is None else f"{file_name(str(error.filename))}: "
+            raise click.ClickException(f"{place}{error.strerror or error}") from None
         except MemoryError:
             raise click.ClickException("out of memory") from None
+
+
+def _on_one_line(message: str) -> str:
+    """The message, with what would break its line, or do worse in a terminal, spelled out."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
 
 
 @click.group(cls=_Commands)

@@ -9,14 +9,29 @@ from typing import TYPE_CHECKING
 
 import click
 
-from exactsweep.cli.output import write
+from exactsweep.cli.export import Rounding, takes_rounding
+from exactsweep.cli.output import say_left_out, write
 from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.formats import FormatError, file_name
+from exactsweep.geometry.number import quoted
 from exactsweep.words import count
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from exactsweep.batch import Job, Part
+
+
+def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -> list[int] | None:
+    if text is None:
+        return None
+    try:
+        found = [int(word) for word in text.split(",")]
+    except ValueError:
+        raise click.BadParameter(f"{quoted(text)} is not a list of integers") from None
+    if any(degrees % 90 for degrees in found):
+        raise click.BadParameter("other angles than multiples of 90 degrees are irrational")
+    return found
 
 
 @click.command("batch")
@@ -27,7 +42,7 @@ if TYPE_CHECKING:
     nargs=2,
     type=PATH,
     metavar="GENERATRICES DIRECTRICES",
-    help="All pairs of the polygons of two files.",
+    help="All pairs of the polygons of two files, folders, or patterns such as 'parts/*.dxf'.",
 )
 @click.option("--parts", type=PATH, metavar="FILE", help="Polygons that PAIRS names.")
 @click.option(
@@ -48,7 +63,14 @@ if TYPE_CHECKING:
     metavar="ADDRESS",
     help="Compute on the workers of a Dask scheduler; 'local' starts a cluster of this machine.",
 )
+@click.option(
+    "--rotations",
+    callback=_to_degrees,
+    metavar="DEGREES",
+    help="With --all, each generatrix turned by these, multiples of 90 such as 0,90,180,270.",
+)
 @click.option("--restart", is_flag=True, help="Throw away what an interrupted batch left.")
+@takes_rounding
 @takes_reading
 @click.option(
     "-o",
@@ -56,7 +78,7 @@ if TYPE_CHECKING:
     type=PATH,
     required=True,
     metavar="FILE",
-    help="The records, a line of JSON each; a table if it ends in .parquet.",
+    help="The records, a line of JSON each; a table if it ends in .parquet or .csv.",
 )
 def batch_command(
     pairs: str | None,
@@ -65,7 +87,9 @@ def batch_command(
     what: str,
     workers: int | None,
     scheduler: str | None,
+    rotations: list[int] | None,
     restart: bool,
+    rounding: Rounding,
     reading: Reading,
     output: str,
 ) -> None:
@@ -74,19 +98,27 @@ def batch_command(
     PAIRS has a line of JSON for each pair, {"generatrix": ..., "directrix": ...}, perhaps with
     "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
     'exactsweep sweep' reads, or the name of one in the file of --parts. Instead of PAIRS, --all
-    takes two files and sweeps each polygon of the first one around each of the second.
+    sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder stands for all files
+    in it; polygons are named by file, layer and id. What is no polygon is left out, which is told
+    on standard error.
+
+    --round makes all numbers of the records decimals near them, which other programs read as
+    numbers. With --round-outward no loop moves to where it would permit an overlap.
 
     A record of --compute nfp has the exterior, the holes and the exact fits of the no-fit polygon,
     as 'exactsweep nfp --json' writes them; the generatrix is the one that orbits.
 
     The records are in the order of the pairs. A pair that is refused has a record that says why,
     and does not end the batch. A batch that is interrupted, however, goes on from where it was
-    when the same command is given again; until it is whole, its records are in FILE.part.
+    when the same command is given again; until it is whole, its records are in FILE.part. If all
+    pairs were refused, the exit code is 1.
     """
     if (pairs is None) == (lists is None):
         raise click.UsageError("Give either PAIRS or --all.")
     if pairs is None and parts is not None:
         raise click.UsageError("--parts goes with PAIRS.")
+    if lists is None and rotations is not None:
+        raise click.UsageError("--rotations goes with --all.")
     if "-" in (pairs, output):
         raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
     from exactsweep.batch import run
@@ -96,7 +128,7 @@ def batch_command(
 
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
-    job = _job(pairs, lists, parts, what, reading)
+    job = _job(pairs, lists, parts, what, rounding, rotations, reading)
     done = 0
     try:
         with _progress(job.total) as show:
@@ -123,6 +155,8 @@ def batch_command(
     if summary.resumed:
         text += f"; {summary.resumed} of the records were there already"
     write(f"{text}\n", "-")
+    if summary.pairs and summary.refused == summary.pairs:
+        raise click.ClickException(f"all pairs were refused; {file_name(output)} says why")
 
 
 def _job(
@@ -130,23 +164,35 @@ def _job(
     lists: tuple[str, str] | None,
     parts: str | None,
     what: str,
+    rounding: Rounding,
+    rotations: list[int] | None,
     reading: Reading,
 ) -> Job:
+    from exactsweep.batch import Rounding as Rounded
     from exactsweep.batch import all_pairs, pairs_of
+    from exactsweep.batch.parts import rotate_parts
 
+    rounded = None if rounding.places is None else Rounded(rounding.places, rounding.outward)
     if pairs is not None:
-        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what)
+        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what, rounded)
     assert lists is not None
     generatrices, directrices = lists
     first = _parts(generatrices, reading)
     second = first if generatrices == directrices else _parts(directrices, reading)
-    return all_pairs(first, second, what)
+    turned = first if rotations is None else rotate_parts(first, rotations)
+    return all_pairs(turned, second, what, rounded)
 
 
-def _parts(path: str, reading: Reading) -> tuple[Part, ...]:
-    from exactsweep.batch import read_parts
+def _parts(path: str, reading: Reading) -> Sequence[Part]:
+    """Read the parts of files, and say what is left out."""
+    from exactsweep.batch.parts import make_parts
+    from exactsweep.formats.folder import list_parts
 
-    return read_parts(path, **reading)
+    listing = list_parts([path], **reading)
+    if listing.left_out and not listing.parts:
+        raise FormatError(f"nothing can be read: {listing.first_reason()}")
+    say_left_out(listing.left_out)
+    return make_parts(listing)
 
 
 @contextmanager

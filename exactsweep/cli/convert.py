@@ -4,17 +4,18 @@ from pathlib import PurePath
 
 import click
 
-from exactsweep.cli.output import say_left_out, takes_output, write
+from exactsweep.cli.export import Rounding, export, takes_rounding
+from exactsweep.cli.output import say_left_out, takes_output
 from exactsweep.cli.pair import PATH, Reading, takes_reading
 from exactsweep.formats import (
     FORMATS,
     FormatError,
     NamedRegion,
     file_name,
-    format_polygons,
-    rounded_polygons,
 )
 from exactsweep.formats.folder import list_parts, make_unique
+from exactsweep.formats.rounding import Side
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.words import count
 
 
@@ -27,16 +28,20 @@ from exactsweep.words import count
     help="The format; that of the ending of the output's name if left out.",
 )
 @click.option(
-    "--round",
-    "places",
-    type=click.IntRange(0, 4000),
-    metavar="PLACES",
-    help="Round to so many decimal places, and say on standard error what that changed.",
+    "--free",
+    is_flag=True,
+    help="With --round-outward: the polygons are free positions, which shrink.",
 )
+@takes_rounding
 @takes_reading
 @takes_output
 def convert_command(
-    files: tuple[str, ...], form: str | None, places: int | None, reading: Reading, output: str
+    files: tuple[str, ...],
+    form: str | None,
+    free: bool,
+    rounding: Rounding,
+    reading: Reading,
+    output: str,
 ) -> None:
     """Write the polygons of files in another format.
 
@@ -53,28 +58,18 @@ def convert_command(
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
     polygons = _read(files, reading)
-    changed = 0
+    # Of a part it is not known what is forbidden.
+    side: Side = "closest"
+    if rounding.outward:
+        side = "inward" if free else "outward"
     try:
-        if places is not None:
-            polygons, changed, largest = rounded_polygons(polygons, places)
-        text = format_polygons(polygons, form)
-    except ValueError as error:
-        hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
-        raise FormatError(f"{', '.join(map(file_name, files))}: {error}{hint}") from None
-    write(text, output)
+        export(polygons, (), form, rounding, output, lambda region: side)
+    except (FormatError, PolygonError) as error:
+        raise FormatError(f"{', '.join(map(file_name, files))}: {error}") from None
     holes = sum(len(polygon.region.holes) for polygon in polygons)
     if form == "dxf" and holes:
         click.echo(
             f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
-            err=True,
-        )
-    if changed:
-        # rich takes longer to import than all the rest.
-        from exactsweep.text.report import approximation
-
-        click.echo(
-            f"rounded: {count(changed, 'coordinate')}, the largest change about "
-            f"{approximation(largest)}",
             err=True,
         )
 

@@ -3,16 +3,17 @@
 import click
 
 from exactsweep import InnerFit, Point, Region, inner_fit_polygon
-from exactsweep.cli.output import takes_form, takes_output, write_result
 from exactsweep.cli.pair import takes_shapes
-from exactsweep.text.results import inner_fit_to_json, inner_fit_to_wkt
+from exactsweep.cli.result import Form, takes_form, write_result
+from exactsweep.formats import NamedRegion
+from exactsweep.formats.rounding import Side
+from exactsweep.text.results import inner_fit_to_json, inner_fit_to_regions, inner_fit_to_wkt
 
 
 @click.command("ifp")
 @takes_shapes("CONTAINER", "PART")
 @takes_form("the positions")
-@takes_output
-def ifp_command(container: Region, part: Region, reference: Point, form: str, output: str) -> None:
+def ifp_command(container: Region, part: Region, reference: Point, form: Form) -> None:
     """Find all positions of a part inside a container.
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
@@ -25,12 +26,22 @@ def ifp_command(container: Region, part: Region, reference: Point, form: str, ou
     """
     result = inner_fit_polygon(container, part, reference=reference)
     write_result(
-        result, form, output, to_json=inner_fit_to_json, to_wkt=inner_fit_to_wkt, report=_report
+        result,
+        form,
+        to_json=inner_fit_to_json,
+        to_wkt=inner_fit_to_wkt,
+        to_regions=inner_fit_to_regions,
+        side_of=_side,
+        report=_report,
     )
 
 
-def _report(result: InnerFit, width: int | None) -> str:
+def _side(region: NamedRegion) -> Side:
+    return "inward"
+
+
+def _report(result: InnerFit, width: int | None, everything: bool) -> str:
     # rich takes longer to import than all the rest.
     from exactsweep.text.report import inner_fit_report
 
-    return inner_fit_report(result, width)
+    return inner_fit_report(result, width, everything=everything)

@@ -3,23 +3,19 @@
 import os
 import sys
 from collections.abc import Callable, Sequence
-from functools import wraps
 from pathlib import Path
 from shutil import get_terminal_size
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import click
 
-from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, file_name
-from exactsweep.text.results import certificate_to_json
 
 # A report of more is not read.
 _MOST_REASONS = 100
 
 _Command = TypeVar("_Command", bound=Callable[..., None])
-_Result = TypeVar("_Result", Sweep, NoFitPolygon, InnerFit)
 
 
 def takes_output(command: _Command) -> _Command:
@@ -28,61 +24,6 @@ def takes_output(command: _Command) -> _Command:
         "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
     )
     return option(command)
-
-
-def takes_form(wkt: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command --json, --wkt and --certificate as `form`, the word, or "report".
-
-    Args:
-        wkt: what --wkt writes.
-    """
-
-    def decorated(command: Callable[..., None]) -> Callable[..., None]:
-        @click.option("--json", is_flag=True, help="Write everything, exactly, as JSON.")
-        @click.option("--wkt", is_flag=True, help=f"Write {wkt}, exactly, as WKT.")
-        @click.option(
-            "--certificate",
-            is_flag=True,
-            help="Write everything, and the reasons, as JSON for 'exactsweep verify'.",
-        )
-        @wraps(command)
-        def with_form(
-            *arguments: Any, json: bool, wkt: bool, certificate: bool, **options: Any
-        ) -> None:
-            forms = {"json": json, "wkt": wkt, "certificate": certificate}
-            chosen = [form for form, given in forms.items() if given]
-            if len(chosen) > 1:
-                raise click.UsageError(f"--{chosen[0]} and --{chosen[1]} exclude each other.")
-            command(*arguments, form=chosen[0] if chosen else "report", **options)
-
-        return with_form
-
-    return decorated
-
-
-def write_result(
-    result: _Result,
-    form: str,
-    output: str,
-    *,
-    to_json: Callable[[_Result], str],
-    to_wkt: Callable[[_Result], str],
-    report: Callable[[_Result, int | None], str],
-) -> None:
-    """Write a result in a form of `takes_form`."""
-    if form == "json":
-        text = to_json(result)
-    elif form == "certificate":
-        text = certificate_to_json(result)
-    elif form == "wkt":
-        try:
-            text = to_wkt(result)
-        except FormatError as error:
-            raise FormatError(f"{error}; use --json") from None
-    else:
-        terminal = terminal_size(output)
-        text = report(result, terminal and terminal.columns)
-    write(text, output)
 
 
 def say_left_out(reasons: Sequence[str]) -> None:

@@ -28,7 +28,7 @@ from exactsweep.formats import FormatError
     "--list",
     "only_list",
     is_flag=True,
-    help="List the claims, with verdicts and kinds of evidence.",
+    help="List all statements, with sections, verdicts and kinds of evidence.",
 )
 @click.option(
     "--cite", is_flag=True, help="Write CITATION.cff and references.bib, and nothing else."
@@ -61,7 +61,9 @@ def reproduce_command(
     claims = [find(name) for name in names] or list(CLAIMS)
     if only_list:
         for claim in claims:
-            click.echo(f"{claim.name}: {claim.verdict.value} ({', '.join(claim.evidence)})")
+            kinds = ", ".join(claim.evidence)
+            click.echo(f"{claim.section}, {claim.name}: {claim.verdict.value} ({kinds})")
+            click.echo(f"    {claim.words}")
         return
     effort = Effort(seed, quick)
     rows = []

@@ -3,16 +3,17 @@
 import click
 
 from exactsweep import Sweep
-from exactsweep.cli.output import takes_form, takes_output, write_result
 from exactsweep.cli.pair import takes_pair
-from exactsweep.text.results import sweep_to_json, sweep_to_wkt
+from exactsweep.cli.result import Form, takes_form, write_result
+from exactsweep.formats import NamedRegion
+from exactsweep.formats.rounding import Side
+from exactsweep.text.results import sweep_to_json, sweep_to_regions, sweep_to_wkt
 
 
 @click.command("sweep")
 @takes_pair
 @takes_form("the loops")
-@takes_output
-def sweep_command(result: Sweep, form: str, output: str) -> None:
+def sweep_command(result: Sweep, form: Form) -> None:
     """Sweep one polygon around another.
 
     GENERATRIX goes around DIRECTRIX, always in contact and never overlapping. Each is a file,
@@ -28,11 +29,23 @@ def sweep_command(result: Sweep, form: str, output: str) -> None:
     holes of the swept area, a POLYGON a line, if all their coordinates are finite decimals, and is
     refused otherwise.
     """
-    write_result(result, form, output, to_json=sweep_to_json, to_wkt=sweep_to_wkt, report=_report)
+    write_result(
+        result,
+        form,
+        to_json=sweep_to_json,
+        to_wkt=sweep_to_wkt,
+        to_regions=sweep_to_regions,
+        side_of=_side,
+        report=_report,
+    )
 
 
-def _report(result: Sweep, width: int | None) -> str:
+def _side(region: NamedRegion) -> Side:
+    return "inward" if (region.name or "").startswith(("inner", "unswept")) else "outward"
+
+
+def _report(result: Sweep, width: int | None, everything: bool) -> str:
     # rich takes longer to import than all the rest.
     from exactsweep.text.report import report
 
-    return report(result, width)
+    return report(result, width, everything=everything)

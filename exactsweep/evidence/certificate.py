@@ -20,6 +20,7 @@ from exactsweep.geometry.polygon import Polygon
 
 FORMAT = "exactsweep certificate"
 VERSION = 1
+_DIGITS_OF_AN_INT = 4300
 
 
 class Answer(NamedTuple):
@@ -61,10 +62,11 @@ def write_certificate(answer: Answer) -> dict[str, Any]:
 
     Returns:
         A dict ready for `json.dump`: the input (`generatrix`, `directrix`, `reference`,
-        `direction`), the answer (`kind`, `trajectory`, `inner`, `outer`, `area`, `exact_fits`) and
-        its reasons: `contacts`, for each edge of the trajectory its contacts as [event, feature of
-        G, feature of D]; `inner_drawn` and `outer_drawn`, for each edge of the loop what draws it
-        as [[where on the trajectory], [feature of G]].
+        `direction`, two ints, each in a string if it is long), the answer (`kind`, `trajectory`,
+        `inner`, `outer`, `area`, `exact_fits`) and its reasons: `contacts`, for each edge of the
+        trajectory its contacts as [event, feature of G, feature of D]; `inner_drawn` and
+        `outer_drawn`, for each edge of the loop what draws it as [[where on the trajectory],
+        [feature of G]].
 
     Cost: linear in the size of the answer.
 
@@ -81,7 +83,7 @@ def write_certificate(answer: Answer) -> dict[str, Any]:
         "generatrix": _points(answer.generatrix.vertices),
         "directrix": _points(answer.directrix.vertices),
         "kind": answer.kind,
-        "direction": list(answer.direction),
+        "direction": list(map(_written_int, answer.direction)),
         "reference": _point(answer.reference),
         "trajectory": _points(answer.trajectory.vertices),
         "inner": _points(answer.inner.vertices),
@@ -92,6 +94,12 @@ def write_certificate(answer: Answer) -> dict[str, Any]:
         "inner_drawn": _drawn(answer.inner_drawn),
         "outer_drawn": _drawn(answer.outer_drawn),
     }
+
+
+def _written_int(number: int) -> int | str:
+    """An int, or its digits in a string where Python and others do not read that many of an int."""
+    text = format_fraction(Fraction(number))
+    return text if len(text) > _DIGITS_OF_AN_INT else number
 
 
 def _drawn(edges: Sequence[Sequence[Trace]]) -> list[list[list[list[str | int]]]]:

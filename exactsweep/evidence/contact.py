@@ -3,8 +3,8 @@
 An edge of the trajectory is a piece of the segment of translations at which two features touch:
 EV (edge e of G on vertex v of D): v - e; VE (vertex w of G on edge d of D): d - w; EE (parallel
 edges): d - e. Every pair whose segment shares a piece with the edge is a contact there, since all
-of the trajectory is free of overlap. All pairs that can touch without overlap (see `facing`) are
-found by looking up lines, without regard to how the trajectory was computed.
+of the trajectory is free of overlap. All pairs that can touch without overlap (see `find_facing`)
+are found by looking up lines, without regard to how the trajectory was computed.
 
 An edge e touches a vertex v from outside only if both edges at v run on the other side of the line
 through e: v is convex, and e reversed has its place between them in the order of directions. For
@@ -42,12 +42,12 @@ class Contact(NamedTuple):
     directrix: int
 
 
-def edges_of(loop: Sequence[Vertex]) -> list[Edge]:
+def list_edges(loop: Sequence[Vertex]) -> list[Edge]:
     """The edges of a loop, edge k from vertex k to vertex k + 1."""
     return list(pairwise([*loop, loop[0]]))
 
 
-def edge_contacts(
+def find_edge_contacts(
     edges: Sequence[Edge], generatrix: Outline, directrix: Outline
 ) -> list[list[Contact]]:
     """Find all contacts along each edge of a trajectory, or of other loops of free translations.
@@ -61,8 +61,8 @@ def edge_contacts(
         For each edge the sorted contacts that last for a piece of positive length of it. An EV or
         VE that is part of an EE contact is not listed beside it.
 
-    Cost: O(t + (m + n) log(m + n)) for t edges, and a look-up for each pair that can touch without
-    overlap: O(m + n) pairs for convex polygons, O(m n) for any.
+    Cost: O((t + m + n) log(t + m + n)) for t edges, and a look-up, O(log t), for each pair that can
+    touch without overlap: O(m + n) pairs for convex polygons, O(m n) for any.
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges):
@@ -99,10 +99,10 @@ def edge_contacts(
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
                 note("EE", i, j, minus(r, p), minus(s, q))
-    for i, j in facing(g_edges, directrix):
+    for i, j in find_facing(g_edges, directrix):
         (p, q), v = g_edges[i], directrix.vertices[j]
         note("EV", i, j, minus(v, p), minus(v, q))
-    for j, i in facing(d_edges, generatrix):
+    for j, i in find_facing(d_edges, generatrix):
         (r, s), w = d_edges[j], generatrix.vertices[i]
         note("VE", i, j, minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
@@ -161,7 +161,7 @@ class Boundary(Outline):
                     yield k
 
 
-def contacts_at(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
+def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Contact]:
     """Find all contacts of G + t with D, VV among them.
 
     Args:
@@ -206,7 +206,7 @@ def contacts_at(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Cont
     return sorted(found)
 
 
-def facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, int]]:
+def find_facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, int]]:
     """Pairs of an edge and a vertex that can touch without overlap.
 
     Args:
@@ -219,7 +219,7 @@ def facing(edges: Mapping[int, Edge], outline: Outline) -> Iterator[tuple[int, i
     Cost: O((m + n) log n + pairs) for n edges and m vertices.
 
     >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
-    >>> sorted(facing({0: ((0, 0), (1, 0)), 1: ((1, 0), (0, 1))}, square))
+    >>> sorted(find_facing({0: ((0, 0), (1, 0)), 1: ((1, 0), (0, 1))}, square))
     [(0, 2), (0, 3), (1, 0)]
     """
     order = sorted((_angle((q, p)), i) for i, (p, q) in edges.items())

@@ -23,7 +23,7 @@ from exactsweep.procedures.chain import graph_edges
 from exactsweep.procedures.envelope import Envelope, point_on
 
 
-def exact_fits(
+def find_exact_fits(
     generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope
 ) -> list[tuple[Vertex, Vertex]]:
     """Find the exact fits of G_t from below in D_b.
@@ -43,7 +43,7 @@ def exact_fits(
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
         >>> lid = [(1, 0), (0, 0)]
         >>> from exactsweep.procedures.cm import trajectory_cm
-        >>> exact_fits(lid, slot, trajectory_cm(lid, slot))
+        >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot))
         [((1, 0), (1, 2))]
     """
     meetings = Counter(
@@ -60,7 +60,7 @@ def exact_fits(
             trajectory.point(trajectory.edge_before(at), at)[1],
             trajectory.point(trajectory.edge_after(at), at)[1],
         )
-        limit = _least_gap(top, bottom, x)
+        limit = _least_height(top, bottom, x)
         if limit > hanging:
             fits.append(((x, hanging), (x, limit)))
     return fits
@@ -72,7 +72,7 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
     return ends | {p[0] for p, q in pairwise(chain) if p[0] == q[0]}
 
 
-def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
+def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
     """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
 
     Cost: O(log m + n + edges of D_b over G).
@@ -84,8 +84,8 @@ def _least_gap(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> 
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
         if low < high:
             for x in low, high:
-                gap = _value(bottom[j], x) - _value(top[i], x - shift)
-                least = gap if least is None else min(least, gap)
+                height = _value(bottom[j], x) - _value(top[i], x - shift)
+                least = height if least is None else min(least, height)
         if gq[0] + shift == high:
             i += 1
         if dq[0] == high:
@@ -100,4 +100,4 @@ def _right(edge: Edge) -> Rational:
 
 
 def _value(edge: Edge, x: Rational) -> Rational:
-    return point_on(edge, (x, 1))[1]
+    return point_on(edge, x.as_integer_ratio())[1]

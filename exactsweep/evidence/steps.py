@@ -21,7 +21,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from exactsweep.evidence.contact import Boundary, Contact, contacts_at, edges_of, minus
+from exactsweep.evidence.contact import Contact, find_contacts, list_edges, minus
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Point, Rational, Vertex
@@ -112,14 +112,13 @@ class _Guide:
     def __init__(self, s: Swept) -> None:
         self.sweep = s
         self.generatrix, self.directrix = s._boundaries
-        path = s._frame.turned(s._translations)
-        self.path = Outline([path]) if s.kind == "SS" else Boundary(path)
+        self.path = s._route
         loop = self.path.vertices
         self.first = min(range(len(loop)), key=loop.__getitem__)
 
     def steps(self) -> tuple[Step, ...]:
         s = self.sweep
-        edges = edges_of(self.path.vertices)
+        edges = list_edges(self.path.vertices)
         landmarks = self._landmarks()
         halves = self._halves()
         found = []
@@ -172,7 +171,7 @@ class _Guide:
         if step[0] * turned[1] > step[1] * turned[0]:
             return "corner", self._meeting(edge[1], contacts)
         g, d = self.generatrix, self.directrix
-        stops = [c for c in contacts_at(g, d, edge[1]) if blocks(c, step, g, d)]
+        stops = [c for c in find_contacts(g, d, edge[1]) if blocks(c, step, g, d)]
         return ("stop", stops) if stops else ("exact fit", [])
 
     def _meeting(self, t: Vertex, contacts: Sequence[Contact]) -> list[Contact]:
@@ -214,8 +213,7 @@ class _Guide:
 
     def _is_passed(self, position: Point) -> bool:
         """Whether a position is on the trajectory."""
-        frame = self.sweep._frame
-        (point,) = frame.turned(frame.raised([position], self.sweep.reference))
+        point = self.sweep._frame.enter_point(position, self.sweep.reference)
         return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
 
     def _place(self, position: Point) -> tuple[int, Rational]:
@@ -223,8 +221,7 @@ class _Guide:
 
         Counted from there, so that no undercut, of the lower or the upper sweep, spans the start.
         """
-        frame = self.sweep._frame
-        (point,) = frame.turned(frame.raised([position], self.sweep.reference))
+        point = self.sweep._frame.enter_point(position, self.sweep.reference)
         vertex = self.path.numbers.get(point)
         k = next(self.path.edges_through(point)) if vertex is None else vertex - 1
         return (k - self.first) % len(self.path.vertices), _progress(self.path.edge(k), point)
@@ -237,7 +234,7 @@ class _Guide:
             if loop[k % size][0] == right:
                 break
             halves[k % size] = "lower"
-        for k, (p, q) in enumerate(edges_of(loop)):
+        for k, (p, q) in enumerate(list_edges(loop)):
             if p[0] == q[0] and p[0] in (left, right):
                 halves[k] = "left" if p[0] == left else "right"
         return halves

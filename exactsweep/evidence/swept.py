@@ -12,10 +12,16 @@ from math import lcm
 from typing import Any
 
 from exactsweep.evidence.certificate import Answer, write_certificate
-from exactsweep.evidence.contact import Boundary, Contact, contacts_at, edge_contacts, edges_of
-from exactsweep.evidence.exact_fit import exact_fits
-from exactsweep.evidence.trace import Trace, Tracer
-from exactsweep.evidence.undercut import Undercut, closing_positions, pockets
+from exactsweep.evidence.contact import (
+    Boundary,
+    Contact,
+    find_contacts,
+    find_edge_contacts,
+    list_edges,
+)
+from exactsweep.evidence.exact_fit import find_exact_fits
+from exactsweep.evidence.trace import Tracer
+from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import abridged
@@ -25,6 +31,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep
+from exactsweep.words import vector
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -58,45 +65,65 @@ class Swept:
         return Frame(self.direction, lcm(self.generatrix.lattice()[0], self.directrix.lattice()[0]))
 
     @cached_property
+    def _polygons(self) -> tuple[list[Vertex], list[Vertex]]:
+        """G and D in the frame: all is computed there, and left as it is handed out."""
+        return self._frame.enter(self.generatrix), self._frame.enter(self.directrix)
+
+    @cached_property
     def _halves(self) -> tuple[LowerSweep, LowerSweep]:
-        frame = self._frame
-        g_bottom, g_top = split(frame.turned(frame.lattice(self.generatrix)))
-        d_bottom, d_top = split(frame.turned(frame.lattice(self.directrix)))
+        (g_bottom, g_top), (d_bottom, d_top) = map(split, self._polygons)
         return (
             LowerSweep(self.kind, g_top, g_bottom, d_bottom),
             LowerSweep(self.kind, inverse(g_bottom), inverse(g_top), inverse(d_top)),
         )
 
-    def _loop(self, half: Callable[[LowerSweep], Iterable[Vertex]], shift: Point) -> Polygon:
-        with resting():
-            lower, upper = (list(half(side)) for side in self._halves)
+    def _loop(
+        self, half: Callable[[LowerSweep], list[Vertex]], shift: Point = ORIGIN
+    ) -> tuple[list[Vertex], Polygon]:
+        """A loop in the frame, and as a Polygon; the vertices of both in canonical order."""
+        with pause_collector():
+            lower, upper = map(half, self._halves)
             upper = inverse(upper)
             # At each end the two chains meet in a point or are joined by a vertical edge.
-            if upper[0] == lower[-1]:
-                del upper[0]
-            if upper[-1] == lower[0]:
-                del upper[-1]
-            loop = lower + upper
+            loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
+            points = self._frame.leave(loop, shift)
             if self.direction != X_AXIS:
-                points = self._frame.turned_back(loop)
-                start = min(range(len(points)), key=points.__getitem__)
-                loop = loop[start:] + loop[:start]
-            return Polygon._from_canonical(self._frame.leave(loop, shift))
+                # Ints are compared in a fraction of the time.
+                floors = [x.numerator // x.denominator for x, _ in points]
+                least = min(floors)
+                first = min(
+                    (k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__
+                )
+                loop, points = loop[first:] + loop[:first], points[first:] + points[:first]
+            return loop, Polygon._from_canonical(points)
 
     @cached_property
-    def trajectory(self) -> Polygon:
-        """The path of the reference point of G: the boundary of the no-fit polygon."""
+    def _trajectory(self) -> tuple[list[Vertex], Polygon]:
+        """The path of G's origin in the frame; and that of the reference point."""
         return self._loop(lambda half: half.path, self.reference)
 
     @cached_property
-    def inner(self) -> Polygon:
-        """The inner loop of the swept area: D with its undercuts closed."""
-        return self._loop(lambda half: half.inner, ORIGIN)
+    def _inner(self) -> tuple[list[Vertex], Polygon]:
+        return self._loop(lambda half: half.inner)
 
     @cached_property
+    def _outer(self) -> tuple[list[Vertex], Polygon]:
+        return self._loop(lambda half: half.outer)
+
+    @property
+    def trajectory(self) -> Polygon:
+        """The path of the reference point of G: the boundary of the no-fit polygon."""
+        return self._trajectory[1]
+
+    @property
+    def inner(self) -> Polygon:
+        """The inner loop of the swept area: D with its undercuts closed."""
+        return self._inner[1]
+
+    @property
     def outer(self) -> Polygon:
         """The outer loop of the swept area."""
-        return self._loop(lambda half: half.outer, ORIGIN)
+        return self._outer[1]
 
     @property
     def unswept(self) -> tuple[Polygon, ...]:
@@ -114,14 +141,20 @@ class Swept:
         return self.outer.area - sum((loop.area for loop in self.unswept), self.inner.area)
 
     @cached_property
-    def _translations(self) -> list[Vertex]:
-        """The trajectory of G's origin on the lattice, in canonical order."""
-        return self._frame.raised(self.trajectory.vertices, self.reference)
+    def _boundaries(self) -> tuple[Outline, Outline]:
+        """The features of G and of D in the frame."""
+        generatrix, directrix = self._polygons
+        return Boundary(generatrix), Boundary(directrix)
+
+    @cached_property
+    def _route(self) -> Outline:
+        """The trajectory of G's origin in the frame, for finding what lies on it."""
+        return Boundary(self._trajectory[0])
 
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
         """Contacts along the edges of the trajectory, features numbered in canonical order."""
-        return edge_contacts(edges_of(self._translations), *self._outlines)
+        return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
 
     @cached_property
     def contacts(self) -> tuple[tuple[Contact, ...], ...]:
@@ -147,8 +180,11 @@ class Swept:
 
         Cost: that of `contacts` for all loops together, not for each.
         """
-        edges = [edges_of(self._frame.raised(loop, self.reference)) for loop in loops]
-        found = iter(edge_contacts([*chain.from_iterable(edges)], *self._outlines))
+        edges = [
+            list_edges([self._frame.enter_point(point, self.reference) for point in loop])
+            for loop in loops
+        ]
+        found = iter(find_edge_contacts([*chain.from_iterable(edges)], *self._boundaries))
         for of_loop in edges:
             yield tuple(tuple(map(self._as_given, next(found))) for _ in of_loop)
 
@@ -165,26 +201,8 @@ class Swept:
 
         Cost: O((m + n) log(m + n)).
         """
-        frame = self._frame
-        t = frame.turned(frame.raised([read_point(position, "position")], self.reference))[0]
-        return tuple(map(self._as_given, contacts_at(*self._boundaries, t)))
-
-    @cached_property
-    def _outlines(self) -> tuple[Outline, Outline]:
-        """The features of G and of D on the lattice, not turned."""
-        frame = self._frame
-        return (
-            Outline([frame.lattice(self.generatrix)]),
-            Outline([frame.lattice(self.directrix)]),
-        )
-
-    @cached_property
-    def _boundaries(self) -> tuple[Outline, Outline]:
-        frame = self._frame
-        return (
-            Boundary(frame.turned(frame.lattice(self.generatrix))),
-            Boundary(frame.turned(frame.lattice(self.directrix))),
-        )
+        t = self._frame.enter_point(read_point(position, "position"), self.reference)
+        return tuple(map(self._as_given, find_contacts(*self._boundaries, t)))
 
     def _as_given(self, contact: Contact) -> Contact:
         event, i, j = contact
@@ -210,7 +228,7 @@ class Swept:
         """
         found: list[tuple[Point, Point]] = []
         for half, turned in zip(self._halves, (False, True), strict=True):
-            for fit in exact_fits(half.top, half.directrix, half.trajectory):
+            for fit in find_exact_fits(half.top, half.directrix, half.trajectory):
                 ends = inverse(fit) if turned else fit
                 hanging, inside = self._frame.leave(ends, self.reference)
                 found.append((hanging, inside))
@@ -218,33 +236,29 @@ class Swept:
 
     @cached_property
     def _tracer(self) -> Tracer:
-        return Tracer(self._translations, self._outlines[0])
+        return Tracer(self._route, self._boundaries[0])
 
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:
         """The regions between D and the inner loop (Figure 7), along the inner loop."""
         found: list[Undercut] = []
-        frame = self._frame
         for half, turned in zip(self._halves, (False, True), strict=True):
-            for pocket in pockets(half.inner, half.directrix):
-                chains = (inverse(chain) if turned else chain for chain in pocket)
-                bottom, top = (frame.leave(chain, ORIGIN) for chain in chains)
+            for pocket in find_pockets(half.inner, half.directrix):
+                bottom, top = map(inverse, pocket) if turned else pocket
                 found.append(self._undercut(bottom, top[-2:0:-1]))
         return tuple(found)
 
-    def _undercut(self, bottom: list[Point], back: Sequence[Point]) -> Undercut:
+    def _undercut(self, bottom: list[Vertex], back: list[Vertex]) -> Undercut:
         """The undercut above a bottom chain, with the vertices of D on the way back."""
-        frame, (dx, dy) = self._frame, self.reference
-        intersection, positions = closing_positions(frame.raised(bottom, ORIGIN), self._tracer)
+        intersection, positions = find_closing_positions(bottom, self._tracer)
+        points = self._frame.leave(bottom + back, ORIGIN)
+        chain = tuple(points[: len(bottom)])
         return Undercut(
-            Polygon([*bottom, *back]),
-            (bottom[0], bottom[-1]),
-            tuple(bottom),
+            Polygon(points),
+            (chain[0], chain[-1]),
+            chain,
             intersection,
-            tuple(
-                Point(Fraction(x) / frame.scale + dx, Fraction(y) / frame.scale + dy)
-                for x, y in positions
-            ),
+            tuple(self._frame.leave(positions, self.reference)),
         )
 
     def certificate(self) -> dict[str, Any]:
@@ -262,33 +276,29 @@ class Swept:
                 area=self.area,
                 exact_fits=self.exact_fits,
                 contacts=self._numbered_contacts,
-                inner_drawn=self._drawn(self.inner),
-                outer_drawn=self._drawn(self.outer),
+                inner_drawn=list(map(self._tracer.trace, list_edges(self._inner[0]))),
+                outer_drawn=list(map(self._tracer.trace, list_edges(self._outer[0]))),
             )
         )
-
-    def _drawn(self, loop: Polygon) -> list[list[Trace]]:
-        edges = edges_of(self._frame.raised(loop.vertices, ORIGIN))
-        return [self._tracer.trace(edge) for edge in edges]
 
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
         return "\n".join(
-            [f"{self.kind} sweep, monotone to {self.direction}, area {abridged(self.area)}"]
+            [f"{self.kind} sweep, monotone to {vector(self.direction)}, area {abridged(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
         )
 
     def __repr__(self) -> str:
         return (
             f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
-            f"direction {self.direction}: trajectory {len(self.trajectory)}, "
+            f"direction {vector(self.direction)}: trajectory {len(self.trajectory)}, "
             f"inner {len(self.inner)}, outer {len(self.outer)} vertices>"
         )
 
 
 @contextmanager
-def resting() -> Iterator[None]:
+def pause_collector() -> Iterator[None]:
     """Keep the collector from running while many objects are made that refer to one another.
 
     It looks for cycles among all objects whenever their number has grown by a part. The kernel

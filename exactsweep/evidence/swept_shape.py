@@ -8,8 +8,6 @@ So the two sides of S are one question each of those that `ss` answers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -24,7 +22,7 @@ from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point, Vertex
+from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.procedures.free_positions import Fit
@@ -107,18 +105,20 @@ class SweptShape(Swept):
         return Frame(X_AXIS, self._no_fit.pair.scale)
 
     @cached_property
-    def _outlines(self) -> tuple[Outline, Outline]:
+    def _boundaries(self) -> tuple[Outline, Outline]:
         """The features of G and of D on the lattice."""
         pair = self._no_fit.pair
         return Outline(pair.moved), Outline(pair.fixed)
 
-    @property
-    def _boundaries(self) -> tuple[Outline, Outline]:
-        return self._outlines
+    @cached_property
+    def _route(self) -> Outline:
+        """The trajectory of G's origin on the lattice."""
+        enter = self._frame.enter_point
+        return Outline([[enter(vertex, self.reference) for vertex in self.trajectory.vertices]])
 
     def _as_given(self, contact: Contact) -> Contact:
         event, i, j = contact
-        g, d = self._outlines
+        g, d = self._boundaries
         return Contact(
             event,
             _number(self.generatrix, g, i, of_edge=event[0] == "E"),
@@ -128,13 +128,10 @@ class SweptShape(Swept):
     @cached_property
     def undercuts(self) -> tuple[Undercut, ...]:
         """The regions between D and the inner loop, along the inner loop; no holes of D."""
-
-        def points(chain: Sequence[Vertex]) -> list[Point]:
-            return [Point(Fraction(x), Fraction(y)) for x, y in chain]
-
+        inner = [self._frame.enter_point(vertex, ORIGIN) for vertex in self.inner.vertices]
         return tuple(
-            self._undercut(points(bottom), points(top[1:-1]))
-            for bottom, top in find_mouths(self.inner.vertices, self.directrix.exterior.vertices)
+            self._undercut(bottom, top[1:-1])
+            for bottom, top in find_mouths(inner, self._no_fit.pair.fixed[0])
         )
 
     def certificate(self) -> dict[str, Any]:

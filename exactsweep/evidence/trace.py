@@ -13,9 +13,10 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from operator import itemgetter
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.contact import edges_of, minus
+from exactsweep.evidence.contact import minus
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
@@ -41,13 +42,12 @@ class Tracer:
     """Finds what draws the edges of the loops of one sweep.
 
     Args:
-        trajectory: canonical loop of the translations.
+        path: the trajectory of G's origin.
         generatrix: the features of G.
     """
 
-    def __init__(self, trajectory: Sequence[Vertex], generatrix: Outline) -> None:
-        self._positions = {vertex: k for k, vertex in enumerate(trajectory)}
-        self._trajectory = trajectory
+    def __init__(self, path: Outline, generatrix: Outline) -> None:
+        self._path = path
         self._generatrix = generatrix
         self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
         self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
@@ -58,13 +58,18 @@ class Tracer:
             self._g_lines[own.direction, own.offset].append(own)
             corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
             self._g_corners[corner].append(edge[0])
-        paths: defaultdict[Vector, list[tuple[Segment, int]]] = defaultdict(list)
-        for k, edge in enumerate(edges_of(trajectory)):
-            piece = segment(edge)
-            paths[piece.direction].append((piece, k))
-        self._paths = {u: sorted(p, key=lambda item: item[0].low) for u, p in paths.items()}
-        self._longest = {u: max(s.high - s.low for s, _ in p) for u, p in paths.items()}
+        self._paths: defaultdict[Vector, list[tuple[Segment, int]]] = defaultdict(list)
+        self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
+            list
+        )
+        pieces = [(segment(edge), k) for k, edge in enumerate(path.edges)]
+        # On one line, edges of a simple loop follow each other.
+        for piece, k in sorted(pieces, key=lambda item: item[0].low):
+            self._paths[piece.direction].append((piece, k))
+            self._lines[piece.direction, piece.offset].append((piece, k))
+        self._longest = {u: max(s.high - s.low for s, _ in p) for u, p in self._paths.items()}
         self._g_by_offset: dict[Vector, defaultdict[Rational, list[int]]] = {}
+        self._t_by_offset: dict[Vector, defaultdict[Rational, list[tuple[Rational, int]]]] = {}
 
     def trace(self, edge: Edge) -> list[Trace]:
         """Return features that together draw an edge of the inner or of the outer loop.
@@ -90,10 +95,9 @@ class Tracer:
     def ends_of(self, position: Feature) -> list[Vertex]:
         """The translation of a vertex of the trajectory, or the two ends of an edge."""
         k = position.number
-        ends = [self._trajectory[k]]
         if position.kind == "edge":
-            ends.append(self._trajectory[(k + 1) % len(self._trajectory)])
-        return ends
+            return list(self._path.edge(k))
+        return [self._path.vertices[k]]
 
     def closing_range(self, edge: Edge) -> tuple[Vertex, Vertex] | None:
         """Where one edge of G covers a straight bottom chain, G being on an edge of the trajectory.
@@ -104,12 +108,12 @@ class Tracer:
         u = whole.direction
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
-            for path, k in self._paths.get(u, ()):
-                if path.offset != whole.offset - own.offset:
-                    continue
+            paths = self._lines.get((u, whole.offset - own.offset), [])
+            nearest = bisect_left(paths, low, key=lambda item: item[0].high)
+            for path, k in paths[nearest : nearest + 1]:
                 first, last = max(low, path.low), min(high, path.high)
                 if first <= last:
-                    p, q = self.ends_of(Feature("edge", k))
+                    p, q = self._path.edge(k)
                     return _at(p, q, first, u), _at(p, q, last, u)
         return None
 
@@ -133,18 +137,14 @@ class Tracer:
         return covered(whole, [(piece.moved(t), 0) for piece in own]) is not None
 
     def _passes(self, t: Vertex) -> bool:
-        return t in self._positions or any(
-            offset(u, t) == path.offset and path.low <= along(u, t) <= path.high
-            for u, paths in self._paths.items()
-            for path, _ in paths
-        )
+        return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
 
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         for i, ends, own in self._g_edges.get(whole.direction, ()):
             for p in edge:
                 for q in ends:
                     t = minus(p, q)
-                    k = self._positions.get(t)
+                    k = self._path.numbers.get(t)
                     if k is not None:
                         yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
 
@@ -180,11 +180,26 @@ class Tracer:
 
     def _at_all(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u = whole.direction
-        for i, _, own in self._g_edges.get(u, ()):
-            wanted = whole.offset - own.offset
-            for k, t in enumerate(self._trajectory):
-                if offset(u, t) == wanted:
-                    yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
+        if u not in self._g_edges:
+            return
+        by_offset = self._positions_by_offset(u)
+        for i, _, own in self._g_edges[u]:
+            positions = by_offset.get(whole.offset - own.offset, [])
+            first = bisect_right(positions, whole.low - own.high, key=itemgetter(0))
+            last = bisect_left(positions, whole.high - own.low, key=itemgetter(0))
+            for _, k in positions[first:last]:
+                moved = own.moved(self._path.vertices[k])
+                yield moved, Trace(Feature("vertex", k), Feature("edge", i))
+
+    def _positions_by_offset(self, u: Vector) -> defaultdict[Rational, list[tuple[Rational, int]]]:
+        """The vertices of the trajectory by their lines in a direction, in order along these."""
+        if u not in self._t_by_offset:
+            found = self._t_by_offset[u] = defaultdict(list)
+            for k, t in enumerate(self._path.vertices):
+                found[offset(u, t)].append((along(u, t), k))
+            for positions in found.values():
+                positions.sort()
+        return self._t_by_offset[u]
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:

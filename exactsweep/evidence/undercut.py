@@ -49,7 +49,7 @@ class Pocket(NamedTuple):
     top: list[Vertex]
 
 
-def pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
+def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket]:
     """Find the regions between the inner boundary and D_b.
 
     Args:
@@ -62,7 +62,7 @@ def pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Pocket
     Cost: O(m + size of inner).
 
     Example:
-        >>> found = pockets([(0, 0), (3, 0)], [(0, 0), (1, 0), (1, 1), (2, 0), (3, 0)])
+        >>> found = find_pockets([(0, 0), (3, 0)], [(0, 0), (1, 0), (1, 1), (2, 0), (3, 0)])
         >>> found == [Pocket(bottom=[(1, 0), (2, 0)], top=[(1, 0), (1, 1), (2, 0)])]
         True
     """
@@ -116,7 +116,7 @@ def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rat
     return max(below[1], min(outside[1], above[1]))
 
 
-def closing_positions(
+def find_closing_positions(
     bottom: Sequence[Vertex], tracer: Tracer
 ) -> tuple[Intersection, list[Vertex]]:
     """Find where on the trajectory G closes an undercut, and of which kind that is.
@@ -145,4 +145,7 @@ def closing_positions(
 
 
 def _point(edge: Edge, x: Rational) -> Vertex:
-    return point_on(edge, (x, 1))
+    for end in edge:
+        if end[0] == x:
+            return end
+    return point_on(edge, x.as_integer_ratio())

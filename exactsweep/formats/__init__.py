@@ -15,7 +15,8 @@ from exactsweep.formats.polygons import (
     read_region,
     read_regions,
 )
-from exactsweep.formats.writing import FORMATS, format_polygons, rounded_polygons
+from exactsweep.formats.rounding import round_region, round_regions
+from exactsweep.formats.writing import FORMATS, format_polygons
 
 __all__ = [
     "FORMATS",
@@ -37,7 +38,8 @@ __all__ = [
     "read_region",
     "read_regions",
     "read_text",
-    "rounded_polygons",
+    "round_region",
+    "round_regions",
     "to_numpy",
     "to_shapely",
 ]

@@ -1,15 +1,16 @@
 """JSON in: numbers are decimals or fractions and never become floats."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import file_name, read_text
-from exactsweep.geometry.number import NumberError, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
 from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
 
 
 def parse_json(text: str) -> object:
@@ -55,7 +56,7 @@ def parse_certificate(text: str) -> object:
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
-    """Read a list of pairs of numbers.
+    """Read a list of pairs of numbers, or of objects of "x" and "y".
 
     Args:
         value: part of what `parse_json` returned.
@@ -78,41 +79,89 @@ def read_vertices(value: object, path: str) -> list[Point]:
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
-def read_exact(document: object) -> list[Candidate]:
+def read_exact(document: object, path: str = "$") -> list[Candidate]:
     """Find the polygons of an exact JSON document.
 
     Args:
-        document: a list of vertices, or an object with such a list as "vertices", or as "exterior"
-            and with a list of these as "holes"; or an object whose "polygons" is a list of these,
-            "id" in an object being its name.
+        document: a list of vertices, or of such lists; an object with a list of vertices as
+            "vertices", or as "exterior" and with a list of these as "holes"; an object whose
+            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
+            "unswept", or with "regions". "id" in an object is the name.
+        path: where the document is, for messages.
 
     Returns:
         list of Candidate.
 
     Raises:
         FormatError: anything else; the message starts with the JSON path. The vertices are looked
-            at by the Outlines.
+            at by the Candidates.
 
     Example:
-        >>> [outline.name for outline in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
+        >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
         ['a']
     """
-    if not isinstance(document, dict) or "polygons" not in document:
-        return [_outline(document, "$")._replace(place="")]
-    polygons = document["polygons"]
-    if not isinstance(polygons, list):
-        raise FormatError(f"$.polygons is {described(polygons)}, not a list of polygons")
-    return [_outline(polygon, f"$.polygons[{k}]") for k, polygon in enumerate(polygons)]
+    if isinstance(document, dict) and "polygons" in document:
+        return _each(document["polygons"], f"{path}.polygons", "polygons")
+    if isinstance(document, list) and _is_list_of_rings(document):
+        return _each(document, path, "polygons")
+    if isinstance(document, dict) and not {"vertices", "exterior"} & document.keys():
+        found = _read_result(document, path)
+        if found:
+            return found
+    return [_read_one(document, path)._replace(place="" if path == "$" else path)]
 
 
-def _outline(value: object, path: str) -> Candidate:
+def _each(value: object, path: str, what: str) -> list[Candidate]:
+    if not isinstance(value, list):
+        raise FormatError(f"{path} is {described(value)}, not a list of {what}")
+    return [_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value)]
+
+
+def _is_list_of_rings(value: list[object]) -> bool:
+    first = value[0] if value else None
+    return isinstance(first, list) and bool(first) and isinstance(first[0], (list, dict))
+
+
+def _read_result(document: Mapping[str, object], path: str) -> list[Candidate]:
+    """Find the loops of a result, which are named by what they are, after the pair's names."""
+    found: list[Candidate] = []
+    for member in _LOOPS:
+        if member in document:
+            value, place = document[member], f"{path}.{member}"
+            if isinstance(value, list) and (member in _LISTS or _is_list_of_rings(value)):
+                each = _each(value, place, "polygons")
+                found += [one._replace(name=f"{member} {k}") for k, one in enumerate(each)]
+            else:
+                found.append(_read_one(value, place)._replace(name=member))
+    named = read_record_name(document)
+    if named is not None:
+        found = [one._replace(name=f"{named} {one.name}") for one in found]
+    if not found and isinstance(document.get("error"), str):
+        found = [Candidate.refused(f"{path}: an error: {document['error']}", named)]
+    return found
+
+
+_LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
+_LISTS = ("unswept", "regions")
+
+
+def read_record_name(document: Mapping[str, object]) -> str | None:
+    """Return what a record is called: its id, or the names of its pair, or its index; or None."""
+    for members in (("id",), ("generatrix", "directrix"), ("index",)):
+        values = [document.get(member) for member in members]
+        if all(isinstance(value, str) for value in values):
+            return " ".join(map(str, values))
+    return None
+
+
+def _read_one(value: object, path: str) -> Candidate:
     if not isinstance(value, dict):
         return Candidate(path, partial(read_vertices, value, path))
     member = "vertices" if "vertices" in value else "exterior"
     if member not in value:
         raise FormatError(
             f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
-            if path == "$"
+            if path.endswith("$")
             else f'{path} has no "vertices"'
         )
     name = read_name(value.get("id"), f"{path}.id")
@@ -185,7 +234,10 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def read_point(pair: object, path: str) -> Point:
-    """Read a pair of numbers, as `read_vertices` does."""
+    """Read a pair of numbers, or an object of "x" and "y", as `read_vertices` does."""
+    for names in (("x", "y"), ("X", "Y")):
+        if isinstance(pair, dict) and pair.keys() == set(names):
+            return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
     if not isinstance(pair, list):
         raise FormatError(f"{path} is {described(pair)}, not a pair of numbers")
     if len(pair) != 2:
@@ -219,3 +271,31 @@ def read_certificate(path: str) -> object:
         return parse_certificate(read_text(path))
     except ValueError as error:
         raise FormatError(f"{file_name(path)}: {error}") from None
+
+
+def write_json(value: object, number: Callable[[Fraction], str] | None = None) -> str:
+    """Write plain data and Fractions as JSON.
+
+    Args:
+        value: dict, list, tuple, str, int, bool, None, Fraction, or a Polygon, as its vertices.
+        number: writes a Fraction; as a string, exactly, if left out.
+
+    Returns:
+        JSON, on one line.
+
+    Example:
+        >>> write_json({"a": [Fraction(1, 3), 2]})
+        '{"a": ["1/3", 2]}'
+    """
+    if isinstance(value, Fraction):
+        return f'"{format_fraction(value)}"' if number is None else number(value)
+    if isinstance(value, dict):
+        members = (
+            f"{json.dumps(name)}: {write_json(part, number)}" for name, part in value.items()
+        )
+        return f"{{{', '.join(members)}}}"
+    if isinstance(value, Polygon):
+        value = value.vertices
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(write_json(part, number) for part in value)}]"
+    return json.dumps(value)

@@ -13,11 +13,12 @@ from exactsweep.geometry.point import Point
 _MAX_DEPTH = 100
 
 
-def read_geojson(document: Mapping[str, object]) -> Iterator[Candidate]:
+def read_geojson(document: Mapping[str, object], path: str = "$") -> Iterator[Candidate]:
     """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
+        path: where it is, for messages.
 
     Yields:
         Candidate, for each Polygon, the name being the id of its Feature. That of another geometry
@@ -36,7 +37,7 @@ def read_geojson(document: Mapping[str, object]) -> Iterator[Candidate]:
         >>> len(outline.vertices())
         4
     """
-    return _read(document, "$", None, 0)
+    return _read(document, path, None, 0)
 
 
 def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:

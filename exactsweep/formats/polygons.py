@@ -13,6 +13,7 @@ from exactsweep.formats.candidate import (
     read_each,
     select,
 )
+from exactsweep.formats.csv import is_csv, parse_csv
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, file_name, read_text
@@ -30,7 +31,7 @@ def parse_polygon(
     tolerance: object = None,
     **options: Unpack[Options],
 ) -> Polygon:
-    """Read a polygon from exact JSON, GeoJSON, WKT, SVG or DXF.
+    """Read a polygon from exact JSON, GeoJSON, WKT, CSV, SVG or DXF.
 
     Args:
         text: as `parse_polygons` takes it.
@@ -66,10 +67,10 @@ def parse_polygons(
     """Read all polygons of a text.
 
     Args:
-        text: a JSON list of pairs, an object with such a list as "vertices", or an object with a
-            list of these as "polygons"; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; an SVG document;
-            an ASCII DXF file. Numbers are decimals, exactly as they are written; in JSON, strings
-            such as "-7/2" are numbers, too.
+        text: JSON as `exactsweep.formats.exact_json.read_exact` reads it, or a line of it for each
+            polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and y; an
+            SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are written; in
+            JSON, strings such as "-7/2" are numbers, too.
         tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
             positive number as `to_fraction` reads it; None to refuse curves.
         options: "nested", "join" and "unit", as `exactsweep.formats.reading.Options` has them.
@@ -265,19 +266,56 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return parse_dxf(text, reading)
     # No other format says in which unit its numbers are.
     reading.scale(None)
+    if is_csv(text):
+        return parse_csv(text)
     if first.isalpha():
         return parse_wkt(text)
     if first in "[{":
-        return find_candidates(parse_json(text))
-    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, SVG nor DXF")
+        return _read_json(text)
+    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
 
 
-def find_candidates(document: object) -> Sequence[Candidate]:
-    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON."""
+def _read_json(text: str) -> Sequence[Candidate]:
+    """Read one JSON document, or a document a line."""
+    try:
+        document = parse_json(text)
+    except FormatError as error:
+        lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
+        if "Extra data" not in str(error) or not _is_json(lines[0][1]):
+            raise
+        return [found for k, line in lines for found in _read_line(line, k)]
+    return find_candidates(document)
+
+
+def _is_json(text: str) -> bool:
+    try:
+        parse_json(text)
+    except FormatError:
+        return False
+    return True
+
+
+def _read_line(line: str, number: int) -> Sequence[Candidate]:
+    """Read a line of several; one that is bad concerns no other."""
+    try:
+        return find_candidates(parse_json(line), f"line {number}: $")
+    except FormatError as error:
+        reason = str(error).removeprefix("line 1, ")
+        named = "" if reason.startswith("line ") else f"line {number}: "
+        return [Candidate.refused(f"{named}{reason}")]
+
+
+def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
+    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
+
+    Args:
+        document: the document.
+        path: where it is, for messages.
+    """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = list(read_geojson(document))
+        found = list(read_geojson(document, path))
         return found if len(found) > 1 else [one._replace(place="") for one in found]
-    return read_exact(document)
+    return read_exact(document, path)
 
 
 def split_choice(path: str) -> tuple[str, str | None]:

@@ -19,6 +19,10 @@ _TOKEN = re.compile(
 )
 
 
+# What results have beside polygons: exact fits.
+_OTHERS = ("LINESTRING", "POINT")
+
+
 class _Token(NamedTuple):
     kind: str
     text: str
@@ -61,14 +65,19 @@ class _Reader:
     def outlines(self) -> Iterator[Candidate]:
         while True:
             kind = self.token.text.upper()
-            if kind not in ("POLYGON", "MULTIPOLYGON"):
+            if kind not in ("POLYGON", "MULTIPOLYGON", *_OTHERS):
                 self._refuse(f"{self._shown()} is neither POLYGON nor MULTIPOLYGON")
+            place = self._place()
             self._advance()
             if self.token.text.upper() in ("Z", "M", "ZM"):
                 self._refuse("Z and M coordinates cannot be swept")
             if self.token.text.upper() == "EMPTY":
-                self._refuse("the polygon is empty")
-            if kind == "POLYGON":
+                yield Candidate.refused(f"{self._place()}: the polygon is empty")
+                self._advance()
+            elif kind in _OTHERS:
+                self._skip()
+                yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
+            elif kind == "POLYGON":
                 yield self._polygon()
             else:
                 self._expect("(")
@@ -81,6 +90,15 @@ class _Reader:
                 return
             if self.token.kind != "word":
                 self._refuse(f"{self._shown()} after the end of the polygon")
+
+    def _skip(self) -> None:
+        """Pass over the points of a geometry that has no rings."""
+        self._expect("(")
+        while self.token.text != ")":
+            self._point()
+            if self.token.text == ",":
+                self._advance()
+        self._expect(")")
 
     def _polygon(self) -> Candidate:
         self._expect("(")

@@ -5,22 +5,27 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from html import escape
 from itertools import chain
-from typing import TypeVar
 
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
+from exactsweep.formats.csv import csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.formats.exact_json import write_json
+from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-_Named = TypeVar("_Named", NamedPolygon, NamedRegion)
+Fit = tuple[Point, Point]
 _Row = list[tuple[str, str]]
 
 
 def format_polygons(
-    polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion], form: str
+    polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion],
+    form: str,
+    fits: Sequence[Fit] = (),
+    *,
+    decimals: bool = False,
 ) -> str:
     """Write polygons as text that `parse_regions` reads back as the same polygons.
 
@@ -30,6 +35,9 @@ def format_polygons(
         polygons: Polygons and Regions, or NamedPolygons and NamedRegions, whose names are written
             where the format has names, and which are on the layer of that name, or "0", in DXF.
         form: one of FORMATS.
+        fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
+            layer "exact fits" in DXF, open lines in SVG, rows of their own in CSV.
+        decimals: whether numbers of JSON are its own, decimals, not strings.
 
     Returns:
         The text of a file.
@@ -52,60 +60,43 @@ def format_polygons(
     if form not in FORMATS:
         raise FormatError(f"{quoted(form)} is none of the formats {', '.join(FORMATS)}")
     named = [_named(polygon) for polygon in polygons]
-    if not named:
+    if not named and not fits:
         raise FormatError("no polygon to be written")
-    return _WRITERS[form](named)
+    if decimals and form == "json":
+        return _json(named, fits, format_decimal)
+    return _WRITERS[form](named, fits)
 
 
-def rounded_polygons(polygons: Iterable[_Named], places: int) -> tuple[list[_Named], int, Fraction]:
-    """Round polygons to decimals, for formats that hold no other numbers.
-
-    Args:
-        polygons: NamedPolygons or NamedRegions.
-        places: how many decimal places.
-
-    Returns:
-        (list of the same kind, how many coordinates are changed, the largest change).
-
-    Raises:
-        PolygonError: what comes out is not a simple polygon, or not a region.
-
-    Example:
-        >>> third = NamedPolygon(Polygon([(0, 0), ("1/3", 0), (0, 1)]))
-        >>> rounded_polygons([third], 2)[1:]
-        (1, Fraction(1, 300))
-    """
-    found: list[_Named] = []
-    changes: list[Fraction] = []
-    for named in polygons:
-        given = named[0].rings
-        rings = [[Point(round(x, places), round(y, places)) for x, y in ring] for ring in given]
-        pairs = zip(chain(*chain(*given)), chain(*chain(*rings)), strict=True)
-        changes += [abs(old - new) for old, new in pairs if old != new]
-        exterior = Polygon(rings[0])
-        if isinstance(named, NamedPolygon):
-            found.append(named._replace(polygon=exterior))
-        else:
-            found.append(named._replace(region=Region(exterior, rings[1:])))
-    return found, len(changes), max(changes, default=Fraction(0))
-
-
-def _json(regions: Sequence[NamedRegion]) -> str:
-    if len(regions) == 1 and regions[0].name is None and not regions[0].region.holes:
-        return json.dumps(regions[0].region.vertices, default=format_fraction) + "\n"
+def _json(
+    regions: Sequence[NamedRegion],
+    fits: Sequence[Fit],
+    number: Callable[[Fraction], str] | None = None,
+) -> str:
     lines = []
     for region, name, _ in regions:
         exterior, *holes = region.rings
         rings = {"exterior": exterior, "holes": holes} if holes else {"vertices": exterior}
-        document = ({} if name is None else {"id": name}) | rings
-        lines.append(json.dumps(document, default=format_fraction))
-    if len(lines) == 1 and regions[0].name is None:
-        return lines[0] + "\n"
-    return '{"polygons": [\n  ' + ",\n  ".join(lines) + "\n]}\n"
+        lines.append(write_json(({} if name is None else {"id": name}) | rings, number))
+    if len(regions) == 1 and regions[0].name is None and not fits:
+        region = regions[0].region
+        return (lines[0] if region.holes else write_json(region.vertices, number)) + "\n"
+    after = f',\n "exact_fits": {write_json(fits, number)}' if fits else ""
+    return '{"polygons": [\n  ' + ",\n  ".join(lines) + f"\n]{after}}}\n"
 
 
-def _wkt(regions: Sequence[NamedRegion]) -> str:
-    return "".join(wkt_polygon(_named_rings(k, region)) for k, region in enumerate(regions))
+def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+    polygons = (wkt_polygon(_named_rings(k, region)) for k, region in enumerate(regions))
+    return "".join(polygons) + wkt_fits(fits)
+
+
+def wkt_fits(fits: Sequence[Fit]) -> str:
+    """Write exact fits as WKT, a LINESTRING or a POINT a line."""
+    lines = []
+    for k, fit in enumerate(fits):
+        ends = list(dict.fromkeys(fit))
+        kind = "LINESTRING" if len(ends) > 1 else "POINT"
+        lines.append(f"{kind} {wkt_points(f'exact fit {k}', ends)}\n")
+    return "".join(lines)
 
 
 def wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
@@ -130,7 +121,7 @@ def wkt_points(name: str, points: Sequence[Point]) -> str:
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
-def _geojson(regions: Sequence[NamedRegion]) -> str:
+def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     features = []
     for rows, (_, name, _) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
         rings = (", ".join(f"[{x}, {y}]" for x, y in [*row, row[0]]) for row in rows)
@@ -140,13 +131,20 @@ def _geojson(regions: Sequence[NamedRegion]) -> str:
             f'{{"type": "Feature", {identity}"properties": {{}}, '
             f'"geometry": {{"type": "Polygon", "coordinates": [{listed}]}}}}'
         )
+    for row in _fit_rows(fits, "GeoJSON"):
+        points = [f"[{x}, {y}]" for x, y in row]
+        kind, at = ("LineString", f"[{', '.join(points)}]") if points[1:] else ("Point", points[0])
+        features.append(
+            '{"type": "Feature", "properties": {"exact fit": true}, '
+            f'"geometry": {{"type": "{kind}", "coordinates": {at}}}}}'
+        )
     if len(features) == 1:
         return f"{features[0]}\n"
     listed = ",\n  ".join(features)
     return f'{{"type": "FeatureCollection", "features": [\n  {listed}\n]}}\n'
 
 
-def _svg(regions: Sequence[NamedRegion]) -> str:
+def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     lines = []
     for rows, (_, name, _) in zip(_rows(regions, "SVG"), regions, strict=True):
         identity = "" if name is None else f'id="{escape(_printable(name, "SVG"))}" '
@@ -156,7 +154,11 @@ def _svg(regions: Sequence[NamedRegion]) -> str:
         else:
             data = " ".join(f"M{ring}z" for ring in points)
             lines.append(f'  <path {identity}fill-rule="evenodd" d="{data}"/>\n')
+    for row in _fit_rows(fits, "SVG"):
+        ends = " ".join(f"{x},{y}" for x, y in (row[0], row[-1]))
+        lines.append(f'  <polyline class="exact-fit" points="{ends}"/>\n')
     corners = [corner for r in regions for corner in r.region.bounding_box]
+    corners += chain.from_iterable(fits)
     low = [min(corner[axis] for corner in corners) for axis in (0, 1)]
     size = [max(corner[axis] for corner in corners) - low[axis] for axis in (0, 1)]
     box = " ".join(map(format_decimal, low + size))
@@ -164,7 +166,7 @@ def _svg(regions: Sequence[NamedRegion]) -> str:
     return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">\n{body}</svg>\n'
 
 
-def _dxf(regions: Sequence[NamedRegion]) -> str:
+def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "ENTITIES")]
     for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
@@ -173,8 +175,28 @@ def _dxf(regions: Sequence[NamedRegion]) -> str:
             for x, y in row:
                 tags += [(0, "VERTEX"), on, (10, x), (20, y), (30, 0)]
             tags += [(0, "SEQEND"), on]
+    for row in _fit_rows(fits, "DXF"):
+        (x, y), (u, v) = row[0], row[-1]
+        tags += [(0, "LINE"), (8, "exact fits"), (10, x), (20, y), (30, 0)]
+        tags += [(11, u), (21, v), (31, 0)]
     tags += [(0, "ENDSEC"), (0, "EOF")]
     return "".join(f"{code:>3}\n{value}\n" for code, value in tags)
+
+
+def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+    rows = [("polygon", "name", "ring", "x", "y")]
+    for k, (rings, (_, name, _)) in enumerate(zip(_rows(regions, "CSV"), regions, strict=True)):
+        for j, ring in enumerate(rings):
+            shown = f"hole {j - 1}" if j else "exterior"
+            rows += [(str(k), name or "", shown, x, y) for x, y in ring]
+    for k, row in enumerate(_fit_rows(fits, "CSV")):
+        rows += [(f"fit {k}", f"exact fit {k}", "exact fit", x, y) for x, y in row]
+    return csv_rows(rows)
+
+
+def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Row]:
+    for k, fit in enumerate(fits):
+        yield _row(f"exact fit {k}", list(dict.fromkeys(fit)), form)
 
 
 def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Row]]:
@@ -217,12 +239,13 @@ def _printable(name: str, form: str) -> str:
     return name
 
 
-_WRITERS: dict[str, Callable[[Sequence[NamedRegion]], str]] = {
+_WRITERS: dict[str, Callable[[Sequence[NamedRegion], Sequence[Fit]], str]] = {
     "json": _json,
     "wkt": _wkt,
     "geojson": _geojson,
     "svg": _svg,
     "dxf": _dxf,
+    "csv": _csv,
 }
 FORMATS = tuple(_WRITERS)
 """The formats that polygons are written in."""

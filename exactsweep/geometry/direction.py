@@ -24,7 +24,7 @@ from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import LatticePoint
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.words import degrees
+from exactsweep.words import degrees, vector
 
 Vector = tuple[int, int]
 
@@ -142,10 +142,10 @@ class Directions:
         if all(self.after):
             return "all directions"
         arcs = [
-            f"all from {first} to {last}, {degrees(first)} to {degrees(last)} degrees"
-            if first != last
-            else f"just {first}, {degrees(first)} degrees"
-            for first, last in self.arcs()
+            f"all from {vector(u)} to {vector(v)}, {degrees(u)} to {degrees(v)} degrees"
+            if u != v
+            else f"just {vector(u)}, {degrees(u)} degrees"
+            for u, v in self.arcs()
         ]
         return " and ".join(arcs) or "no direction"
 
@@ -266,7 +266,7 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
     """Refuse a polygon that is not monotone to a direction that somebody asked for."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
-            f"the {name} is not monotone to {direction}, {degrees(direction)} degrees; "
+            f"the {name} is not monotone to {vector(direction)}, {degrees(direction)} degrees; "
             f"its directions of monotonicity: {monotone_directions(polygon)}"
         )
 

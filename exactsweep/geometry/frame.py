@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.number import quotients
+from exactsweep.geometry.number import quotient, quotients
 from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
 
@@ -21,36 +21,37 @@ class Frame(NamedTuple):
     direction: Vector
     scale: int
 
-    def lattice(self, polygon: Polygon) -> list[Vertex]:
-        """Vertices of a polygon on the lattice, not turned, in canonical order."""
+    def enter(self, polygon: Polygon) -> list[Vertex]:
+        """Vertices of a polygon in the frame, in canonical order. Cost: O(n)."""
         scale, points = polygon.lattice()
         k = self.scale // scale
-        return list(points) if k == 1 else [(k * x, k * y) for x, y in points]
-
-    def raised(self, points: Sequence[Point], shift: Point) -> list[Vertex]:
-        """Points less a vector on the lattice, not turned; as ints where they lie on it."""
-        scale, (dx, dy) = self.scale, shift
-        return [(_plain((x - dx) * scale), _plain((y - dy) * scale)) for x, y in points]
-
-    def turned(self, points: Sequence[Vertex]) -> list[Vertex]:
-        """Points of the lattice in the frame."""
         p, q = self.direction
-        if (p, q) == X_AXIS:
+        if k == 1 and (p, q) == X_AXIS:
             return list(points)
+        p, q = k * p, k * q
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
-    def turned_back(self, points: Sequence[Vertex]) -> Sequence[Vertex]:
-        """Points of the frame in the plane, but for a factor."""
-        p, q = self.direction
-        if (p, q) == X_AXIS:
-            return points
-        return [(p * x - q * y, q * x + p * y) for x, y in points]
+    def enter_point(self, point: Point, shift: Point) -> Vertex:
+        """A point less a vector, in the frame; ints where it is on the lattice."""
+        (p, q), scale = self.direction, self.scale
+        x, y = (point.x - shift.x) * scale, (point.y - shift.y) * scale
+        return _plain(p * x + q * y), _plain(p * y - q * x)
 
     def leave(self, points: Sequence[Vertex], shift: Point) -> list[Point]:
-        """Points of the frame in the plane, moved by a vector."""
-        scale = self.scale * sum(c * c for c in self.direction)
-        points = self.turned_back(points)
-        xs, ys = (quotients(coordinates, scale) for coordinates in zip(*points, strict=True))
+        """Points of the frame in the plane, moved by a vector. Cost: O(n)."""
+        p, q = self.direction
+        scale = self.scale * (p * p + q * q)
+        if (p, q) == X_AXIS:
+            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
+        else:
+            xs, ys = [], []
+            for x, y in points:
+                unit = scale
+                if type(x) is not int or type(y) is not int:
+                    (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
+                    x, y, unit = x * d, y * b, scale * b * d
+                xs.append(quotient(p * x - q * y, unit))
+                ys.append(quotient(q * x + p * y, unit))
         if shift != ORIGIN:
             dx, dy = shift
             xs, ys = [x + dx for x in xs], [y + dy for y in ys]

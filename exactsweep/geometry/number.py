@@ -8,10 +8,10 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 from math import gcd
 from numbers import Rational, Real
 from operator import attrgetter
-from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
 
@@ -39,46 +39,44 @@ class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
-class _Limits(NamedTuple):
-    max_digits: int
-    max_exponent: int
-
-
-_DEFAULT = _Limits(max_digits=4000, max_exponent=4000)
-_limits: ContextVar[_Limits] = ContextVar("limits", default=_DEFAULT)
+# What Python itself is ready to print of an int (`sys.int_info.default_max_str_digits`).
+_DEFAULT_DIGITS = 4300
+# 10**-d and 2**-d are one number, of d digits in decimals and of d/3.32 as a fraction.
+_DIGITS_BEFORE_REDUCTION = 5
+_max_digits: ContextVar[int] = ContextVar("max_digits", default=_DEFAULT_DIGITS)
 
 
 @contextmanager
-def limits(*, max_digits: int | None = None, max_exponent: int | None = None) -> Iterator[None]:
-    """Change, inside a `with` block, how large a number may be written.
+def limits(*, max_digits: int) -> Iterator[None]:
+    """Change, inside a `with` block, how large a number in a string or `Decimal` may be.
+
+    The limit is on the number, not on how it is spelled: what is read under it can be written, in
+    any format, and read again. Results are longer: see `answer_digits`.
 
     Args:
-        max_digits: the most digits of a decimal number, of a numerator or of a denominator in a
-            string or `Decimal`; 4000 unless changed.
-        max_exponent: the largest absolute exponent of a string or `Decimal` in scientific notation
-            (`d.ddd * 10**exponent`); 4000 unless changed.
+        max_digits: the most digits of the numerator and of the denominator, in lowest terms; 4300
+            unless changed.
 
     Raises:
-        NumberError: a limit below one.
+        ValueError: a limit below one.
 
     Example:
-        >>> with limits(max_exponent=10_000):
+        >>> with limits(max_digits=10_000):
         ...     to_fraction("1e5000") == 10**5000
         True
     """
-    old = _limits.get()
-    new = _Limits(
-        old.max_digits if max_digits is None else operator.index(max_digits),
-        old.max_exponent if max_exponent is None else operator.index(max_exponent),
-    )
-    for name, value in zip(new._fields, new, strict=True):
-        if value < 1:
-            raise NumberError(f"{name} must be at least 1")
-    token = _limits.set(new)
+    if operator.index(max_digits) < 1:
+        raise ValueError("max_digits must be at least 1")
+    token = _max_digits.set(operator.index(max_digits))
     try:
         yield
     finally:
-        _limits.reset(token)
+        _max_digits.reset(token)
+
+
+def allowed_digits() -> int:
+    """The limit that is in force."""
+    return _max_digits.get()
 
 
 def to_fraction(value: object) -> Fraction:
@@ -95,8 +93,8 @@ def to_fraction(value: object) -> Fraction:
 
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
-            strings outside the grammar, and strings and Decimals beyond `limits`, which are
-            refused before anything is computed.
+            strings outside the grammar, and strings and Decimals beyond `limits`, refused before
+            anything is computed that is longer than five times the limit.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
@@ -242,16 +240,16 @@ def _from_string(text: str) -> Fraction:
     if match is None:
         raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
     numerator, denominator, tail, exponent = match.groups()
-    if tail == "" and len(text) <= min(_SHORT, *_limits.get()):
+    if tail == "" and len(text) <= min(_SHORT, _max_digits.get()):
         return _reduced(int(text), 1)
     if denominator is not None:
         if denominator == "0":
             raise NumberError(f"{quoted(text)} has a zero denominator")
-        _check(text, max(len(numerator.lstrip("-")), len(denominator)), 0)
-        return Fraction(int(Decimal(numerator)), int(Decimal(denominator)))
+        _check_before_reduction(text, max(len(numerator.lstrip("-")), len(denominator)))
+        return _check(text, Fraction(int(Decimal(numerator)), int(Decimal(denominator))))
     # Decimal itself overflows at exponents of some 18 digits.
     if exponent is not None and len(exponent.lstrip("0")) > 15:
-        _refuse_exponent(text)
+        raise _too_long(text)
     return _from_decimal(Decimal(text), text)
 
 
@@ -259,8 +257,10 @@ def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
     shown = value if text is None else text
     if not value.is_finite():
         raise NumberError(f"{quoted(value)} is not a finite number")
-    _check(shown, len(value.as_tuple().digits), value.adjusted())
-    return Fraction(value)
+    _, digits, exponent = value.as_tuple()
+    assert isinstance(exponent, int)
+    _check_before_reduction(shown, max(len(digits) + max(exponent, 0), -exponent))
+    return _check(shown, Fraction(value))
 
 
 def _from_real(value: float | Real) -> Fraction:
@@ -274,17 +274,25 @@ def _from_real(value: float | Real) -> Fraction:
     return exact
 
 
-def _check(shown: object, digits: int, exponent: int) -> None:
-    most = _limits.get()
-    if digits > most.max_digits:
-        raise NumberError(f"{quoted(shown)} has more than {most.max_digits} digits (max_digits)")
-    if abs(exponent) > most.max_exponent:
-        _refuse_exponent(shown)
+def _check_before_reduction(shown: object, digits: int) -> None:
+    """Refuse what would be long to compute, however short it may be afterwards."""
+    if digits > _DIGITS_BEFORE_REDUCTION * _max_digits.get():
+        raise _too_long(shown)
 
 
-def _refuse_exponent(shown: object) -> None:
-    most = _limits.get().max_exponent
-    raise NumberError(f"{quoted(shown)} has an exponent beyond {most} (max_exponent)")
+def _check(shown: object, value: Fraction) -> Fraction:
+    if max(abs(value.numerator), value.denominator) >= _power_of_ten(_max_digits.get()):
+        raise _too_long(shown)
+    return value
+
+
+@lru_cache(maxsize=8)
+def _power_of_ten(exponent: int) -> int:
+    return 10**exponent  # type: ignore[no-any-return]
+
+
+def _too_long(shown: object) -> NumberError:
+    return NumberError(f"{quoted(shown)} has more than {_max_digits.get()} digits (max_digits)")
 
 
 def quoted(value: object) -> str:

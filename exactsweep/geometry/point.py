@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -11,6 +12,16 @@ class Point(NamedTuple):
 
     x: Fraction
     y: Fraction
+
+    def __repr__(self) -> str:
+        """As Python writes it; but Python refuses to write ints of more than 4300 digits."""
+        x, y = (
+            f"Fraction({Decimal(c.numerator)}, {Decimal(c.denominator)})"
+            if isinstance(c, Fraction)
+            else repr(c)
+            for c in self
+        )
+        return f"Point(x={x}, y={y})"
 
 
 ORIGIN = Point(Fraction(0), Fraction(0))

@@ -19,7 +19,7 @@ from exactsweep.paper.growth import LIMITS, Growth
 Corners = Sequence[tuple[int, int]]
 
 
-class Verdict(Enum):
+class ClaimVerdict(Enum):
     """What became of a claim."""
 
     REPRODUCED = "reproduced"
@@ -33,7 +33,7 @@ class Verdict(Enum):
     @property
     def objects(self) -> bool:
         """Whether it says that the statement does not hold as printed."""
-        return self not in (Verdict.REPRODUCED, Verdict.SHARPENED, Verdict.ADDED)
+        return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
 KINDS = {
@@ -129,7 +129,7 @@ class Claim:
     name: str
     section: str
     words: str
-    verdict: Verdict
+    verdict: ClaimVerdict
     evidence: tuple[str, ...]
     code: tuple[str, ...]
     check: Callable[[Effort], Evidence] = field(repr=False)
@@ -139,9 +139,10 @@ class Claim:
     kernel: str = ""
     see: tuple[str, ...] = ()
     figure: str = ""
+    chosen: str = ""
 
 
-class Row(NamedTuple):
+class Finding(NamedTuple):
     """A claim, what its check found, and how long that took."""
 
     claim: Claim
@@ -187,7 +188,7 @@ def first_failure(failures: Iterator[str]) -> str:
     return next(filter(None, failures), "")
 
 
-def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
+def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Finding]:
     """Check claims one by one.
 
     Args:
@@ -195,7 +196,7 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
         effort: the seed, and how much is tried.
 
     Yields:
-        A Row for each claim. A check that breaks off counts as one that fails.
+        A Finding for each claim. A check that breaks off counts as one that fails.
 
     Example:
         >>> from exactsweep.paper.ledger import find
@@ -209,4 +210,4 @@ def reproduce(claims: Iterable[Claim], effort: Effort) -> Iterator[Row]:
             evidence = claim.check(effort)
         except Exception as error:
             evidence = Evidence("broken off", f"{type(error).__name__}: {error}")
-        yield Row(claim, evidence, process_time() - start)
+        yield Finding(claim, evidence, process_time() - start)

@@ -22,7 +22,7 @@ from exactsweep.corpus.generator.growing import (
 )
 from exactsweep.paper import literal
 from exactsweep.paper.claim import Effort, Evidence, Table, first_failure
-from exactsweep.paper.counting import Family, grow_bytes, grow_operations, grow_seconds
+from exactsweep.paper.counting import PairFamily, grow_bytes, grow_operations, grow_seconds
 from exactsweep.paper.growth import M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
 from exactsweep.paper.pairs import Chains
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
@@ -61,7 +61,7 @@ class Cost:
     procedure: str
     run: Callable[[Chains], Iterable[Any]]
     bound: Bound
-    family: Family
+    family: PairFamily
     varied: str
     first: int
     timed: int

@@ -15,11 +15,11 @@ from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.growth import Bound, Growth, grow
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 
 
 @dataclass
-class Tally:
+class OperationCount:
     """Operations on coordinates and on numbers derived from them."""
 
     multiplications: int = 0
@@ -31,7 +31,7 @@ class Tally:
         return self.multiplications + self.comparisons
 
 
-_tally = Tally()
+_tally = OperationCount()
 
 
 class Counted(int):
@@ -105,23 +105,23 @@ def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     >>> with counting() as tally:
     ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
-    (True, Tally(multiplications=2, comparisons=1))
+    (True, OperationCount(multiplications=2, comparisons=1))
     """
     return [(Counted(x), Counted(y)) for x, y in chain]
 
 
 @contextmanager
-def counting() -> Iterator[Tally]:
+def counting() -> Iterator[OperationCount]:
     """Count from zero inside a `with` block."""
     global _tally
-    outer, _tally = _tally, Tally()
+    outer, _tally = _tally, OperationCount()
     try:
         yield _tally
     finally:
         _tally = outer
 
 
-class Family(Protocol):
+class PairFamily(Protocol):
     """A named function of m and n that returns a generatrix and a directrix."""
 
     __name__: str
@@ -146,7 +146,7 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
 def grow_operations(
     procedure: str,
     run: Callable[[Chains], Iterable[Any]],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
     limit: float = 1.08,
@@ -159,7 +159,7 @@ def grow_operations(
 def grow_vertices(
     what: str,
     run: Callable[[Chains], Iterable[Any]],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
@@ -170,7 +170,7 @@ def grow_vertices(
 def grow_seconds(
     procedure: str,
     run: Callable[[Chains], Any],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
@@ -190,7 +190,7 @@ def grow_seconds(
 def grow_bytes(
     procedure: str,
     run: Callable[[Chains], Any],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
 ) -> Growth:
@@ -211,12 +211,12 @@ def grow_bytes(
 def _grow(
     what: str,
     count: Callable[[Chains], float],
-    family: Family,
+    family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
     limit: float = 1.08,
 ) -> Growth:
     def beside(m: int, n: int) -> tuple[float, float]:
-        return count(Pair(*family(m, n)).chains), bound[1](m, n)
+        return count(SweepPair(*family(m, n)).chains), bound[1](m, n)
 
     return grow(what, family.__name__, bound[0], sizes, beside, limit)

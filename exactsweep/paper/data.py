@@ -25,7 +25,7 @@ from typing import Any
 from exactsweep import __version__
 from exactsweep.formats import NamedPolygon, format_polygons
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, Row
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.growth import Growth
 
@@ -85,7 +85,7 @@ def _processor() -> str:
     return platform.processor() or platform.machine()
 
 
-def as_json(rows: Sequence[Row], effort: Effort) -> dict[str, Any]:
+def as_json(rows: Sequence[Finding], effort: Effort) -> dict[str, Any]:
     """All that a run found, in plain types."""
     return {
         "format": FORMAT,
@@ -97,7 +97,7 @@ def as_json(rows: Sequence[Row], effort: Effort) -> dict[str, Any]:
     }
 
 
-def _row_as_json(row: Row) -> dict[str, Any]:
+def _row_as_json(row: Finding) -> dict[str, Any]:
     claim, found = row.claim, row.evidence
     return {
         "name": claim.name,
@@ -109,6 +109,7 @@ def _row_as_json(row: Row) -> dict[str, Any]:
         "correction": claim.correction or None,
         "proof": claim.proof or None,
         "kernel": claim.kernel or None,
+        "chosen": claim.chosen or None,
         "see": list(claim.see),
         "code": list(claim.code),
         "tried": found.tried,
@@ -160,7 +161,7 @@ def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample
         yield f"counterexamples/{stem}.json", case
 
 
-def write_data(folder: Path, rows: Sequence[Row], effort: Effort) -> Path:
+def write_data(folder: Path, rows: Sequence[Finding], effort: Effort) -> Path:
     """Write ledger.json, the CSV files and the counterexamples into a folder.
 
     Returns:

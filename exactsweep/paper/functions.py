@@ -10,21 +10,21 @@ from itertools import pairwise
 from exactsweep.check import ReferenceLoops, reference_loops
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import corners, split
 
 Points = Sequence[Vertex]
 
 
-def exact(chain: Iterable[Vertex]) -> list[Vertex]:
+def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
     """A chain with corners only, so that equal chains are equal lists."""
     return corners([(Fraction(x), Fraction(y)) for x, y in chain])
 
 
-def value(chain: Points, x: Fraction) -> Fraction:
+def evaluate(chain: Points, x: Fraction) -> Fraction:
     """The height of a chain that runs from left to right over an x at which it does not jump.
 
-    >>> str(value([(0, 0), (3, 1)], Fraction(1)))
+    >>> str(evaluate([(0, 0), (3, 1)], Fraction(1)))
     '1/3'
     """
     for (px, py), (qx, qy) in pairwise(chain):
@@ -33,38 +33,38 @@ def value(chain: Points, x: Fraction) -> Fraction:
     raise ExactSweepError(f"the chain does not reach {x}")
 
 
-def between(*chains: Points) -> Iterator[Fraction]:
+def sample_between(*chains: Points) -> Iterator[Fraction]:
     """Points inside every interval of x between vertices of some chains."""
     xs = sorted({Fraction(x) for chain in chains for x, _ in chain})
     for left, right in pairwise(xs):
         yield (5 * left + 3 * right) / 8
 
 
-def over(chain: Points, x: Fraction) -> bool:
+def reaches(chain: Points, x: Fraction) -> bool:
     """Whether x is strictly inside the range of a chain."""
     return chain[0][0] < x < chain[-1][0]
 
 
-def common_points(first: Points, second: Points) -> list[Fraction]:
+def find_common_points(first: Points, second: Points) -> list[Fraction]:
     """Where two chains from left to right are equally high, of the x of vertices and of ends."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = {Fraction(x) for x, _ in (*first, *second) if left <= x <= right}
     xs |= {Fraction(left), Fraction(right)}
-    return sorted(x for x in xs if left <= right and value(first, x) == value(second, x))
+    return sorted(x for x in xs if left <= right and evaluate(first, x) == evaluate(second, x))
 
 
 def clip(chain: Points, left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
-    return exact([(left, value(chain, left)), *inside, (right, value(chain, right))])
+    return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
-def bottom_of(loop: Iterable[Vertex]) -> list[Vertex]:
+def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
-    return exact(split([(x, y) for x, y in loop])[0])
+    return keep_corners(split([(x, y) for x, y in loop])[0])
 
 
-def reference(pair: Pair) -> ReferenceLoops:
+def look_up(pair: SweepPair) -> ReferenceLoops:
     """The three loops of a pair by the definition; those of the last pairs are kept."""
     return _reference(tuple(pair.generatrix), tuple(pair.directrix))
 
@@ -76,18 +76,18 @@ def _reference(
     return reference_loops(list(generatrix), list(directrix))
 
 
-def differs(name: str, found: Iterable[Vertex], expected: Iterable[Vertex]) -> str:
+def tell_difference(name: str, found: Iterable[Vertex], expected: Iterable[Vertex]) -> str:
     """Say that two chains differ; empty if they do not.
 
-    >>> differs("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
+    >>> tell_difference("T", [(0, 0), (1, 1)], [(0, 0), (1, 2)])
     'T is (0, 0) (1, 1), and (0, 0) (1, 2) by the definition'
     """
-    found, expected = exact(found), exact(expected)
+    found, expected = keep_corners(found), keep_corners(expected)
     if found == expected:
         return ""
-    return f"{name} is {text(found)}, and {text(expected)} by the definition"
+    return f"{name} is {write_chain(found)}, and {write_chain(expected)} by the definition"
 
 
-def text(chain: Iterable[Vertex]) -> str:
+def write_chain(chain: Iterable[Vertex]) -> str:
     """A chain on one line."""
     return " ".join(f"({x}, {y})" for x, y in chain)

@@ -7,19 +7,19 @@ from collections.abc import Callable, Iterable, Iterator
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Effort
-from exactsweep.paper.pairs import Pair, random_pairs
+from exactsweep.paper.pairs import SweepPair, random_pairs
 from exactsweep.procedures.chain import split
 
-Law = Callable[[Pair], str]
+Law = Callable[[SweepPair], str]
 """What is wrong with a pair; empty if nothing is."""
 
 
-def break_law(law: Law, pairs: Iterable[Pair]) -> str:
+def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
     """Say with which pair a law breaks, made smaller, and how; empty if it holds for all.
 
     >>> law = lambda pair: "" if len(pair.directrix) < 4 else "four corners"
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> break_law(law, [Pair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
+    >>> break_law(law, [SweepPair(triangle, [*triangle[:2], (1, 1), (0, 2)])])
     'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
     """
     for pair in pairs:
@@ -29,7 +29,7 @@ def break_law(law: Law, pairs: Iterable[Pair]) -> str:
     return ""
 
 
-def wrong(law: Law, pair: Pair) -> str:
+def wrong(law: Law, pair: SweepPair) -> str:
     """What a law says of a pair; an exception is wrong too."""
     try:
         return law(pair)
@@ -37,14 +37,14 @@ def wrong(law: Law, pair: Pair) -> str:
         return f"{type(error).__name__}: {error}"
 
 
-def shrink(law: Law, pair: Pair) -> Pair:
+def shrink(law: Law, pair: SweepPair) -> SweepPair:
     """Leave out vertices and halve coordinates as long as the law stays broken."""
     while smaller := next((p for p in _smaller(pair) if wrong(law, p)), None):
         pair = smaller
     return pair
 
 
-def _smaller(pair: Pair) -> Iterator[Pair]:
+def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
     for which, ring in enumerate(pair):
         monotone = is_x_monotone(ring)
         for changed in _smaller_rings(ring):
@@ -53,7 +53,7 @@ def _smaller(pair: Pair) -> Iterator[Pair]:
             except ValueError:
                 continue
             if corners != ring and is_x_monotone(corners) >= monotone:
-                yield Pair(corners, pair[1]) if which == 0 else Pair(pair[0], corners)
+                yield SweepPair(corners, pair[1]) if which == 0 else SweepPair(pair[0], corners)
 
 
 def is_x_monotone(ring: Ring) -> bool:

@@ -15,7 +15,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.paper.claim import Claim, Effort, Evidence, Verdict, first_failure
+from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, first_failure
 from exactsweep.paper.laws import Trial
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
@@ -61,7 +61,7 @@ def _read(row: Mapping[str, Any]) -> Claim:
         row["name"],
         row["section"],
         _join(row["words"]),
-        Verdict(row["verdict"]),
+        ClaimVerdict(row["verdict"]),
         tuple(row["evidence"]),
         tuple(row["code"]),
         check,
@@ -71,6 +71,7 @@ def _read(row: Mapping[str, Any]) -> Claim:
         _join(row.get("kernel", "")),
         tuple(row.get("see", ())),
         row.get("figure", ""),
+        _join(row.get("chosen", "")),
     )
 
 

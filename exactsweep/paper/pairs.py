@@ -27,7 +27,7 @@ class Chains(NamedTuple):
     directrix: list[Vertex]
 
 
-class Pair(NamedTuple):
+class SweepPair(NamedTuple):
     """A generatrix and a directrix, X-monotone unless they are drawn as of any shape."""
 
     generatrix: Ring
@@ -40,20 +40,22 @@ class Pair(NamedTuple):
         return Chains(top, bottom, split(self.directrix)[0])
 
     @property
-    def mirrored(self) -> Pair:
+    def mirrored(self) -> SweepPair:
         """The pair turned by half a turn, so that the upper sweep is the lower one."""
         g, d = (
             [(int(x), int(y)) for x, y in inverse(ring)]
             for ring in (self.generatrix, self.directrix)
         )
-        return Pair(g, d)
+        return SweepPair(g, d)
 
 
-def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> Pair:
+def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
     """Draw a pair of a class; now and then both on one scale, now and then on two."""
     generatrix, directrix = (_draw_ring(random, letter, strict=strict) for letter in kind)
     factor = random.choice([1, 1, 2, 7])
-    return Pair(_corners(generatrix), _corners([(factor * x, factor * y) for x, y in directrix]))
+    return SweepPair(
+        _corners(generatrix), _corners([(factor * x, factor * y) for x, y in directrix])
+    )
 
 
 def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
@@ -87,7 +89,9 @@ def _corners(ring: Ring) -> Ring:
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 
-def random_pairs(effort: Effort, kind: str, count: int, *, strict: bool = True) -> Iterator[Pair]:
+def random_pairs(
+    effort: Effort, kind: str, count: int, *, strict: bool = True
+) -> Iterator[SweepPair]:
     """Draw pairs that depend on the seed of the run, their class and their number alone."""
     for number in range(count):
         yield draw_pair(effort.random(f"{kind} {strict} {number}"), kind, strict=strict)

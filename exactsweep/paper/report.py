@@ -15,21 +15,18 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from exactsweep import sweep
-from exactsweep.canvas.svg import path_data
+from exactsweep.canvas import style
+from exactsweep.canvas.svg import Shape, svg
 from exactsweep.draw import save
-from exactsweep.geometry.direction import DirectionError
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper import plots
-from exactsweep.paper.claim import KINDS, Counterexample, Effort, Row, Verdict
+from exactsweep.paper.claim import KINDS, ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
 from exactsweep.paper.data import describe_environment, slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.ledger import ABSTRACT, OPEN
-from exactsweep.paper.pairs import Pair
-
-SIZE, MARGIN = 200, 6
-
-XY = Sequence[tuple[float, float]]
+from exactsweep.paper.pairs import SweepPair
 
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
@@ -44,7 +41,7 @@ WEIGHTS = {
 SUFFIXES = (".svg", ".pdf")
 
 
-def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path, Path]:
+def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
     The same seed, effort and versions give the same bytes, but for what is measured.
@@ -57,8 +54,8 @@ def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path
     """
     folder.mkdir(parents=True, exist_ok=True)
     drawn = _plots(rows)
-    for name, svg in drawn.items():
-        (folder / f"{_file_name(name)}.svg").write_bytes(svg)
+    for name, plot in drawn.items():
+        (folder / f"{_file_name(name)}.svg").write_bytes(plot)
     figures = write_figures(folder, rows)
     paths = folder / "report.html", folder / "report.md"
     for path in paths:
@@ -69,23 +66,24 @@ def write(folder: Path, rows: Sequence[Row], effort: Effort) -> tuple[Path, Path
 
 def render(
     name: str,
-    rows: Sequence[Row],
+    rows: Sequence[Finding],
     effort: Effort,
     drawn: dict[str, bytes],
     figures: dict[str, bytes],
 ) -> str:
     """Fill one of the templates, "report.html" or "report.md"."""
-    sections: dict[str, list[Row]] = {}
+    sections: dict[str, list[Finding]] = {}
     for row in rows:
         sections.setdefault(row.claim.section, []).append(row)
     verdicts = Counter(row.claim.verdict for row in rows)
+    bounds = tabulate(series for row in rows for series in row.evidence.growth)
     text = (
         _environment(html=name.endswith("html"))
         .get_template(f"{name}.j2")
         .render(
             rows=rows,
             sections=sections,
-            counts=[(verdict.value, verdicts[verdict]) for verdict in Verdict],
+            counts=[(verdict.value, verdicts[verdict]) for verdict in ClaimVerdict],
             failing=[row for row in rows if row.disagreement],
             effort=effort,
             environment=describe_environment(effort),
@@ -93,10 +91,10 @@ def render(
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
             bibtex=bibtex(),
-            contents=_list_contents(sections),
+            contents=_list_contents(sections, bounds=bool(bounds.rows)),
             abstract=ABSTRACT,
             open=OPEN,
-            bounds=tabulate(g for row in rows for g in row.evidence.growth),
+            bounds=bounds,
         )
     )
     return f"{text.rstrip()}\n"
@@ -111,23 +109,24 @@ def title_section(section: str) -> str:
     return f"Section {section}" if section[0].isdigit() else section
 
 
-def _list_contents(sections: Iterable[str]) -> list[tuple[str, str]]:
+def _list_contents(sections: Iterable[str], *, bounds: bool) -> list[tuple[str, str]]:
     """The anchors and the names of the parts of the HTML report."""
+    with_bounds = [("bounds", "Bounds")] if bounds else []
     own = [(slug(title), title) for title in map(title_section, sections)]
-    before = [("errata", "What is wrong"), ("bounds", "Bounds"), ("evidence", "Evidence")]
+    before = [("errata", "What is wrong"), *with_bounds, ("evidence", "Evidence")]
     return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
-def totals(rows: Sequence[Row]) -> str:
+def totals(rows: Sequence[Finding]) -> str:
     """How many rows have which verdict, how many fail, and how long all took."""
     verdicts = Counter(row.claim.verdict for row in rows)
-    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in Verdict if verdicts[v])
+    counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
     borne_out = f"evidence fails: {', '.join(failing)}" if failing else "all borne out"
     return f"{len(rows)} rows: {counts}; {borne_out}; {sum(row.seconds for row in rows):.0f} s"
 
 
-def render_row(row: Row) -> str:
+def render_row(row: Finding) -> str:
     """One row in Markdown, as the terminal shows it."""
     template = _environment(html=False).from_string(
         '{% from "row.md.j2" import show %}{{ show(row, {}, {}) }}'
@@ -135,7 +134,7 @@ def render_row(row: Row) -> str:
     return f"{template.render(row=row).strip()}\n"
 
 
-def _plots(rows: Sequence[Row]) -> dict[str, bytes]:
+def _plots(rows: Sequence[Finding]) -> dict[str, bytes]:
     if not plots.available():
         return {}
     counted = {
@@ -244,7 +243,7 @@ def _picture(case: Counterexample) -> Markup:
     """The pair of a counterexample, drawn by `pair_svg`, which writes numbers only."""
     if not case.generatrix:
         return Markup("")
-    return Markup(pair_svg(Pair(list(case.generatrix), list(case.directrix))))
+    return Markup(pair_svg(SweepPair(list(case.generatrix), list(case.directrix))))
 
 
 def write_citation(folder: Path) -> list[Path]:
@@ -283,45 +282,24 @@ def bibtex() -> str:
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
 
-def pair_svg(pair: Pair) -> str:
-    """An SVG with D filled grey, G blue at one end of its path, and the path of its origin dashed.
-
-    For polygons without a shared direction G stands beside D.
+def pair_svg(pair: SweepPair) -> str:
+    """An SVG with D, G at one end of its path, and the path of its origin.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> pair_svg(Pair(triangle, triangle)).count("<path")
+    >>> pair_svg(SweepPair(triangle, triangle)).count("<path")
     3
     """
-    directrix: XY = [(float(x), float(y)) for x, y in pair.directrix]
-    path: XY = []
-    try:
-        corners = sweep(*pair).trajectory.vertices
-        t = (float(corners[0].x), float(corners[0].y))
-        path = [(float(x), float(y)) for x, y in corners]
-    except DirectionError:
-        right = max(x for x, _ in directrix) - min(x for x, _ in pair.generatrix)
-        t = (right + 1.0, min(y for _, y in directrix))
-    generatrix: XY = [(x + t[0], y + t[1]) for x, y in pair.generatrix]
-    xs, ys = zip(*directrix, *generatrix, *path, strict=True)
-    scale = SIZE / max(max(xs) - min(xs), max(ys) - min(ys))
-    width, height = ((max(c) - min(c)) * scale + 2 * MARGIN for c in (xs, ys))
-
-    left, top = min(xs), max(ys)
-
-    def shape(points: XY, kind: str) -> str:
-        placed = [((x - left) * scale + MARGIN, (top - y) * scale + MARGIN) for x, y in points]
-        return f'<path class="{kind}" d="{path_data([placed], closed=True, digits=1)}"/>'
-
-    shapes = [shape(directrix, "directrix"), shape(generatrix, "generatrix")]
-    if path:
-        shapes.append(shape(path, "path"))
-    return (
-        f'<svg role="img" aria-label="D grey, G blue" width="{width:.0f}" height="{height:.0f}">'
-        f"{''.join(shapes)}</svg>"
+    g, d = map(Polygon, pair)
+    path = sweep(g, d).trajectory
+    shapes = (
+        Shape([d.vertices], style.DIRECTRIX),
+        Shape([g.translated(path.vertices[0]).vertices], style.GENERATRIX),
+        Shape([path.vertices], style.TRAJECTORY),
     )
+    return svg(shapes, "D grey, G blue, and the path of G's origin")
 
 
-def write_figures(folder: Path, rows: Sequence[Row]) -> dict[str, bytes]:
+def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
 
     A figure whose evidence fails is not drawn, nor is any without matplotlib.

@@ -14,7 +14,7 @@ from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Counterexample, Evidence
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
 Shape = Callable[[Ring], bool]
@@ -66,14 +66,14 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
-def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[Pair]:
+def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):
             gs = _chosen(side, n, generatrix)
             ds = _chosen(side, total - n, directrix)
-            pairs += [Pair(g, d) for g in gs for d in ds]
+            pairs += [SweepPair(g, d) for g in gs for d in ds]
         yield from sorted(pairs, key=lambda p: (_size(p.generatrix)[0] + _size(p.directrix)[0], p))
 
 
@@ -83,7 +83,7 @@ def _chosen(side: int, vertices: int, shape: Shape) -> list[Ring]:
 
 
 def search_grid(
-    side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[Pair], str]
+    side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[SweepPair], str]
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
 
@@ -107,7 +107,7 @@ def search_grid(
     return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
 
 
-def search(pairs: Iterable[Pair], fails: Callable[[Pair], str], where: str) -> Evidence:
+def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where: str) -> Evidence:
     """Look for the first of some pairs with which a statement fails; `where` says which they are.
 
     Returns Evidence as `search_grid` does.

@@ -90,11 +90,7 @@ class Envelope:
             return start
         if not dx:
             raise ChainError("the envelope has a gap: its chains do not overlap in x")
-        if d == 1:
-            y = (dy * n + c) // dx
-            if y * dx == dy * n + c:
-                return n, y
-        return quotient(n, d), quotient(dy * n + c * d, dx * d)
+        return ratio(n, d), ratio(dy * n + c * d, dx * d)
 
     def edge_before(self, at: Break, first: int = 0) -> int:
         """The number of the piece, from the first, that holds just left of a break.
@@ -182,7 +178,20 @@ def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
 
 def point_on(edge: Edge, at: Break) -> Vertex:
     """The point of an edge at a break. Cost: O(1)."""
-    return Envelope.of_convex(edge).point(0, at)
+    n, d = at
+    p, q = edge
+    if n == p[0] * d:
+        return p
+    if n == q[0] * d:
+        return q
+    dx, dy = q[0] - p[0], q[1] - p[1]
+    return ratio(n, d), ratio(dy * n + (p[1] * dx - p[0] * dy) * d, dx * d)
+
+
+def ratio(n: Rational, d: Rational) -> Rational:
+    """N / d with d > 0: an int where it is one. Cost: O(1)."""
+    whole = n // d
+    return whole if whole * d == n else quotient(n, d)
 
 
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:

@@ -23,9 +23,8 @@ from itertools import chain, pairwise, repeat
 from typing import cast
 
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import complement, corners, inverse
+from exactsweep.procedures.chain import complement, convex_parts, corners, inverse
 from exactsweep.procedures.convex_part import (
-    ConvexPart,
     count_flatter,
     split_envelope,
     split_parts,
@@ -48,7 +47,7 @@ def take_inside(trajectory: Envelope) -> Envelope:
     )
 
 
-def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
+def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[Span]:
     """The x-ranges of D_b between points that G touches, left to right.
 
     Args:
@@ -61,17 +60,16 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
     Cost: O(t log m + m) for t edges of T, and to sort what is touched of each edge of D_b.
 
     >>> from exactsweep.procedures.mm import trajectory_mm
-    >>> from exactsweep.procedures.convex_part import split_parts
     >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
     >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
-    >>> (left, right), = find_gaps(trajectory, split_parts(notch))
+    >>> (left, right), = find_gaps(trajectory, convex_parts(notch))
     >>> value(left), value(right)
     (Fraction(5, 2), Fraction(7, 2))
     """
-    touched: list[list[list[Span]]] = [[[] for _ in part.points[1:]] for part in parts]
+    touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
     last, v, turn = -1, 0, cast(Rational, 0)
     for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
-        points, spans = parts[source % len(parts)].points, touched[source % len(parts)]
+        points, spans = parts[source % len(parts)], touched[source % len(parts)]
         if source != last:
             last, v = source, count_flatter(points, dx, dy)
         # Edges from one source become steeper.
@@ -96,9 +94,9 @@ def find_gaps(trajectory: Envelope, parts: Sequence[ConvexPart]) -> list[Span]:
             )
         )
     found: list[Span] = []
-    reach: Break = (parts[0].points[0][0], 1)
+    reach: Break = (parts[0][0][0], 1)
     for of_edge in chain.from_iterable(touched):
-        if any(precedes(after[0], before[0]) for before, after in pairwise(of_edge)):
+        if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
         for begin, end in of_edge:
             if precedes(reach, begin):
@@ -132,7 +130,7 @@ def inner_mm(
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
     """
-    parts = split_parts(directrix)
+    parts = convex_parts(directrix)
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
         return corners(directrix)

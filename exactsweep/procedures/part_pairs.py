@@ -23,6 +23,8 @@ from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelo
 
 STRIPS_PER_EDGE = 2
 STRIPS_PER_CHAIN = 4
+FEW_PAIRS = 40
+"""So many pairs are swept sooner than a ceiling is made over half of them."""
 
 
 Guess = Sequence[Collection[int]]
@@ -190,7 +192,7 @@ def sweep_pairs(
     rows, columns = (parts, chains) if exchanged else (chains, parts)
     row_boxes, boxes = [row.box for row in rows], Boxes.of(columns)
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
-    size, pairs = len(rows) + len(columns), 0
+    size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
 
     span: Box = (
         row_boxes[0][0] + boxes.lefts[0],

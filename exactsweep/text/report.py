@@ -1,6 +1,6 @@
 """Text reports of sweeps, no-fit polygons and inner fits, for people to read."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
@@ -10,7 +10,8 @@ from rich.table import Table
 
 from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import format_fraction
+from exactsweep.geometry.number import abridged, format_fraction
+from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.procedures.free_positions import Fit
@@ -21,7 +22,7 @@ _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _NO_WRAPPING = 10**9
 
 
-def report(sweep: Swept, terminal_width: int | None = None) -> str:
+def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool = False) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact, with a decimal approximation beside them where that is another number; of a
@@ -31,6 +32,7 @@ def report(sweep: Swept, terminal_width: int | None = None) -> str:
         sweep: a Sweep.
         terminal_width: columns of the terminal to be filled; None for plain text, whose lines are
             as long as they need to be.
+        everything: whether all vertices are shown, and all digits of their coordinates.
 
     Returns:
         Lines of text, of ASCII characters only; for a terminal also its control sequences.
@@ -72,15 +74,18 @@ def report(sweep: Swept, terminal_width: int | None = None) -> str:
     }
     given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
     shapes = {**given, **loops}
-    return _told(facts, shapes, "swept area", sweep.area, _texts(loops), terminal_width)
+    return _told(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
 
 
-def no_fit_report(n: NoFitPolygon, terminal_width: int | None = None) -> str:
+def no_fit_report(
+    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
     Args:
         n: a NoFitPolygon.
         terminal_width: as for `report`.
+        everything: likewise.
 
     Returns:
         Lines of text, as by `report`.
@@ -112,16 +117,19 @@ def no_fit_report(n: NoFitPolygon, terminal_width: int | None = None) -> str:
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
-    texts = _texts(loops) | _fit_texts(n.exact_fits)
-    return _told(facts, {**given, **loops}, "no fit", n.area, texts, terminal_width)
+    shapes: dict[str, Polygon | Region] = {**given, **loops}
+    return _told(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
-def inner_fit_report(f: InnerFit, terminal_width: int | None = None) -> str:
+def inner_fit_report(
+    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+) -> str:
     """Describe the positions of a part inside a container.
 
     Args:
         f: an InnerFit.
         terminal_width: as for `report`.
+        everything: likewise.
 
     Returns:
         Lines of text, as by `report`.
@@ -155,8 +163,8 @@ def inner_fit_report(f: InnerFit, terminal_width: int | None = None) -> str:
         for j, ring in enumerate((region.exterior, *region.holes))
     }
     shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
-    texts = _texts(loops) | _fit_texts(f.exact_fits)
-    return _told(facts, shapes, "positions", f.area, texts, terminal_width)
+    fits = f.exact_fits
+    return _told(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
 
 
 def _told(
@@ -164,9 +172,12 @@ def _told(
     shapes: Mapping[str, Polygon | Region],
     name: str,
     area: Fraction,
-    texts: Mapping[str, str],
+    loops: Mapping[str, Polygon],
+    fits: Sequence[Fit],
     terminal_width: int | None,
+    everything: bool,
 ) -> str:
+    texts = _texts(loops) | _fit_texts(fits)
     width = max(map(len, [*facts, *shapes, name, *texts]))
     sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     sizes.add_column(min_width=width, style="bold")
@@ -176,8 +187,17 @@ def _told(
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *_area(shape.area))
     sizes.add_row(name, "", *_area(area))
-    tables = [_rows(facts, width), sizes, *([_rows(texts, width)] if texts else [])]
-    return laid_out(tables, terminal_width)
+    tables = [_rows(facts, width), sizes]
+    if everything:
+        # Long numbers take a table a long time.
+        lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
+        told = (f"{n:<{width}}  {' '.join(map(_exactly, ends))}\n" for n, ends in lines.items())
+        return laid_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
+    return laid_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
+
+
+def _exactly(point: Point) -> str:
+    return f"({format_fraction(point.x)},{format_fraction(point.y)})"
 
 
 def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
@@ -217,7 +237,7 @@ def _rows(texts: Mapping[str, str], width: int) -> Table:
 
 
 def _area(area: Fraction) -> tuple[str, str]:
-    exact, rounded = format_fraction(area), approximation(area)
+    exact, rounded = abridged(area), approximation(area)
     return "" if rounded == exact else rounded, exact
 
 
@@ -227,7 +247,11 @@ def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
 
 
 def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
-    return {f"exact fit {k}": " ".join(map(pair, dict.fromkeys(fit))) for k, fit in enumerate(fits)}
+    return {name: " ".join(map(pair, ends)) for name, ends in _fit_ends(fits).items()}
+
+
+def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
+    return {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
 
 
 def approximation(value: Fraction) -> str:

@@ -12,12 +12,12 @@ from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
-from exactsweep.formats.writing import wkt_points, wkt_polygon
+from exactsweep.formats.candidate import NamedRegion
+from exactsweep.formats.writing import wkt_fits, wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.free_positions import Fit
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification
@@ -234,6 +234,23 @@ def _written(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 
+def sweep_to_regions(sweep: Swept) -> list[NamedRegion]:
+    """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on."""
+    loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
+    loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
+    return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
+
+
+def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
+    """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
+    return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
+
+
+def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
+    """Name the regions of an inner fit: "region 0" and so on."""
+    return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
+
+
 def sweep_to_wkt(sweep: Swept) -> str:
     """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
 
@@ -273,7 +290,7 @@ def no_fit_to_wkt(n: NoFitPolygon) -> str:
         POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
         LINESTRING (1 3, 1 1)
     """
-    return _area_to_wkt("", n.exterior, n.holes) + _fits_to_wkt(n.exact_fits)
+    return _area_to_wkt("", n.exterior, n.holes) + wkt_fits(n.exact_fits)
 
 
 def inner_fit_to_wkt(f: InnerFit) -> str:
@@ -293,18 +310,9 @@ def inner_fit_to_wkt(f: InnerFit) -> str:
         _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
         for k, region in enumerate(f.regions)
     ]
-    return "".join(lines) + _fits_to_wkt(f.exact_fits) or "POLYGON EMPTY\n"
+    return "".join(lines) + wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
 
 
 def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
     rings = {f"{prefix}exterior": exterior.vertices}
     return wkt_polygon(rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)})
-
-
-def _fits_to_wkt(fits: Iterable[Fit]) -> str:
-    lines = []
-    for k, fit in enumerate(fits):
-        ends = list(dict.fromkeys(fit))
-        points = wkt_points(f"exact fit {k}", ends)
-        lines.append(f"{'LINESTRING' if len(ends) > 1 else 'POINT'} {points}\n")
-    return "".join(lines)

@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import pairwise
 from math import lcm
 
-from exactsweep.evidence.contact import facing, minus
+from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Point
@@ -43,9 +43,9 @@ class Meetings:
         self.scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
         g, d = (_outline(shape, self.scale) for shape in (s.generatrix, s.directrix))
         pairs = set()
-        for i, j in facing(dict(enumerate(g.edges)), d):
+        for i, j in find_facing(dict(enumerate(g.edges)), d):
             pairs |= {(i, j), (g.after[i], j)}
-        for j, i in facing(dict(enumerate(d.edges)), g):
+        for j, i in find_facing(dict(enumerate(d.edges)), g):
             pairs |= {(i, j), (i, d.after[j])}
         self.translations = sorted({minus(d.vertices[j], g.vertices[i]) for i, j in pairs})
 

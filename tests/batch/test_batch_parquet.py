@@ -5,8 +5,9 @@ import pyarrow.parquet
 import pytest
 from partlist import part_list
 
-from exactsweep.batch import all_pairs, parquet, run
+from exactsweep.batch import all_pairs, run
 from exactsweep.batch.output import Output
+from exactsweep.batch.table import write_parquet
 
 PARTS = part_list(8)
 
@@ -16,7 +17,7 @@ PARTS = part_list(8)
 def test_a_table_has_the_same_records(
     tmp_path: Path, what: str, rows: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(parquet, "_ROWS", rows)
+    monkeypatch.setattr("exactsweep.batch.table._ROWS", rows)
     job = all_pairs(PARTS, PARTS[:3], what)
     lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
     path, part = tmp_path / "out.parquet", tmp_path / "out.parquet.part"
@@ -54,7 +55,7 @@ def test_directions_of_any_length_and_ids_are_text(tmp_path: Path) -> None:
         f'{{"index": 0, "id": 7, "kind": "CC", "direction": [{digits}, -1]}}\n'
         '{"index": 1, "error": "no", "id": "a"}\n'
     )
-    parquet.write_parquet(records, tmp_path / "table", "loops")
+    write_parquet(records, tmp_path / "table", "loops")
     first, second = pyarrow.parquet.read_table(tmp_path / "table").to_pylist()
     assert first["direction"] == f"[{digits}, -1]"
     assert (first["id"], second["id"], second["error"]) == ("7", "a", "no")

@@ -16,7 +16,7 @@ from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
 from exactsweep.paper.counting import Counted, counting, make_counted
 from exactsweep.paper.growth import Growth, Size
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
 
@@ -42,7 +42,7 @@ def test_a_family_is_the_same_on_every_machine() -> None:
 
 @pytest.mark.parametrize("sizes", [(2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 8, 10)])
 def test_figure_10_has_its_number_of_outer_edges(sizes: tuple[int, int, int]) -> None:
-    chains = Pair(*bumps(*sizes)).chains
+    chains = SweepPair(*bumps(*sizes)).chains
     m_b, n_t, n_b = sizes
     lengths = len(chains.directrix) - 1, len(chains.top) - 1, len(chains.bottom) - 1
     assert lengths == sizes
@@ -90,7 +90,7 @@ def test_comparisons_are_counted_once() -> None:
 def test_counting_changes_no_result(family: str) -> None:
     generatrix, directrix = FAMILIES[family](20, 20, 0)
     plain, chains = (
-        Pair(g, d).chains
+        SweepPair(g, d).chains
         for g, d in ((generatrix, directrix), (make_counted(generatrix), make_counted(directrix)))
     )
     trajectories = [trajectory_mm(c.top, c.directrix) for c in (plain, chains)]

@@ -138,20 +138,18 @@ def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
     parabola = [[str(k), f"1/{10**1000 + k}"] for k in range(1, 10**3)]
     certificate = {**sweep(UNIT, VALLEY).certificate(), "directrix": [["0", "0"], *parabola]}
     assert verify(certificate).reason == (
-        "too large: a common denominator has more than 400000 bits"
+        "too large: to check it would take more than 100000000 steps"
     )
 
 
-def test_the_limit_on_the_common_denominator_is_what_it_says(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(size, "MAX_BITS", 8)
-    third, fifth = Fraction(1, 3), Fraction(1, 5)
-    assert size.common_scale([Point(third, fifth), Point(Fraction(1, 17), third)]) == 255
-    for axis in (0, 1):
-        finer = Point(*(Fraction(1, 2), Fraction(1))[:: 1 - 2 * axis])
-        with pytest.raises(CertificateError, match="more than 8 bits"):
-            size.common_scale([Point(third, fifth), Point(Fraction(1, 17), third), finer])
+def test_the_common_denominator_counts_in_steps() -> None:
+    """A step on numbers of up to 64 bits is one, on up to 128 bits two: for each of the points."""
+    fine = Point(Fraction(1, 2**62), Fraction(1, 3))
+    assert size.common_scale([fine, fine], 4) == 3 * 2**62
+    assert size.common_scale([fine._replace(y=Fraction(1))], 1) == 2**62
+    for points, steps in (([fine, fine], 3), ([Point(fine.y, fine.x)], 1)):
+        with pytest.raises(CertificateError, match=f"more than {steps} steps"):
+            size.common_scale(points, steps)
 
 
 def test_more_steps_may_be_allowed() -> None:

@@ -111,7 +111,7 @@ def test_reference_moves_the_trajectory() -> None:
         (["sweep", "--direction", "0", "0"], "(0, 0) is not a direction"),
         (["sweep", "--direction", "x", "0"], "'x' is not a number such as"),
         (["sweep", "--direction", "1"], "Option '--direction' requires 2 arguments."),
-        (["sweep", "--reference", "1", "1e9999"], "'1e9999' has an exponent beyond 4000"),
+        (["sweep", "--reference", "1", "1e9999"], "'1e9999' has more than 4300 digits"),
         (["sweep", "--svg"], "No such option"),
         (["broom"], "No such command 'broom'."),
     ],
@@ -129,7 +129,7 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
         (b"", "empty"),
         (b"{", "line 1, column 2: not JSON: Expecting property name enclosed in double quotes"),
         (b"[[0, 0], [1, 0], [0, NaN]]", "$[2][1]: 'NaN' is not a number such as 3, -7/2, "),
-        (b"[[0, 0], [1, 0], [0, 1e99999]]", "$[2][1]: '1e99999' has an exponent beyond 4000"),
+        (b"[[0, 0], [1, 0], [0, 1e99999]]", "$[2][1]: '1e99999' has more than 4300 digits"),
         (b"[[0, 0], [2, 0], [1, 0], [0, 1]]", "spike at vertex 1: the boundary turns"),
         (b"POLYGON ((0 0, 1 0, 0 1))", "line 1, column 10: the ring is not closed: "),
         (b"\xfe\xfe", "not UTF-8 text: invalid start byte at byte 0"),
@@ -158,7 +158,7 @@ def test_wkt_is_refused_where_it_cannot_be_exact() -> None:
     message = refusal(run("sweep", "--wkt", HOUSE, "-", stdin=third))
     assert message == (
         "trajectory, vertex 2: -2/3 is not a finite decimal, which is all that WKT can hold; "
-        "use --json"
+        "use --json, or --round"
     )
 
 
@@ -238,10 +238,12 @@ def test_only_what_is_needed_is_imported(code: str, absent: set[str]) -> None:
     assert done.stdout.endswith("found:")
 
 
-def test_a_piped_report_is_never_wrapped_or_cut() -> None:
+def test_a_piped_report_is_never_wrapped_and_long_numbers_are_on_request() -> None:
     digits = 3000 * "7"
-    lines = report(sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])).splitlines()
-    assert lines[8].split() == ["directrix", "3", "7.77778E+2999", digits]
+    result = sweep([(0, 0), (1, 0), (0, 1)], [(0, 0), (digits, 0), (0, 2)])
+    lines = report(result).splitlines()
+    assert lines[8].split() == ["directrix", "3", "7.77778E+2999", f"{digits[:21]}..."]
+    assert f"({digits},0)" in report(result, everything=True)
     assert not any(line != line.rstrip() for line in lines)
     assert len(lines) == len(REPORT.splitlines())
     assert "".join(lines).isascii()

@@ -109,7 +109,7 @@ def test_wkt_has_holes_and_fits(files: dict[str, str]) -> None:
 
 
 def test_wkt_is_refused_where_it_cannot_be_exact(files: dict[str, str]) -> None:
-    told = "is not a finite decimal, which is all that WKT can hold; use --json"
+    told = "is not a finite decimal, which is all that WKT can hold; use --json, or --round"
     message = refusal(run("nfp", files["plate.wkt"], files["third.json"], "--wkt"))
     assert message == f"exterior, vertex 0: -1/3 {told}"
     reference = ("--reference", "0", "1/7")

@@ -116,3 +116,40 @@ def test_the_page_is_whole_and_quotes_what_is_foreign(two: str, tmp_path: Path) 
     assert all('class="exact"' in picture for picture in pictures)
     assert 'class="theirs"' in "".join(pictures)
     assert 'class="witness"' in "".join(pictures)
+
+
+def test_what_rounding_was_granted_is_said(tmp_path: Path) -> None:
+    page = tmp_path / "run.html"
+    filters = ("--filter", "flag=rounded-answer", "--filter", "size=10")
+    options = ("--accept", "within", "--rounding", "1/7", "--html", str(page))
+    done = run("conform", *filters, *options, "--", *FAULTY, "to-floats")
+    (line,) = re.findall("^within: .*$", done.stdout, re.M)
+    assert line.startswith("within: a rounding of up to 0.142857 was granted (")
+    assert "A rounding of about 0.142857 at most was granted (" in page.read_text()
+
+
+def test_the_mistake_is_said_in_all_reports(tmp_path: Path) -> None:
+    page, xml = tmp_path / "run.html", tmp_path / "run.xml"
+    reports = ("--html", str(page), "--junit", str(xml), "--shrink", "0")
+    run("conform", "--filter", "id=figures-c", *reports, "--", *FAULTY, "sign-of-g")
+    words = "trajectories that differ: exact for D + G, G not reflected"
+    assert words in page.read_text()
+    suite = ElementTree.fromstring(xml.read_text())[0]
+    named = {p.get("name"): p.get("value") for p in suite[0]}
+    assert named["diagnosis"] == f"all {suite.get('tests')} {words}"
+    assert named["judged"] == suite.get("tests")
+    (properties,) = suite.findall("testcase")[0].findall("properties")
+    fault = {p.get("name"): p.get("value") for p in properties}["fault"]
+    assert fault == "wrong: trajectory, exact for D + G, G not reflected, overlap, free"
+
+
+def test_failures_come_first_and_are_linked(two: str, tmp_path: Path) -> None:
+    path = tmp_path / "run.html"
+    run("conform", "--cases", two, "--html", str(path), "--", *FAULTY, "vertex-inward")
+    page = path.read_text()
+    order = [page.index(f'id="{name}"') for name in ("failures", "f1", "verdicts", "far", "all")]
+    assert order == sorted(order)
+    links = set(re.findall(r'href="#(\w+)"', page))
+    assert links <= set(re.findall(r'id="(\w+)"', page))
+    assert {"failures", "verdicts", "far", "all", "f1"} <= links
+    assert "prefers-color-scheme" in page

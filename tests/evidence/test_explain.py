@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify
 from exactsweep.check.location import point_in_polygon
-from exactsweep.evidence.contact import Contact, contacts_at
+from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
+from exactsweep.geometry.point import ORIGIN
 from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -151,9 +152,9 @@ def test_what_blocks_leads_to_overlap_and_all_else_does_not(
     compass = st.tuples(own.tiny(-2, 2), own.tiny(-2, 2)).filter(any)
     aside = data.draw(compass | st.just(vector(edge, position)).filter(any))
     loops = s._boundaries
-    way = s._frame.turned([aside])[0]
-    t = s._frame.turned(s._frame.raised([position], s.reference))[0]
-    stopped = any(blocks(c, way, *loops) for c in contacts_at(*loops, t))
+    way = s._frame.enter_point(Point(*map(Fraction, aside)), ORIGIN)
+    t = s._frame.enter_point(position, s.reference)
+    stopped = any(blocks(c, way, *loops) for c in find_contacts(*loops, t))
     assert stopped == (verdict(s, beyond(position, aside)) == "OVERLAP")
 
 

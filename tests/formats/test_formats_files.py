@@ -14,11 +14,12 @@ from command import refusal, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactsweep import NumberError, Polygon, PolygonError
+from exactsweep import NumberError, Polygon, PolygonError, Region
 from exactsweep.formats import (
     FORMATS,
     FormatError,
     NamedPolygon,
+    NamedRegion,
     format_polygons,
     from_numpy,
     from_shapely,
@@ -26,7 +27,7 @@ from exactsweep.formats import (
     parse_polygons,
     read_polygon,
     read_polygons,
-    rounded_polygons,
+    round_regions,
     to_numpy,
     to_shapely,
 )
@@ -90,14 +91,18 @@ def test_nothing_and_no_format_are_refused() -> None:
 @given(strategies.simple_polygons(), st.integers(0, 6))
 @settings(max_examples=50)
 def test_rounding_says_what_it_changed(polygon: Polygon, places: int) -> None:
+    named = NamedRegion(Region(polygon))
     try:
-        (part,), changed, largest = rounded_polygons([NamedPolygon(polygon)], places)
+        (part,), (changed, distance, left_out) = round_regions(
+            [named], places, lambda one: "closest"
+        )
     except PolygonError:
         return
-    assert largest <= Fraction(1, 2 * 10**places)
-    assert (changed == 0) == (largest == 0) == (part.polygon == polygon)
+    assert distance**2 <= Fraction(1, 2 * 10 ** (2 * places)) * (1 + Fraction(1, 10**8))
+    assert (changed == 0) == (distance == 0) == (part == named)
+    assert left_out == 0
     for form in FORMATS:
-        assert parse_polygon(format_polygons([part], form)) == part.polygon
+        assert parse_polygon(format_polygons([part], form)) == part.region.exterior
 
 
 SEVERAL = {
@@ -252,7 +257,7 @@ def test_files_are_converted(tmp_path: Path) -> None:
     )
     done = run("convert", str(source), "--round", "3", "-o", str(output))
     assert (done.exit_code, done.stdout) == (0, "")
-    assert done.stderr == "rounded: 3 coordinates, the largest change about 0.000333333\n"
+    assert done.stderr == "rounded: 1 polygon, moved by at most 0.000333334\n"
     assert [part.name for part in read_polygons(str(output))] == ["a", "b"]
     done = run("convert", f"{source}#a", "--to", "wkt")
     assert done.output == "POLYGON ((0 0, 1 0, 0 1, 0 0))\n"

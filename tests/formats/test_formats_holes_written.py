@@ -22,7 +22,7 @@ from exactsweep.formats import (
     parse_region,
     parse_regions,
     read_region,
-    rounded_polygons,
+    round_regions,
     to_shapely,
 )
 
@@ -128,12 +128,13 @@ def test_what_a_hole_cannot_be_is_named(form: str) -> None:
 
 
 def test_holes_are_rounded() -> None:
-    (part,), changed, largest = rounded_polygons([NamedRegion(THIRD, "n")], 1)
-    assert (changed, largest) == (1, Fraction(1, 30))
+    (part,), changes = round_regions([NamedRegion(THIRD, "n")], 1, lambda one: "closest")
+    assert (changes.changed, changes.left_out) == (1, 0)
+    assert Fraction(1, 30) <= changes.distance < Fraction(1, 29)
     assert part == NamedRegion(Region(PLATE.exterior, [[(1, 1), ("1.3", 1), (1, 2)]]), "n")
     thin = NamedRegion(Region(PLATE.exterior, [[(1, 1), ("1.3", 1), ("1.3", "1.2")]]))
-    with pytest.raises(ValueError, match=r"^hole 0: "):
-        rounded_polygons([thin], 0)
+    with pytest.raises(ValueError, match=r"^rounded to 0 places: hole 0: "):
+        round_regions([thin], 0, lambda one: "closest")
 
 
 def test_files_come_back_whole(tmp_path: Path) -> None:

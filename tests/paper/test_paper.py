@@ -12,17 +12,17 @@ from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.claim import (
     KINDS,
     Claim,
+    ClaimVerdict,
     Counterexample,
     Effort,
     Evidence,
-    Row,
-    Verdict,
+    Finding,
     reproduce,
 )
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import Trial, break_law, shrink
 from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
-from exactsweep.paper.pairs import Pair, draw_pair, random_pairs
+from exactsweep.paper.pairs import SweepPair, draw_pair, random_pairs
 from exactsweep.paper.tiny import is_any, is_convex, polygons, search_grid
 from exactsweep.procedures.chain import split
 
@@ -62,7 +62,7 @@ def test_a_claim_names_code_that_exists(claim: Claim) -> None:
 def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
     assert set(claim.evidence) <= set(KINDS)
     assert claim.words.endswith((".", ")."))
-    assert claim.verdict in (Verdict.REPRODUCED, Verdict.ADDED) or claim.correction
+    assert claim.verdict in (ClaimVerdict.REPRODUCED, ClaimVerdict.ADDED) or claim.correction
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
@@ -72,26 +72,26 @@ def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
     assert row.evidence.tried
 
 
-def test_the_readme_names_the_same_errata() -> None:
+def test_the_readme_names_all_errata_by_weight() -> None:
     readme = (ROOT / "exactsweep/paper/README.md").read_text(encoding="utf-8")
     errata = readme.split("## Where the paper is corrected")[1].split("\n## ")[0]
-    named = set(re.findall(r"\*\*(.*?)\*\*", errata))
-    assert named <= {claim.name for claim in CLAIMS if claim.weight}
+    by_weight = sorted((c for c in CLAIMS if c.weight), key=lambda claim: claim.weight)
+    assert re.findall(r"\*\*(.*?)\*\*", errata) == [claim.name for claim in by_weight]
 
 
-def row_of(status: Verdict, evidence: Evidence) -> Row:
+def row_of(status: ClaimVerdict, evidence: Evidence) -> Finding:
     claim = Claim("A claim", "1", "It holds.", status, (), (), lambda effort: evidence)
     return next(reproduce([claim], Effort()))
 
 
 def test_a_failure_disagrees_with_every_status() -> None:
-    for status in Verdict:
+    for status in ClaimVerdict:
         assert row_of(status, Evidence("much", "it fails")).disagreement == "it fails"
 
 
 def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() -> None:
     against = Evidence("much", against=Counterexample("a case", "by chance"))
-    for status in Verdict:
+    for status in ClaimVerdict:
         announced = status.objects
         assert bool(row_of(status, Evidence("much")).disagreement) == announced
         assert bool(row_of(status, against).disagreement) != announced
@@ -99,7 +99,9 @@ def test_a_counterexample_is_expected_where_one_is_announced_and_nowhere_else() 
 
 def test_a_row_names_the_evidence_that_it_gives_and_no_other() -> None:
     def disagreement(named: tuple[str, ...], given: Evidence) -> str:
-        claim = Claim("A", "1", "It holds.", Verdict.REPRODUCED, named, (), lambda effort: given)
+        claim = Claim(
+            "A", "1", "It holds.", ClaimVerdict.REPRODUCED, named, (), lambda effort: given
+        )
         return next(reproduce([claim], Effort())).disagreement
 
     assert disagreement(("sampled", "exhaustive"), Evidence("much", sampled=9, searched=9)) == ""
@@ -116,7 +118,7 @@ def test_a_check_that_breaks_off_fails() -> None:
     def check(effort: Effort) -> Evidence:
         raise ZeroDivisionError("by zero")
 
-    claim = Claim("A claim", "1", "It holds.", Verdict.REPRODUCED, (), (), check)
+    claim = Claim("A claim", "1", "It holds.", ClaimVerdict.REPRODUCED, (), (), check)
     (row,) = reproduce([claim], Effort())
     assert row.disagreement == "ZeroDivisionError: by zero"
 
@@ -189,21 +191,21 @@ def test_the_smallest_pair_comes_first() -> None:
 
 
 def test_a_broken_law_is_shown_with_a_small_pair() -> None:
-    pair = Pair(TRIANGLE, [(0, 0), (9, 0), (9, 7), (5, 9), (0, 8)])
+    pair = SweepPair(TRIANGLE, [(0, 0), (9, 0), (9, 7), (5, 9), (0, 8)])
     least = shrink(lambda p: "" if len(p.directrix) < 4 else "four corners", pair)
     assert len(least.directrix) == 4
     assert max(x for x, _ in least.directrix) < 9
 
 
 def test_a_law_that_raises_is_broken() -> None:
-    def law(pair: Pair) -> str:
+    def law(pair: SweepPair) -> str:
         raise IndexError("beyond")
 
-    assert break_law(law, [Pair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
+    assert break_law(law, [SweepPair(TRIANGLE, TRIANGLE)]).startswith("IndexError: beyond; G = ")
 
 
 def test_a_trial_keeps_the_first_failure_and_tells_the_laws() -> None:
-    def law(pair: Pair) -> str:
+    def law(pair: SweepPair) -> str:
         """It always fails."""
         return "of course"
 
@@ -244,6 +246,11 @@ def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:
 @pytest.mark.parametrize("row", read_rows(), ids=ORDER)
 def test_a_row_is_sampled_where_it_has_laws(row: dict[str, Any]) -> None:
     assert ("sampled" in row["evidence"]) or not row.get("laws")
-    assert ("figure" in row) == ("against" in row) != bool({"check", "laws", "costs"} & set(row))
-    assert ("weight" in row) == Verdict(row["verdict"]).objects
+    assert (
+        ("figure" in row)
+        == ("chosen" in row)
+        == ("against" in row)
+        != bool({"check", "laws", "costs"} & set(row))
+    )
+    assert ("weight" in row) == ClaimVerdict(row["verdict"]).objects
     assert ("measured" in row["evidence"]) == ("costs" in row)

@@ -203,7 +203,7 @@ def test_the_same_figure_gives_the_same_bytes(figure: PaperFigure, tmp_path: Pat
 @settings(max_examples=25)
 @given(st.lists(st.tuples(st.integers(1, 40), st.integers(1, 40)), min_size=1, max_size=4))
 def test_panels_of_any_size_share_one_unit(sizes: list[tuple[int, int]]) -> None:
-    boxes = [sheet.Box((0, 0), size, "title") for size in sizes]
+    boxes = [sheet.Extent((0, 0), size, "title") for size in sizes]
     rows = [boxes[:2], boxes[2:]] if len(boxes) > 2 else [boxes]
     with sheet.Sheet(rows, sheet.COLUMN) as made:
         pass

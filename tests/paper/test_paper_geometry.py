@@ -30,8 +30,8 @@ from exactsweep.paper.checks.section4 import labels_name_the_extremes
 from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
 from exactsweep.paper.checks.undercuts import lower_undercuts
-from exactsweep.paper.functions import between, clip, common_points, value
-from exactsweep.paper.pairs import Pair, draw_pair
+from exactsweep.paper.functions import clip, evaluate, find_common_points, sample_between
+from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -134,7 +134,7 @@ def test_the_family_of_figure_10_agrees_with_the_formula_for_one_tooth_or_one_pe
 
 def test_needles_have_as_many_inner_edges_as_proved() -> None:
     for m, n in ((10, 8), (13, 14), (7, 24)):
-        pair = Pair(*needles(m, n))
+        pair = SweepPair(*needles(m, n))
         assert (len(pair.directrix), len(pair.generatrix)) == (m, n)
         found = len(sweep_mm(*pair.chains)[0]) - 1
         assert edges_over_needles(m, n) <= found <= edges_over_needles(m, n) + 12
@@ -157,20 +157,20 @@ def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind
 
 def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
     directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
-    assert labels_name_the_extremes(Pair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
+    assert labels_name_the_extremes(SweepPair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
 
 
 def test_chains_are_evaluated_and_cut() -> None:
     chain = [(0, 0), (2, 4), (2, 6), (4, 6)]
-    assert value(chain, Fraction(1, 2)) == 1
+    assert evaluate(chain, Fraction(1, 2)) == 1
     assert clip(chain, Fraction(1), Fraction(3)) == [(1, 2), (2, 4), (2, 6), (3, 6)]
-    assert list(between([(0, 0), (8, 0)])) == [3]
-    assert common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
-    assert common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
+    assert list(sample_between([(0, 0), (8, 0)])) == [3]
+    assert find_common_points([(0, 0), (2, 2), (4, 0)], [(1, 0), (2, 2), (6, 1)]) == [2]
+    assert find_common_points([(0, 0), (2, 2)], [(3, 0), (4, 2)]) == []
     with pytest.raises(ValueError, match="does not reach 5"):
-        value(chain, Fraction(5))
+        evaluate(chain, Fraction(5))
 
 
 def test_a_mirrored_pair_has_the_upper_sweep_as_its_lower_one() -> None:
-    pair = Pair(SQUARE, U_SHAPE)
+    pair = SweepPair(SQUARE, U_SHAPE)
     assert sweep(*pair.mirrored).trajectory == sweep(*pair).trajectory.reflected()

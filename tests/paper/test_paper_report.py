@@ -17,11 +17,11 @@ from exactsweep.cli import main
 from exactsweep.paper import plots
 from exactsweep.paper.claim import (
     Claim,
+    ClaimVerdict,
     Counterexample,
     Effort,
     Evidence,
     Table,
-    Verdict,
     reproduce,
 )
 from exactsweep.paper.data import slug, write_data
@@ -99,7 +99,9 @@ def test_what_a_check_says_is_escaped(tmp_path: Path) -> None:
     evidence = Evidence(
         nasty, nasty, Counterexample(nasty, nasty), tables=(Table(nasty, (nasty,), [[nasty]]),)
     )
-    claim = Claim(nasty, "1", nasty, Verdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty)
+    claim = Claim(
+        nasty, "1", nasty, ClaimVerdict.REFUTED, (), (nasty,), lambda effort: evidence, nasty
+    )
     html, markdown, _ = write(tmp_path, list(reproduce([claim], Effort())), Effort())
     assert "<script>" not in html.read_text(encoding="utf-8")
     assert "| <script>alert(1)</script> \\| & m_b |" in markdown.read_text(encoding="utf-8")
@@ -155,10 +157,12 @@ def test_a_folder_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
     assert result.stderr.startswith("Error: ")
 
 
-def test_all_names_are_listed() -> None:
+def test_all_statements_are_listed_in_order() -> None:
     lines = run("--list").output.splitlines()
-    assert lines == [f"{c.name}: {c.verdict.value} ({', '.join(c.evidence)})" for c in CLAIMS]
-    assert run("--list", "Slope").output == "Slope: misprint (sampled, exhaustive)\n"
+    assert [line.strip() for line in lines[1::2]] == [claim.words for claim in CLAIMS]
+    named = [line.partition(", ")[2].rpartition(": ")[0] for line in lines[::2]]
+    assert named == [claim.name for claim in CLAIMS]
+    assert run("--list", "Slope").output.startswith("3, Slope: misprint (sampled, exhaustive)\n")
 
 
 def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 
 from exactsweep import sweep
-from exactsweep.evidence.swept import resting
+from exactsweep.evidence.swept import pause_collector
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
@@ -20,13 +20,13 @@ def enabled(request: pytest.FixtureRequest) -> Iterator[bool]:
 
 
 def test_the_collector_is_left_as_it_was(enabled: bool) -> None:
-    with resting():
+    with pause_collector():
         assert not gc.isenabled()
-        with resting():
+        with pause_collector():
             pass
         assert not gc.isenabled()
     assert gc.isenabled() == enabled
-    with pytest.raises(ZeroDivisionError), resting():
+    with pytest.raises(ZeroDivisionError), pause_collector():
         _ = 1 // 0
     assert gc.isenabled() == enabled
 

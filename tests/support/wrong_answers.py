@@ -164,7 +164,7 @@ def draw_straight(right: Procedure) -> Procedure:
 
 @sabotage(
     "undercuts: all forgotten but the first of each half",
-    undercut.pockets,
+    undercut.find_pockets,
     "Number of undercuts, MM",
     "Lemma 5.5",
 )
@@ -172,7 +172,7 @@ def keep_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[:1]
 
 
-@sabotage("exact fits: cut in half", exact_fit.exact_fits, "Definition 1.1")
+@sabotage("exact fits: cut in half", exact_fit.find_exact_fits, "Definition 1.1")
 def halve_fits(right: Procedure) -> Procedure:
     def exact_fits(*arguments: Any) -> Any:
         return [
@@ -231,7 +231,7 @@ def leave_as_it_is(right: Procedure) -> Procedure:
 
 @sabotage(
     "contacts: EE contacts lost",
-    contact.edge_contacts,
+    contact.find_edge_contacts,
     "Every edge of D is touched",
     "Table 1",
     "Lemma A.1",
@@ -244,12 +244,14 @@ def lose_parallel(right: Procedure) -> Procedure:
     return edge_contacts
 
 
-@sabotage("undercuts: the first one forgotten", undercut.pockets, "Two forms of a bottom chain")
+@sabotage(
+    "undercuts: the first one forgotten", undercut.find_pockets, "Two forms of a bottom chain"
+)
 def lose_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[1:]
 
 
-@sabotage("exact fits: none found", exact_fit.exact_fits, "Definition 1.1")
+@sabotage("exact fits: none found", exact_fit.find_exact_fits, "Definition 1.1")
 def find_none(right: Procedure) -> Procedure:
     return lambda *arguments: []
 
@@ -267,7 +269,7 @@ def forget_last_gap(right: Procedure) -> Procedure:
 
 @sabotage(
     "undercuts: only one of the positions that close them",
-    undercut.closing_positions,
+    undercut.find_closing_positions,
     "Two forms of a bottom chain",
 )
 def close_once(right: Procedure) -> Procedure:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from exactsweep.conform.judge.answer import (
@@ -97,6 +98,8 @@ def compare(
             parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
             continue
         part = judge_loop(case, name, loop, grant(name, loop))
+        if part.verdict is Verdict.WITHIN and claim is not None:
+            part = replace(part, reason=f"{part.reason}, as it claims for itself")
         if part.kind == "whisker":
             _, whiskers = strip_whiskers(loop.rings, case.exact_fits)
         parts.append(part)

@@ -55,7 +55,24 @@ def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[s
     found = [*_other_loops(case, name, rings, rounding)]
     if name == "trajectory" and not found:
         found += _other_positions(case, rings, rounding)
+    if name == "outer" and not found and _is_same([_add(case).vertices], rings, rounding):
+        found.append("D + G, without the way there")
+    if not found and len(rings) == len(exact) == 1:
+        found += _name_vertices(exact[0], rings[0])
     return tuple(dict.fromkeys(found))
+
+
+def _name_vertices(exact: Sequence[Point], theirs: Sequence[Point]) -> Iterator[str]:
+    """Say which vertices of a ring are wrong, where most of them are right."""
+    missing, added = {*exact} - {*theirs}, {*theirs} - {*exact}
+    if len(missing) > len(exact) // 2:
+        return
+    if len(missing) == len(added) == 1:
+        yield "one vertex is off, the others are exact"
+    elif not added:
+        yield f"lacks {'one vertex' if len(missing) == 1 else 'vertices'}, the others are exact"
+    elif not missing:
+        yield "has more vertices than the exact one, and all of its own"
 
 
 def _other_loops(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:

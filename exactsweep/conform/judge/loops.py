@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import combinations
 
-from exactsweep.check import classify
 from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError, Ring
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.hausdorff import distance_squared
-from exactsweep.conform.judge.region import Cell, RegionError, area, differences
+from exactsweep.conform.judge.region import Cell, RegionError, area, differences, find_overlap
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.whiskers import strip_whiskers, with_whiskers
 from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
-MOST_PAIRS = 2_000_000
-"""Of loops with more pairs of edges than that the distance is not measured."""
+MOST_MEASURED = 3000
+"""Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
+_MOST_SHOWN = 100
+"""Of these, so many places are enough to choose a witness from."""
 MOST_RINGS = 200
 """More rings than that are not looked at: each has to be held against each other one."""
 
@@ -42,12 +44,16 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         WitnessError: the expected answer of the case is refuted by the definition.
 
     Cost: linear for an exact answer; otherwise that of `differences`, `distance_squared`,
-        `match_rings` and `diagnose`, all of which are bounded, and of a witness.
+        `match_rings` and `diagnose`, all of which are bounded by counts, and of a witness. What is
+        too large to be compared so is undecided.
     """
     exact = exact_rings(case, name)
     if _are_rotations(loop.rings, exact):
         return _same(name, Verdict.EXACT)
-    fault = find_fault(loop.rings, f"$.{name}")
+    try:
+        fault = find_fault(loop.rings, f"$.{name}")
+    except RegionError as error:
+        return PartComparison(name, Verdict.UNDECIDED, str(error))
     if fault is None and _canonical(loop.rings) == sorted(exact):
         return _same(name, Verdict.EQUIVALENT)
     if name == "trajectory" and fault is not None:
@@ -59,7 +65,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
 
 def find_fault(rings: Sequence[Ring], place: str) -> str | None:
-    """Say what is wrong with some rings by themselves, or return None."""
+    """Say what is wrong with some rings by themselves, or return None; raises RegionError."""
     polygons: list[Polygon] = []
     try:
         for k, ring in enumerate(rings):
@@ -81,33 +87,34 @@ def _measure(
     """Compare a loop that is not the exact one, ring for ring."""
     kind = ""
     diagnosis: tuple[str, ...] = ()
-    cells: list[Cell] | None
-    try:
-        cells = list(differences(exact, rings))
-    except RegionError:
-        cells = None
-    if fault is None and cells == []:
+    rounded = match_rings(exact, rings, rounding)
+    if not rounded and name == "trajectory" and case.exact_fits:
+        rounded = match_rings(with_whiskers(exact, case.exact_fits), rings, rounding)
+        kind = "whisker" if rounded else ""
+    is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
+    lost: list[Cell] = []
+    extra: list[Cell] = []
+    is_whole = False
+    if is_small or not (rounded or fault):
+        lost, extra, is_whole = _find_cells(exact, rings, is_small)
+    if fault is None and is_whole and not lost and not extra:
         return _same(name, Verdict.EQUIVALENT)
-    lost, extra = ([c for c in cells or () if c.first is first] for first in (True, False))
-    whiskered = with_whiskers(exact, case.exact_fits) if name == "trajectory" else exact
-    if match_rings(exact, rings, rounding):
-        verdict, reason = Verdict.WITHIN, "rounded"
-    elif whiskered != exact and match_rings(whiskered, rings, rounding):
-        verdict, reason = Verdict.WITHIN, "rounded, exact fits traced as whiskers of the loop"
-        kind = "whisker"
+    if rounded:
+        whiskers = ", exact fits traced as whiskers of the loop" if kind else ""
+        verdict, reason = Verdict.WITHIN, f"rounded{whiskers}"
     else:
         diagnosis = () if fault else diagnose(case, name, rings, rounding)
-        verdict, reason = _judge_difference(LOOP_NAMES[name], fault, cells, lost, extra)
+        verdict, reason = _judge_difference(LOOP_NAMES[name], fault, lost, extra, is_whole)
         if diagnosis:
             reason = f"{diagnosis[0]}; {reason}"
-    measured = cells is not None
+    is_measured = is_small and is_whole
     return PartComparison(
         name,
         verdict,
         reason,
-        _measure_distance(exact, rings) if measured else None,
-        area(lost) if measured else None,
-        area(extra) if measured else None,
+        distance_squared(exact, rings) if is_measured else None,
+        area(lost) if is_measured else None,
+        area(extra) if is_measured else None,
         witness(case, name, rings, lost) if lost else None,
         witness(case, name, rings, extra) if extra else None,
         rounding,
@@ -116,28 +123,39 @@ def _measure(
     )
 
 
-def _measure_distance(
-    exact: Sequence[Ring], rings: Sequence[Ring]
-) -> tuple[Fraction, Fraction] | None:
-    if sum(map(len, exact)) * sum(map(len, rings)) > MOST_PAIRS:
-        return None
-    return distance_squared(exact, rings)
+def _find_cells(
+    exact: Sequence[Ring], rings: Sequence[Ring], is_small: bool
+) -> tuple[list[Cell], list[Cell], bool]:
+    """Find what is lost, what is extra, and whether that is all: of large loops, some of it."""
+    sides: tuple[list[Cell], list[Cell]] = [], []
+    try:
+        for cell in differences(exact, rings):
+            found = sides[not cell.first]
+            if is_small or len(found) < _MOST_SHOWN:
+                found.append(cell)
+            if not is_small and all(sides):
+                return *sides, False
+    except RegionError:
+        return *sides, False
+    return *sides, True
 
 
 def _judge_difference(
     loop_name: str,
     fault: str | None,
-    cells: Sequence[Cell] | None,
     lost: Sequence[Cell],
     extra: Sequence[Cell],
+    is_whole: bool,
 ) -> tuple[Verdict, str]:
     if fault is not None:
         return Verdict.MALFORMED, fault
-    if cells is None:
-        reason = f"not the exact {loop_name}, and too many edges cross for the rest to be measured"
-        return Verdict.WRONG, reason
     if lost and extra:
         return Verdict.WRONG, f"neither holds the exact {loop_name} nor is held by it"
+    if not is_whole:
+        rest = "too many edges cross for the rest to be compared"
+        if lost or extra:
+            return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"
+        return Verdict.UNDECIDED, rest
     if lost:
         return Verdict.UNSOUND, f"part of the exact {loop_name} is missing"
     return Verdict.CONSERVATIVE, f"more than the exact {loop_name}"
@@ -191,18 +209,10 @@ def _require_apart(polygons: Sequence[Polygon], place: str) -> None:
     if len(polygons) > MOST_RINGS:
         raise AnswerError(f"{place} has more than {MOST_RINGS} rings")
     boxes = [polygon.bounding_box for polygon in polygons]
-    for k, one in enumerate(polygons):
-        for j, other in enumerate(polygons[:k]):
-            if not _boxes_meet(*boxes[k], *boxes[j]):
-                continue
-            if classify(one, other, ORIGIN).verdict != "OVERLAP":
-                continue
-            try:
-                sides = {cell.first for cell in differences([one.vertices], [other.vertices])}
-            except RegionError:
-                sides = set()
-            if len(sides) != 1:
-                raise AnswerError(f"{place}: rings {j} and {k} overlap")
+    if any(_boxes_meet(*one, *other) for one, other in combinations(boxes, 2)):
+        overlap = find_overlap([polygon.vertices for polygon in polygons])
+        if overlap is not None:
+            raise AnswerError(f"{place}: rings {overlap[0]} and {overlap[1]} overlap")
 
 
 def _boxes_meet(low: Point, high: Point, other_low: Point, other_high: Point) -> bool:

@@ -31,8 +31,8 @@ from exactsweep.geometry.point import Point
 Rings = Iterable[Sequence[Point]]
 Height = tuple[Fraction, Fraction]
 
-MAX_WORK = 1_000_000
-"""The most edges across slabs, summed over all slabs, that are looked at: some seconds."""
+MAX_WORK = 300_000
+"""The most edges across slabs, summed over all slabs, that are looked at: some 15 seconds."""
 
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
@@ -111,7 +111,60 @@ def differences(first: Rings, second: Rings) -> Iterator[Cell]:
         >>> sum(cell.area for cell in differences([square], [bow_tie]))
         Fraction(2, 1)
     """
-    edges = sorted([*_edges(first, 0), *_edges(second, 1)])
+    for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
+        yield from _compare_regions(left, right, ordered)
+
+
+def find_overlap(rings: Sequence[Sequence[Point]]) -> tuple[int, int] | None:
+    """Find two rings that overlap and are the same, or neither is inside the other.
+
+    Args:
+        rings: each a sequence of Point, not closed, that does not cross itself.
+
+    Returns:
+        The indices of the two, or None where there are none.
+
+    Raises:
+        RegionError: as by `differences`.
+
+    Cost: that of `differences` of all rings.
+
+    Example:
+        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
+        >>> moved = [Point(p.x + 1, p.y) for p in square]
+        >>> find_overlap([square, square]), find_overlap([square, moved])
+        ((0, 1), (0, 1))
+    """
+    # Sets of rings as the bits of ints: those that a point of ring k is in besides, and is not in.
+    also, without = [0] * len(rings), [0] * len(rings)
+    for _, _, ordered in _cut([edge for k, ring in enumerate(rings) for edge in _edges([ring], k)]):
+        inside = 0
+        for (bottom, edge), (top, _) in pairwise(ordered):
+            inside ^= 1 << edge.region
+            if bottom != top:
+                for k in _list_bits(inside):
+                    also[k] |= inside
+                    without[k] |= ~inside
+    for k, others in enumerate(also):
+        for j in _list_bits(others & ((1 << k) - 1)):
+            if without[j] >> k & 1 == without[k] >> j & 1:
+                return j, k
+    return None
+
+
+def _list_bits(number: int) -> Iterator[int]:
+    while number:
+        yield (low := (number & -number).bit_length() - 1)
+        number ^= 1 << low
+
+
+def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
+    """Yield slabs inside which no edge ends or crosses another one, with the edges across each.
+
+    Raises:
+        RegionError: more than MAX_WORK would have to be done.
+    """
+    edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
     active: list[_Edge] = []
     started = work = 0
@@ -131,7 +184,7 @@ def differences(first: Rings, second: Rings) -> Iterator[Cell]:
         if work > MAX_WORK:
             raise RegionError("too many edges above each other, or crossings, to be measured")
         for a, b in pairwise([left, *sorted(inner), right]):
-            yield from _slab(a, b, _ordered(a, b, active) if inner else ordered)
+            yield a, b, _ordered(a, b, active) if inner else ordered
 
 
 def area(cells: Iterable[Cell]) -> Fraction:
@@ -175,8 +228,8 @@ def _edges(rings: Rings, region: int) -> Iterator[_Edge]:
                 yield _Edge(left, right, (right.y - left.y) / (right.x - left.x), region)
 
 
-def _slab(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Cell]:
-    """Yield the cells between two cuts, between which no edge ends or crosses another one."""
+def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Cell]:
+    """Yield the cells of a slab in which no edge ends or crosses another one."""
     inside = [False, False]
     for (bottom, edge), (top, _) in pairwise(ordered):
         inside[edge.region] = not inside[edge.region]

@@ -33,14 +33,17 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
     Returns:
         For floats, and for whatever a program answers that reads binary64: 16 units in the last
         place of the largest coordinate of the case, and 2^-32 of the size of the smaller
-        polygon. For integers 1 if the exact answer has other numbers, else 0; and 0 for other
-        rationals, which claim to be exact.
+        polygon. For integers 1, or that size if it is less, if the exact answer has other numbers,
+        else 0. And 0 for other rationals, and for integers of a program that reads any rationals:
+        these claim to be exact.
 
     Cost: linear.
     """
     if loop.has_floats or numbers == "binary64":
         return ULPS * _unit_in_last_place(_largest(case)) + SHARE * smaller_size(case)
-    return Fraction(1 if loop.is_integer and not _is_integer(case, name) else 0)
+    if numbers == "rational" or not loop.is_integer:
+        return Fraction(0)
+    return Fraction(0) if _is_integer(case, name) else min(Fraction(1), smaller_size(case))
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:

@@ -39,7 +39,8 @@ class Verdict(StrEnum):
     - conservative: T holds E. For the trajectory, theirs permits no overlap, and forbids free
       positions.
     - unsound: E holds T. For the trajectory, theirs permits overlap.
-    - wrong: neither. For the trajectory, theirs permits overlap and forbids free positions.
+    - wrong: neither. For the trajectory, theirs permits overlap and forbids free positions. So is
+      called what differs and has too many edges for it to be known how (`region.MAX_WORK`).
 
     `rounding` is what the caller declares, or what `rounding.grant_rounding` grants: what the
     program's numbers hold there. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.

@@ -98,6 +98,7 @@ def html(run: Run) -> str:
             for name, worst in summary.worst.items()
         },
         costs=tell_costs(summary),
+        granted=(_about(summary.granted[0]), summary.granted[1]),
         objections=run.find_objections(),
         diagnosis=summary.diagnosis(),
         failures=failures,

@@ -16,7 +16,7 @@ from rich.table import Table
 from exactsweep.conform.judge.verdict import Comparison, PartComparison
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
-from exactsweep.conform.run.peer import tell_bytes
+from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run, Tally
 from exactsweep.text.report import laid_out
 from exactsweep.words import count
@@ -157,12 +157,15 @@ def close(run: Run, *, is_timed: bool = False) -> str:
     for fault in faults[:_MOST_LISTED]:
         smallest = fault.kept[0]
         likewise = f"  (and {fault.count - 1} more like it)" if fault.count > 1 else ""
-        lines.append(f"{smallest.verdict}  {smallest.id}  {smallest.reason}{likewise}")
+        lines.append(f"{smallest.verdict}  {cut(smallest.id)}  {smallest.reason}{likewise}")
     if len(faults) > _MOST_LISTED:
         rest = sum(fault.count for fault in faults[_MOST_LISTED:])
         lines.append(
             f"... and {count(rest, 'failure')} of {len(faults) - _MOST_LISTED} other kinds"
         )
+    granted, where = run.summary.granted
+    if granted:
+        lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
     if is_timed:
         lines += tell_costs(run.summary)
     summary = run.summary

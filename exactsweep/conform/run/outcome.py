@@ -24,7 +24,7 @@ from exactsweep.geometry.number import NumberError, format_fraction, limits, quo
 Judge = Callable[[Peer, Case], "Outcome"]
 
 TO_COMPARE = 60.0
-"""Seconds that comparing one answer may take: a hostile one could keep us busy for hours."""
+"""Seconds of the processor that comparing one answer may take: far more than the bounds leave."""
 _MAX_RESULT = 65536
 """The most characters of a result that are kept."""
 
@@ -201,7 +201,7 @@ class OvertimeError(Exception):
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
-    """Stop what is in the `with` block after some seconds; in the main thread only.
+    """Stop what is in the `with` block after seconds of the processor; in the main thread only.
 
     Raises:
         OvertimeError: it was stopped.
@@ -220,13 +220,13 @@ def stop_after(seconds: float) -> Iterator[None]:
     def stop(number: int, frame: object) -> NoReturn:
         raise OvertimeError
 
-    old = signal.signal(signal.SIGALRM, stop)
+    old = signal.signal(signal.SIGPROF, stop)
     try:
-        signal.setitimer(signal.ITIMER_REAL, seconds)
+        signal.setitimer(signal.ITIMER_PROF, seconds)
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, old)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, old)
 
 
 def shrink_outcome(

@@ -47,7 +47,7 @@ class Judges:
     Raises:
         ProtocolError: the implementation cannot be started, or says no hello, or not always the
             same.
-        JudgeError: a process that judges was killed.
+        JudgeError: a process that judges was killed, or cannot be started.
     """
 
     def __init__(
@@ -61,7 +61,10 @@ class Judges:
         most: int | None = None,
     ) -> None:
         self.complaints: list[str] = []
-        self._pool = Pool(workers)
+        try:
+            self._pool = Pool(workers)
+        except OSError as error:
+            raise JudgeError(f"no process can be started: {error.strerror or error}") from None
         try:
             hellos: list[Hello] = self._call_in_each(
                 _start, list(command), seconds, to_start, rounding, most

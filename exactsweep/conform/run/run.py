@@ -59,6 +59,7 @@ class Tally:
         seconds: that all answers took together.
         slowest: the longest time of one answer, and the id of its case.
         largest: the most bytes that the program held for one answer, likewise; 0 if unknown.
+        granted: the greatest rounding with which a loop is within, and the id of its case.
         different: how many trajectories are conservative, unsound or wrong.
         diagnoses: Counter of what these are exact for.
 
@@ -74,6 +75,7 @@ class Tally:
         self.seconds = 0.0
         self.slowest = (0.0, "")
         self.largest = (0, "")
+        self.granted = (Fraction(0), "")
         self.different = 0
         self.diagnoses: Counter[str] = Counter()
         for outcome in outcomes:
@@ -93,6 +95,8 @@ class Tally:
                     # Of a reference point that moves, each case has an offset of its own.
                     if words in self.diagnoses or len(self.diagnoses) < _MOST_DIAGNOSES:
                         self.diagnoses[words] += 1
+            if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
+                self.granted = max(self.granted, (read_exact(part["granted"]), outcome.id))
             if part["distance_squared"] is not None and part["area"] is not None:
                 distance = read_exact(part["distance_squared"][0]), outcome.id
                 area = read_exact(part["area"]), outcome.id
@@ -286,6 +290,7 @@ class Run:
                 for group in summary.groups()
             },
             "diagnosis": summary.diagnosis(),
+            "granted": [format_fraction(summary.granted[0]), summary.granted[1]],
             "faults": [
                 {"fault": fault.name, "count": fault.count, "smallest": fault.kept[0].id}
                 for fault in self.list_faults()

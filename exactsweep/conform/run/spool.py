@@ -5,14 +5,20 @@ from __future__ import annotations
 import json
 from array import array
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from tempfile import SpooledTemporaryFile
 from typing import overload
 from weakref import finalize
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
+from exactsweep.geometry.error import ExactSweepError
 
 _IN_MEMORY = 2**20
 """Bytes that are kept in memory; what comes after goes to a file that nobody else sees."""
+
+
+class SpoolError(ExactSweepError):
+    """The temporary file cannot be written; the message says why."""
 
 
 class Spool(Sequence[Outcome]):
@@ -29,15 +35,23 @@ class Spool(Sequence[Outcome]):
     def __init__(self) -> None:
         self._file = SpooledTemporaryFile(_IN_MEMORY)  # noqa: SIM115
         # It closes with the spool, which is used as a sequence and has no other end.
-        finalize(self, self._file.close)
+        finalize(self, _close, self._file)
         self._starts = array("Q")
         self._end = 0
 
     def add(self, outcome: Outcome) -> None:
-        """Take in an outcome, at the end."""
+        """Take in an outcome, at the end.
+
+        Raises:
+            SpoolError: there is no room for it.
+        """
         line = json.dumps(outcome.to_json()).encode() + b"\n"
-        self._file.seek(self._end)
-        self._file.write(line)
+        try:
+            self._file.seek(self._end)
+            self._file.write(line)
+            self._file.flush()
+        except OSError as error:
+            raise SpoolError(f"temporary files: {error.strerror or error}") from None
         self._starts.append(self._end)
         self._end += len(line)
 
@@ -61,3 +75,9 @@ class Spool(Sequence[Outcome]):
     def _read(self, start: int) -> Outcome:
         self._file.seek(start)
         return outcome_from_json(json.loads(self._file.readline()))
+
+
+def _close(file: SpooledTemporaryFile[bytes]) -> None:
+    # What could not be written would fail again.
+    with suppress(OSError):
+        file.close()

@@ -15,18 +15,18 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family, counting, make_counted
+from exactsweep.paper.counting import PairFamily, counting, make_counted
 from exactsweep.paper.functions import (
-    bottom_of,
     clip,
-    common_points,
-    differs,
-    over,
-    reference,
-    value,
+    evaluate,
+    find_common_points,
+    look_up,
+    reaches,
+    take_bottom,
+    tell_difference,
 )
 from exactsweep.paper.growth import Growth, double, grow
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
 from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts, inverse, split
@@ -37,7 +37,7 @@ SHARE = Fraction(5, 17)
 
 
 # A random pair, made smaller.
-AT_A_WALL = Pair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
+AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
 def lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]:
@@ -53,7 +53,7 @@ def lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]
     return found
 
 
-def one_edge_at_a_time(pair: Pair) -> str:
+def one_edge_at_a_time(pair: SweepPair) -> str:
     """Contacts that last at the same time are EV or EE, of one and the same edge of G."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):
@@ -79,7 +79,7 @@ def _named(contacts: Sequence[Contact]) -> str:
 def find_passing_events(effort: Effort) -> Evidence:
     """Look for events that meet in passing, and for parallel edges of a convex G."""
 
-    def stuck(pair: Pair) -> str:
+    def stuck(pair: SweepPair) -> str:
         s = sweep(*pair)
         for step in explain(s):
             contacts = [c for c in s.contacts_at(step.end) if c.event in ("EV", "VE", "EE")]
@@ -98,7 +98,7 @@ def find_passing_events(effort: Effort) -> Evidence:
     return replace(found, against=found.against._replace(text=text))
 
 
-def _parallel_edges(pair: Pair) -> str:
+def _parallel_edges(pair: SweepPair) -> str:
     ring = pair.generatrix
     edges = list(pairwise([*ring, ring[0]]))
     for k, ((px, py), (qx, qy)) in enumerate(edges):
@@ -114,10 +114,10 @@ def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fract
     G_t and D_b are compared as functions of x, without the procedures.
     """
     top = [(x + t.x, y + t.y) for x, y in reversed(split(s.generatrix.vertices)[1])]
-    return common_points(top, chain)
+    return find_common_points(top, chain)
 
 
-def contact_moves_right(pair: Pair) -> str:
+def contact_moves_right(pair: SweepPair) -> str:
     """Both ends of the contact move to the right; points come in at the right, and leave left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
     positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
@@ -157,7 +157,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     xs = {Fraction(x) for x, _ in (*first, *second)}
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     cuts = sorted(x for x in xs | {Fraction(left), Fraction(right)} if left <= x <= right)
-    gaps = [(x, value(first, x) - value(second, x)) for x in cuts]
+    gaps = [(x, evaluate(first, x) - evaluate(second, x)) for x in cuts]
     zeros = [x for x, gap in gaps if gap == 0]
     zeros += [
         x + (y - x) * gap / (gap - other)
@@ -176,7 +176,7 @@ def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bo
     return "", True
 
 
-def partial_meets_once(pair: Pair, *, outer: bool, strict: bool) -> str:
+def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
     top, bottom, directrix = pair.chains
     partial: Envelope | None = None
@@ -194,8 +194,8 @@ def partial_meets_once(pair: Pair, *, outer: bool, strict: bool) -> str:
             if failure:
                 return failure
         partial = lower_envelope_cm(partial, Envelope.of(chain))
-    expected = reference(pair).outer if outer else reference(pair).trajectory
-    return differs("the last envelope", partial or [], bottom_of(expected))
+    expected = look_up(pair).outer if outer else look_up(pair).trajectory
+    return tell_difference("the last envelope", partial or [], take_bottom(expected))
 
 
 def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
@@ -204,30 +204,30 @@ def crosses_once(first: Sequence[Vertex], second: Sequence[Vertex]) -> str:
     above = False
     for left, right in pairwise(xs):
         for x in ((3 * left + right) / 4, (left + 3 * right) / 4):
-            if over(first, x) and over(second, x):
-                gap = value(first, x) - value(second, x)
+            if reaches(first, x) and reaches(second, x):
+                gap = evaluate(first, x) - evaluate(second, x)
                 if above and gap < 0:
                     return f"the partial trajectory is above the next one, and over {x} below it"
                 above = above or gap > 0
     return ""
 
 
-def sub_trajectories_meet_once(pair: Pair) -> str:
+def sub_trajectories_meet_once(pair: SweepPair) -> str:
     """The trajectory so far and the next one meet in one point or one segment."""
     return partial_meets_once(pair, outer=False, strict=True)
 
 
-def sub_trajectories_cross_once(pair: Pair) -> str:
+def sub_trajectories_cross_once(pair: SweepPair) -> str:
     """The trajectory so far is below the next one up to some x, and above it from there on."""
     return partial_meets_once(pair, outer=False, strict=False)
 
 
-def sub_outer_chains_meet_once(pair: Pair) -> str:
+def sub_outer_chains_meet_once(pair: SweepPair) -> str:
     """The boundary so far and the next one meet in one point or one segment."""
     return partial_meets_once(pair, outer=True, strict=True)
 
 
-def sub_outer_chains_cross_once(pair: Pair) -> str:
+def sub_outer_chains_cross_once(pair: SweepPair) -> str:
     """The boundary so far is below the next one up to some x, and above it from there on."""
     return partial_meets_once(pair, outer=True, strict=False)
 
@@ -251,7 +251,7 @@ def _note_chains_apart(*, outer: bool) -> Evidence:
     )
 
 
-def meet_at_all(pair: Pair, *, outer: bool) -> bool:
+def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
     """Whether the chains of all neighbouring convex parts of D_b meet."""
     top, bottom, directrix = pair.chains
     chains = [
@@ -261,7 +261,7 @@ def meet_at_all(pair: Pair, *, outer: bool) -> bool:
     return all(meetings(before, after)[1] for before, after in pairwise(chains))
 
 
-def lower_envelope_cm_is_right(pair: Pair) -> str:
+def lower_envelope_cm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
     top, _, directrix = pair.chains
     chains = [trajectory_cc(top, part) for part in convex_parts(directrix)]
@@ -270,7 +270,7 @@ def lower_envelope_cm_is_right(pair: Pair) -> str:
         partial = lower_envelope_cm(partial, Envelope.of(chain))
         if k == len(chains) and (failure := lowest("sub-trajectory", chains, list(partial))):
             return failure
-    return differs("the lower envelope", partial, bottom_of(reference(pair).trajectory))
+    return tell_difference("the lower envelope", partial, take_bottom(look_up(pair).trajectory))
 
 
 def count_operations(effort: Effort) -> Evidence:
@@ -279,11 +279,11 @@ def count_operations(effort: Effort) -> Evidence:
     return Evidence("", first_failure(g.failure for g in growth), growth=growth)
 
 
-def _envelope_growth(family: Family, effort: Effort) -> Growth:
+def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
     """Operations of LowerEnvelope_CM beside what is handed in and what is trimmed off."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = Pair(*family(m, n)).chains
+        top, _, directrix = SweepPair(*family(m, n)).chains
         edges = make_counted(inverse(top))  # type: ignore[arg-type]
         with counting() as tally:
             pieces = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise, product
 
@@ -14,7 +14,6 @@ from exactsweep.check import (
     reference_no_fit,
     reference_swept,
 )
-from exactsweep.corpus.generator.growing import forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, offset, segment
@@ -22,23 +21,18 @@ from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
 from exactsweep.paper.claim import Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family
-from exactsweep.paper.growth import MN, Bound, double, grow
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
 
 Fits = Iterable[tuple[Point, Point]]
 
-SPIKES: Bound = ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2))
-
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
-HELD = Pair(
+HELD = SweepPair(
     [(0, 0), (2, 0), (2, 2), (0, 2)],
     [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)],
 )
 # The same with a cave in which it has room.
-ROOM = Pair(
+ROOM = SweepPair(
     [(0, 0), (2, 0), (2, 2), (0, 2)],
     [(0, 0), (5, 0), (5, 5), (2, 5), (2, 4), (4, 4), (4, 1), (1, 1), (1, 5), (0, 5)],
 )
@@ -50,7 +44,7 @@ DIAMOND = [(0, -1), (1, 0), (0, 1), (-1, 0)]
 NARROW = Region([(0, 0), (12, 0), (12, 12), (0, 12)], [[(6, 2), (8, 4), (6, 6), (4, 4)]])
 
 
-def no_fit_is_the_definition(pair: Pair) -> str:
+def no_fit_is_the_definition(pair: SweepPair) -> str:
     """The no-fit polygon has the exterior, the holes and the exact fits of the definition."""
     found, expected = no_fit_polygon(*pair[::-1]), reference_no_fit(*pair[::-1])
     holes = tuple(hole.vertices for hole in found.holes)
@@ -69,7 +63,7 @@ def _show(fits: Fits) -> str:
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
-def loops_are_simple(pair: Pair) -> str:
+def loops_are_simple(pair: SweepPair) -> str:
     """Each loop of the no-fit polygon is a simple polygon, and no two share an inner point."""
     found = no_fit_polygon(*pair[::-1])
     for loop in (found.exterior, *found.holes):
@@ -82,7 +76,7 @@ def loops_are_simple(pair: Pair) -> str:
     return no_fit_is_the_definition(pair)
 
 
-def find_contact_segments(pair: Pair) -> Iterator[Segment]:
+def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
     """Convex vertices of one polygon along edges of the other that fit between their edges.
 
     Written from the statement, without the kernel; there are no more than 2 m n.
@@ -111,7 +105,7 @@ def _cross(u: Vertex, v: Vertex) -> Rational:
     return u[0] * v[1] - u[1] * v[0]
 
 
-def boundary_is_contact(pair: Pair) -> str:
+def boundary_is_contact(pair: SweepPair) -> str:
     """Loops and exact fits lie on contact segments, of which there are 2 m n at most."""
     found, known = no_fit_polygon(*pair[::-1]), list(find_contact_segments(pair))
     if len(known) > 2 * len(pair.generatrix) * len(pair.directrix):
@@ -143,7 +137,7 @@ def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
     return reached >= whole.high
 
 
-def fits_have_no_room(pair: Pair) -> str:
+def fits_have_no_room(pair: SweepPair) -> str:
     """Along an exact fit G touches D, and a step aside it overlaps D; at a point, any step."""
     for p, q in no_fit_polygon(*pair[::-1]).exact_fits:
         t = Point(p.x + SHARE * (q.x - p.x), p.y + SHARE * (q.y - p.y))
@@ -158,7 +152,7 @@ def fits_have_no_room(pair: Pair) -> str:
 _AROUND = [(Fraction(x), Fraction(y)) for x, y in product((-2, -1, 0, 1, 2), repeat=2) if x or y]
 
 
-def monotone_fits_are_segments(pair: Pair) -> str:
+def monotone_fits_are_segments(pair: SweepPair) -> str:
     """No exact fit is a single position."""
     alone = [p for p, q in sweep(*pair).exact_fits if p == q]
     return f"({alone[0].x}, {alone[0].y}) is a fit by itself" if alone else ""
@@ -173,7 +167,7 @@ def find_held_position(effort: Effort) -> Evidence:
     return Evidence(f"A square in a cave that it fills: {_show(fits)}.", failure)
 
 
-def inner_fit_is_the_definition(pair: Pair) -> str:
+def inner_fit_is_the_definition(pair: SweepPair) -> str:
     """The inner fit has the regions, their holes and the exact fits of the definition."""
     return compare_inner_fits(_enlarge(pair.directrix), pair.generatrix)
 
@@ -193,7 +187,7 @@ def compare_inner_fits(container: Region | Ring, part: Ring) -> str:
     return ""
 
 
-def inner_fit_is_in_a_frame(pair: Pair) -> str:
+def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
     """The inner fit is what the no-fit polygon of a frame around the container has inside."""
     container = _enlarge(pair.directrix)
     part = Polygon(pair.generatrix)
@@ -255,7 +249,7 @@ def find_unswept(effort: Effort) -> Evidence:
     return Evidence(f"And the cave of Theorem 2.2, with {loops} further loop.", failure)
 
 
-def swept_area_is_the_definition(pair: Pair) -> str:
+def swept_area_is_the_definition(pair: SweepPair) -> str:
     """The outer loop, the inner one and all others are those of the definition."""
     s, expected = sweep(*pair), reference_swept(*pair[::-1])
     unswept = tuple(loop.vertices for loop in s.unswept)
@@ -268,83 +262,10 @@ def swept_area_is_the_definition(pair: Pair) -> str:
     return ""
 
 
-def swept_area_leaves_its_loops(pair: Pair) -> str:
+def swept_area_leaves_its_loops(pair: SweepPair) -> str:
     """What G passes over leaves as many parts of the plane free as there are loops."""
     s = sweep(*pair)
     corners = s.trajectory.vertices
     parts = free_parts(swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]]))))
     loops = 2 + len(s.unswept)
     return "" if parts == loops else f"{parts} parts of the plane are free, for {loops} loops"
-
-
-def count_holes(effort: Effort) -> Evidence:
-    """Count the holes of no-fit polygons of forks, and hold a small one against the definition."""
-
-    def count(m: int, n: int) -> tuple[int, float]:
-        generatrix, directrix = forks(m, n)
-        return len(no_fit_polygon(directrix, generatrix).holes), SPIKES[1](m, n)
-
-    last = 3 if effort.quick else 4
-    growth = tuple(
-        grow("holes of the no-fit polygon", "forks", SPIKES[0], sizes, count)
-        for sizes in (
-            [(6 + 12 * k, 6 + 12 * k) for k in range(1, last)],
-            [(6 + (6 << k), 24) for k in range(1, last + 1)],
-        )
-    )
-    few = (
-        f"{p.count} holes for ({p.m}, {p.n}) are fewer than proved"
-        for g in growth
-        for p in g.points
-        if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
-    )
-    failure = no_fit_is_the_definition(Pair(*forks(18, 18))) or first_failure(few)
-    failure = failure or first_failure(g.failure for g in growth)
-    return Evidence(
-        "A family of forks, one of them held against the definition.", failure, growth=growth
-    )
-
-
-def count_contact_segments(effort: Effort) -> Evidence:
-    """Count the stretches of the kernel beside mn, on forks and on random ways through points."""
-    last = 3 if effort.quick else 4
-
-    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
-        def counted(m: int, n: int) -> tuple[int, float]:
-            generatrix, directrix = family(m, n)
-            return len(contact_stretches([directrix], [inverse(generatrix)])), 2 * m * n
-
-        return counted
-
-    growth = tuple(
-        grow("stretches of contact segments", family.__name__, "2mn", sizes, count(family))
-        for family, sizes in (
-            (forks, [(6 << k, 6 << k) for k in range(2, last + 2)]),
-            (mm, double(16, last)),
-        )
-    )
-    failure = first_failure(
-        f"{p.count} stretches for ({p.m}, {p.n})" for g in growth for p in g.points if p.ratio > 1
-    )
-    return Evidence("", failure or first_failure(g.failure for g in growth), growth=growth)
-
-
-def count_trajectory(effort: Effort) -> Evidence:
-    """Count the edges of the exterior beside mn, with many holes inside it and with none."""
-
-    def count(family: Family) -> Callable[[int, int], tuple[int, float]]:
-        def counted(m: int, n: int) -> tuple[int, float]:
-            generatrix, directrix = family(m, n)
-            return len(no_fit_polygon(directrix, generatrix).exterior), MN[1](m, n)
-
-        return counted
-
-    last = 2 if effort.quick else 3
-    growth = tuple(
-        grow("edges of the trajectory", family.__name__, MN[0], sizes, count(family))
-        for family, sizes in (
-            (forks, [(6 + (6 << k), 6 + (6 << k)) for k in range(1, last + 1)]),
-            (mm, double(16, last + 1)),
-        )
-    )
-    return Evidence("Counts.", first_failure(g.failure for g in growth), growth=growth)

@@ -99,7 +99,7 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
     2
     """
     scale = lcm(*(c.denominator for polygon in polygons for p in polygon for c in p))
-    shapes = [_Shape([_scale(p, scale) for p in polygon]) for polygon in polygons]
+    shapes = [_Cell([_scale(p, scale) for p in polygon]) for polygon in polygons]
     edges = [edge for shape in shapes for edge in shape.edges]
     xs = {p.x for edge in edges for p in edge}
     for one, other in combinations(edges, 2):
@@ -157,7 +157,7 @@ class Groups(Generic[T]):
         return sum(item == parent for item, parent in self._parents.items())
 
 
-class _Shape:
+class _Cell:
     """A convex polygon as a bottom and a top, made of edges from left to right."""
 
     def __init__(self, polygon: Sequence[Point]) -> None:
@@ -175,7 +175,7 @@ class _Shape:
         return None if below is None or above is None else (below, above)
 
 
-def _openings(shapes: Sequence[_Shape], x: Fraction) -> list[Opening]:
+def _openings(shapes: Sequence[_Cell], x: Fraction) -> list[Opening]:
     """The free intervals of a vertical line, from below."""
     found = [section for shape in shapes if (section := shape.section(x))]
     spans = sorted((_at(below, x), _at(above, x), below, above) for below, above in found)

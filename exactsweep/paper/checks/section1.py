@@ -14,9 +14,9 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
 )
-from exactsweep.paper.functions import bottom_of, reference, value
+from exactsweep.paper.functions import evaluate, look_up, take_bottom
 from exactsweep.paper.laws import shrink
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_convex, search_grid
 
 # Points on an edge at which nothing begins or ends as a rule, and a step too short to matter.
@@ -32,7 +32,7 @@ def edge_positions(s: Sweep) -> Iterator[tuple[Point, Point, Point]]:
         yield Point(x, y), Point(x + dx, y + dy), Point(x - dx, y - dy)
 
 
-def touches_without_overlap(pair: Pair) -> str:
+def touches_without_overlap(pair: SweepPair) -> str:
     """Along the trajectory G touches D; a step inwards it overlaps, a step outwards it is free."""
     s = sweep(*pair)
     for vertex in s.trajectory.vertices:
@@ -49,7 +49,7 @@ def touches_without_overlap(pair: Pair) -> str:
 def find_exact_fit(effort: Effort) -> Evidence:
     """Look for a position of contact off the trajectory."""
 
-    def fits(pair: Pair) -> str:
+    def fits(pair: SweepPair) -> str:
         fit = next(iter(sweep(*pair).exact_fits), None)
         if fit is None:
             return ""
@@ -59,7 +59,7 @@ def find_exact_fit(effort: Effort) -> Evidence:
         text = f"({middle[0]}, {middle[1]}) is a position of contact, off the trajectory"
         return text if verdict == "CONTACT" else ""
 
-    slot = Pair(
+    slot = SweepPair(
         [(0, 0), (1, 0), (1, 1), (0, 1)],
         [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)],
     )
@@ -71,7 +71,7 @@ def find_exact_fit(effort: Effort) -> Evidence:
     return Evidence("A slot.", missing, against)
 
 
-def fits_are_whole(pair: Pair) -> str:
+def fits_are_whole(pair: SweepPair) -> str:
     """Along an exact fit G touches D; beyond its far end it overlaps D."""
     s = sweep(*pair)
     for start, end in s.exact_fits:
@@ -120,9 +120,9 @@ def complement_halves(s: Sweep) -> tuple[Polygon, Polygon]:
     )
 
 
-def area_is_covered(pair: Pair) -> str:
+def area_is_covered(pair: SweepPair) -> str:
     """Of 36 points those between the loops are those that G covers from the trajectory."""
-    s, loops = sweep(*pair), reference(pair)
+    s, loops = sweep(*pair), look_up(pair)
     if (s.inner.vertices, s.outer.vertices) != (loops.inner, loops.outer):
         return "the loops are not those of the definition"
     if s.area != Polygon(loops.outer).area - Polygon(loops.inner).area:
@@ -139,13 +139,13 @@ def area_is_covered(pair: Pair) -> str:
     return ""
 
 
-def path_is_the_definition(pair: Pair) -> str:
+def path_is_the_definition(pair: SweepPair) -> str:
     """The trajectory is that of the definition."""
-    found, expected = sweep(*pair).trajectory.vertices, reference(pair).trajectory
+    found, expected = sweep(*pair).trajectory.vertices, look_up(pair).trajectory
     return "" if found == expected else "the trajectory is not that of the definition"
 
 
-def paths_are_translates(pair: Pair) -> str:
+def paths_are_translates(pair: SweepPair) -> str:
     """Two points of G have paths that are equal but for a translation."""
     (ax, ay), (bx, by) = pair.generatrix[:2]
     first, second = (sweep(*pair, reference=g).trajectory for g in ((ax, ay), (bx, by)))
@@ -156,7 +156,7 @@ def paths_are_translates(pair: Pair) -> str:
 def find_overlap_along_directrix(effort: Effort) -> Evidence:
     """Look for a G that overlaps D with a point of it on D's boundary."""
 
-    def overlaps(pair: Pair) -> str:
+    def overlaps(pair: SweepPair) -> str:
         reference_point = pair.generatrix[0]
         for x, y in pair.directrix:
             t = x - reference_point[0], y - reference_point[1]
@@ -169,11 +169,11 @@ def find_overlap_along_directrix(effort: Effort) -> Evidence:
         return replace(found, failure="none of them overlap")
     text, _, *pair = found.against
     tried = f"{found.tried} For G = {pair[0]} and D = {pair[1]}: {text}."
-    failure = touches_without_overlap(Pair(*map(list, pair)))
+    failure = touches_without_overlap(SweepPair(*map(list, pair)))
     return replace(found, tried=tried, failure=failure, against=None)
 
 
-def path_is_not_the_directrix(pair: Pair) -> str:
+def path_is_not_the_directrix(pair: SweepPair) -> str:
     """The trajectory is another polygon than D, wherever it lies."""
     s = sweep(*pair)
     (left, low), (x, y) = s.directrix.vertices[0], s.trajectory.vertices[0]
@@ -181,15 +181,15 @@ def path_is_not_the_directrix(pair: Pair) -> str:
     return "the trajectory is D moved" if moved == s.trajectory else ""
 
 
-def sum_is_the_swept_area(pair: Pair) -> str:
+def sum_is_the_swept_area(pair: SweepPair) -> str:
     """The Minkowski sum of G and T, evaluated as functions of x, has the loops of the sweep."""
     s, (top, bottom, _) = sweep(*pair), pair.chains
-    path = bottom_of(s.trajectory.vertices)
+    path = take_bottom(s.trajectory.vertices)
     for name, loop, chain, best in (
         ("outer", s.outer, bottom, min),
         ("inner", s.inner, top[::-1], max),
     ):
-        for x, y in bottom_of(loop.vertices):
+        for x, y in take_bottom(loop.vertices):
             found = _summed(path, chain, Fraction(x), best)
             if found != y:
                 return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
@@ -206,7 +206,7 @@ def _summed(
     places = {Fraction(u) for u, _ in path} | {x - v for v, _ in chain}
     left, right = x - chain[-1][0], x - chain[0][0]
     return best(
-        value(path, u) + value(chain, x - u)
+        evaluate(path, u) + evaluate(chain, x - u)
         for u in places
         if left <= u <= right and path[0][0] <= u <= path[-1][0]
     )

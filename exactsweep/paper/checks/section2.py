@@ -22,13 +22,13 @@ from exactsweep.paper.claim import (
     first_failure,
 )
 from exactsweep.paper.functions import (
-    bottom_of,
-    common_points,
-    differs,
-    over,
-    reference,
+    find_common_points,
+    look_up,
+    reaches,
+    take_bottom,
+    tell_difference,
 )
-from exactsweep.paper.pairs import Pair, random_pairs
+from exactsweep.paper.pairs import SweepPair, random_pairs
 from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
@@ -37,24 +37,26 @@ KINDS = ("CC", "CM", "MM")
 
 
 # A cave with a mouth of one and a half times the width of G.
-CAVE = Pair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
+CAVE = SweepPair([(0, 0), (2, 0), (1, 1)], [(0, 0), (9, 0), (6, 4), (8, 1), (1, 1), (3, 4)])
 
 
-def like_chains_stay_apart(pair: Pair) -> str:
+def like_chains_stay_apart(pair: SweepPair) -> str:
     """From end to end of the trajectory, no two top chains have a point in common, nor bottoms."""
-    corners = reference(pair).trajectory
+    corners = look_up(pair).trajectory
     (g_bottom, g_top), (d_bottom, d_top) = map(split, pair)
     for (px, py), (qx, qy) in pairwise([*corners, corners[0]]):
         for tx, ty in ((px, py), ((px + qx) / 2, (py + qy) / 2)):
             for g, d in ((g_bottom, d_bottom), (g_top[::-1], d_top[::-1])):
                 placed = [(x + tx, y + ty) for x, y in g]
-                inside = [x for x in common_points(placed, d) if over(placed, x) and over(d, x)]
+                inside = [
+                    x for x in find_common_points(placed, d) if reaches(placed, x) and reaches(d, x)
+                ]
                 if inside:
                     return f"at ({tx}, {ty}) two like chains touch over {inside[0]}"
     return ""
 
 
-def like_chains_have_no_contact(pair: Pair) -> str:
+def like_chains_have_no_contact(pair: SweepPair) -> str:
     """No contact, lasting or not, is inside two bottom chains or inside two top chains."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):
@@ -87,7 +89,7 @@ def sweep_pieces(s: Sweep) -> list[tuple[Point, Point]]:
     return list(zip(corners, corners[1:] + corners[:1], strict=True))
 
 
-def is_annulus(pair: Pair) -> str:
+def is_annulus(pair: SweepPair) -> str:
     """What G passes over leaves two parts of the plane free, D's and the outside."""
     parts = free_parts(swept_polygons(pair.generatrix, sweep_pieces(sweep(*pair))))
     return "" if parts == 2 else f"the swept area leaves {parts} parts of the plane free"
@@ -116,19 +118,30 @@ def find_void(effort: Effort) -> Evidence:
     return Evidence("A cave.", against=against)
 
 
-def boundaries_are_bottom_chains(pair: Pair) -> str:
+def boundaries_are_bottom_chains(pair: SweepPair) -> str:
     """The boundaries of a lower sweep are the bottom chains of both loops by the definition."""
-    loops, (top, bottom, directrix) = reference(pair), pair.chains
+    loops, (top, bottom, directrix) = look_up(pair), pair.chains
     kind = sweep(*pair).kind
     half = LowerSweep(kind, top, bottom, directrix)
-    return differs("the outer boundary", half.outer, bottom_of(loops.outer)) or differs(
-        "the inner boundary", half.inner, bottom_of(loops.inner)
-    )
+    return tell_difference(
+        "the outer boundary", half.outer, take_bottom(loops.outer)
+    ) or tell_difference("the inner boundary", half.inner, take_bottom(loops.inner))
 
 
-def widths_add_up(pair: Pair) -> str:
+def halves_are_alike(pair: SweepPair) -> str:
+    """The loops of the pair upside down are the loops, upside down."""
+    upside_down = SweepPair(*([(x, -y) for x, y in reversed(ring)] for ring in pair))
+    s, other = sweep(*pair), sweep(*upside_down)
+    for name in ("trajectory", "inner", "outer"):
+        turned = [(x, -y) for x, y in getattr(other, name).vertices]
+        if Polygon(turned[::-1]) != getattr(s, name):
+            return f"upside down, the {name} is another one"
+    return "" if s.trajectory.vertices == look_up(pair).trajectory else "the trajectory is wrong"
+
+
+def widths_add_up(pair: SweepPair) -> str:
     """The trajectory is as wide as G and D together."""
-    (g, d), t = pair, reference(pair).trajectory
+    (g, d), t = pair, look_up(pair).trajectory
     widths = [max(x for x, _ in ring) - min(x for x, _ in ring) for ring in (g, d, t)]
     found = sweep(*pair).trajectory.bounding_box
     if found[1].x - found[0].x != widths[2]:
@@ -136,7 +149,7 @@ def widths_add_up(pair: Pair) -> str:
     return "" if widths[0] + widths[1] == widths[2] else f"widths {widths} of G, D and T"
 
 
-def steps_have_contacts(pair: Pair) -> str:
+def steps_have_contacts(pair: SweepPair) -> str:
     """All along every edge of the trajectory there is an EV, VE or EE contact."""
     s = sweep(*pair)
     return contacts_are_right(s) or first_failure(map(_uncovered, explain(s)))
@@ -171,7 +184,7 @@ def count_events(effort: Effort) -> Evidence:
     return Evidence("", failure, tables=(table,))
 
 
-def vertices_belong_to_events(pair: Pair) -> str:
+def vertices_belong_to_events(pair: SweepPair) -> str:
     """Two vertices that touch are the end of an EV, VE or EE contact before or after."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):
@@ -195,7 +208,7 @@ def find_passing_vertices(effort: Effort) -> Evidence:
     return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
 
 
-def _apexes_and_teeth() -> Iterator[Pair]:
+def _apexes_and_teeth() -> Iterator[SweepPair]:
     """A triangle under all bottom chains of five vertices with heights from 0 to 2."""
     generatrix = [(0, 0), (8, 0), (4, 2)]
     for heights in product(range(3), repeat=5):
@@ -205,13 +218,13 @@ def _apexes_and_teeth() -> Iterator[Pair]:
             continue
         corners = [(int(x), int(y)) for x, y in ring]
         if len(corners) == 6:
-            yield Pair(generatrix, corners)
+            yield SweepPair(generatrix, corners)
 
 
-def starts_and_stops_at_the_ends(pair: Pair) -> str:
+def starts_and_stops_at_the_ends(pair: SweepPair) -> str:
     """The sweep starts with G's right end on D's left end, and stops with the others together."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    path = bottom_of(s.trajectory.vertices)
+    path = take_bottom(s.trajectory.vertices)
     for name, t, own, other in (
         ("starts", path[0], top[0], directrix[0]),
         ("stops", path[-1], top[-1], directrix[-1]),

@@ -11,9 +11,9 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.functions import bottom_of, differs, exact, reference
+from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.laws import Trial
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_chain, convex_parts, inverse, reverse
@@ -33,7 +33,7 @@ def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Ve
         run: Rational = qx - px if qx > px else px - qx
         rise: Rational = qy - py if qx > px else py - qy
         chain.append((x + run, y + rise))
-    return exact(chain)
+    return keep_corners(chain)
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
@@ -41,14 +41,14 @@ def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
     return directrix[0][0] - top[0][0], directrix[0][1] - top[0][1]
 
 
-def merge_all(pair: Pair, sign: int = 1) -> list[Vertex]:
+def merge_all(pair: SweepPair, sign: int = 1) -> list[Vertex]:
     """Lemma 3.1 as it stands: the edges of reversed G_t and of D_b sorted by slope."""
     top, _, directrix = pair.chains
     edges = [*reverse(list(pairwise(top))), *pairwise(directrix)]
     return lay_by_slope(start_of(top, directrix), edges, sign)
 
 
-def reversed_edges_make_the_inverse(pair: Pair) -> str:
+def reversed_edges_make_the_inverse(pair: SweepPair) -> str:
     """Reversed twice, a chain is itself; reversed and laid end to end, it is its inverse."""
     top = pair.chains.top
     edges = list(pairwise(top))
@@ -65,15 +65,15 @@ def reversed_edges_make_the_inverse(pair: Pair) -> str:
     return "" if laid == inverse(top) else "laid end to end they are not the inverse of G_t"
 
 
-def left_turns_merge(pair: Pair) -> str:
+def left_turns_merge(pair: SweepPair) -> str:
     """A chain that turns left everywhere is one convex part, and merges by slope."""
     directrix = pair.chains.directrix
-    if exact(convex_chain(directrix)) != exact(directrix):
+    if keep_corners(convex_chain(directrix)) != keep_corners(directrix):
         return "a chain that turns left at every vertex is another one as a convex chain"
     return trajectory_by_slope(pair)
 
 
-def right_turns_are_edges(pair: Pair) -> str:
+def right_turns_are_edges(pair: SweepPair) -> str:
     """A chain that turns right everywhere has as many convex parts as edges."""
     chain = [(x, -y) for x, y in pair.chains.directrix]
     parts = convex_parts(chain)
@@ -83,7 +83,7 @@ def right_turns_are_edges(pair: Pair) -> str:
 def find_bulging_chain(effort: Effort) -> Evidence:
     """Look for a D_b that a straight edge makes convex, and Lemma 3.1 fails for it."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         directrix = pair.chains.directrix
         try:
             closed = Polygon(directrix)
@@ -99,57 +99,61 @@ def find_bulging_chain(effort: Effort) -> Evidence:
 def find_clockwise_failure(effort: Effort) -> Evidence:
     """Look for a pair whose edges, sorted by slopes that grow clockwise, are no trajectory."""
 
-    def fails(pair: Pair) -> str:
-        if merge_all(pair, sign=-1) == bottom_of(reference(pair).trajectory):
+    def fails(pair: SweepPair) -> str:
+        if merge_all(pair, sign=-1) == take_bottom(look_up(pair).trajectory):
             return ""
         return "sorted by slopes that grow clockwise, the edges do not make the trajectory"
 
     return search_grid(2, 7, is_convex, is_convex, fails)
 
 
-def trajectory_by_slope(pair: Pair) -> str:
+def trajectory_by_slope(pair: SweepPair) -> str:
     """The merge by slope is the trajectory of the definition."""
-    return differs("the merge by slope", merge_all(pair), bottom_of(reference(pair).trajectory))
+    return tell_difference(
+        "the merge by slope", merge_all(pair), take_bottom(look_up(pair).trajectory)
+    )
 
 
-def trajectory_cc_is_right(pair: Pair) -> str:
+def trajectory_cc_is_right(pair: SweepPair) -> str:
     """Trajectory_CC returns the trajectory of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).trajectory)
-    return differs("Trajectory_CC", trajectory_cc(top, directrix), expected)
+    expected = take_bottom(look_up(pair).trajectory)
+    return tell_difference("Trajectory_CC", trajectory_cc(top, directrix), expected)
 
 
-def inner_cc_is_right(pair: Pair) -> str:
+def inner_cc_is_right(pair: SweepPair) -> str:
     """SweepI_CC returns D_b, which is the inner boundary of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).inner)
+    expected = take_bottom(look_up(pair).inner)
     found = sweep_inner_cc(top, directrix)
-    return differs("SweepI_CC", found, expected) or differs("D_b", directrix, expected)
+    return tell_difference("SweepI_CC", found, expected) or tell_difference(
+        "D_b", directrix, expected
+    )
 
 
-def outer_by_slope(pair: Pair) -> str:
+def outer_by_slope(pair: SweepPair) -> str:
     """The edges of all three chains, sorted by slope, are the outer boundary."""
     top, bottom, directrix = pair.chains
     x, y = start_of(top, directrix)
     edges = [*reverse(list(pairwise(top))), *pairwise(bottom), *pairwise(directrix)]
     found = lay_by_slope((x + bottom[0][0], y + bottom[0][1]), edges)
-    return differs("the merge by slope", found, bottom_of(reference(pair).outer))
+    return tell_difference("the merge by slope", found, take_bottom(look_up(pair).outer))
 
 
-def outer_cc_is_right(pair: Pair) -> str:
+def outer_cc_is_right(pair: SweepPair) -> str:
     """SweepO_CC returns the outer boundary of the definition."""
-    expected = bottom_of(reference(pair).outer)
-    return differs("SweepO_CC", sweep_outer_cc(*pair.chains), expected)
+    expected = take_bottom(look_up(pair).outer)
+    return tell_difference("SweepO_CC", sweep_outer_cc(*pair.chains), expected)
 
 
 def check_sizes(effort: Effort) -> Evidence:
     """Hold the sizes of all loops against the bounds, and see whether these are attained."""
     attained = 0
 
-    def law(pair: Pair) -> str:
+    def law(pair: SweepPair) -> str:
         """All loops are convex and no larger than stated."""
         nonlocal attained
-        s, loops, (n, m) = sweep(*pair), reference(pair), map(len, pair)
+        s, loops, (n, m) = sweep(*pair), look_up(pair), map(len, pair)
         if (s.trajectory.vertices, s.inner.vertices, s.outer.vertices) != tuple(loops):
             return "the loops are not those of the definition"
         for name, loop, most in (
@@ -173,7 +177,7 @@ def check_sizes(effort: Effort) -> Evidence:
     )
 
 
-def every_edge_is_touched(pair: Pair) -> str:
+def every_edge_is_touched(pair: SweepPair) -> str:
     """Every edge of D is in a VE or EE contact."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):

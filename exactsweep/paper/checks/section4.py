@@ -14,9 +14,16 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.functions import between, bottom_of, differs, over, reference, value
+from exactsweep.paper.functions import (
+    evaluate,
+    look_up,
+    reaches,
+    sample_between,
+    take_bottom,
+    tell_difference,
+)
 from exactsweep.paper.laws import Trial, break_law
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -24,45 +31,49 @@ from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_
 
 def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Vertex]) -> str:
     """Say where an envelope is not the lowest of some chains; empty if it is everywhere."""
-    for x in between(envelope, *chains):
-        least = min((value(chain, x) for chain in chains if over(chain, x)), default=None)
-        found = value(envelope, x) if over(envelope, x) else None
+    for x in sample_between(envelope, *chains):
+        least = min((evaluate(chain, x) for chain in chains if reaches(chain, x)), default=None)
+        found = evaluate(envelope, x) if reaches(envelope, x) else None
         if least != found:
             return f"over {x} the lowest {name} is at {least}, the envelope at {found}"
     return ""
 
 
-def sub_trajectories_suffice(pair: Pair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
     top, bottom, directrix = pair.chains
-    loops, parts = reference(pair), convex_parts(directrix)
+    loops, parts = look_up(pair), convex_parts(directrix)
     return lowest(
         "sub-trajectory",
         [trajectory_cc(top, part) for part in parts],
-        bottom_of(loops.trajectory),
+        take_bottom(loops.trajectory),
     ) or lowest(
         "sub-outer chain",
         [sweep_outer_cc(top, bottom, part) for part in parts],
-        bottom_of(loops.outer),
+        take_bottom(loops.outer),
     )
 
 
-def trajectory_cm_is_right(pair: Pair) -> str:
+def trajectory_cm_is_right(pair: SweepPair) -> str:
     """Trajectory_CM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).trajectory)
-    return differs("Trajectory_CM", trajectory_cm(top, directrix), expected)
+    expected = take_bottom(look_up(pair).trajectory)
+    return tell_difference("Trajectory_CM", trajectory_cm(top, directrix), expected)
 
 
-def outer_cm_is_right(pair: Pair) -> str:
+def outer_cm_is_right(pair: SweepPair) -> str:
     """SweepO_CM returns the outer boundary of the definition."""
-    return differs("SweepO_CM", sweep_outer_cm(*pair.chains), bottom_of(reference(pair).outer))
+    return tell_difference(
+        "SweepO_CM", sweep_outer_cm(*pair.chains), take_bottom(look_up(pair).outer)
+    )
 
 
-def inner_cm_is_right(pair: Pair) -> str:
+def inner_cm_is_right(pair: SweepPair) -> str:
     """SweepI_CM returns the inner boundary of the definition."""
     top, _, directrix = pair.chains
-    return differs("SweepI_CM", sweep_inner_cm(top, directrix), bottom_of(reference(pair).inner))
+    return tell_difference(
+        "SweepI_CM", sweep_inner_cm(top, directrix), take_bottom(look_up(pair).inner)
+    )
 
 
 def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
@@ -73,7 +84,7 @@ def is_monotone(name: str, chain: Iterable[Vertex], *, strictly: bool) -> str:
     return ""
 
 
-def loops_are_monotone(pair: Pair) -> str:
+def loops_are_monotone(pair: SweepPair) -> str:
     """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
     top, _, directrix = pair.chains
     return (
@@ -84,17 +95,17 @@ def loops_are_monotone(pair: Pair) -> str:
     )
 
 
-def inner_is_monotone(pair: Pair) -> str:
+def inner_is_monotone(pair: SweepPair) -> str:
     """The inner boundary is X-monotone, strictly so."""
     top, _, directrix = pair.chains
     inner = sweep_inner_cm(top, directrix)
     return inner_cm_is_right(pair) or is_monotone("the inner boundary", inner, strictly=True)
 
 
-def few_undercuts(pair: Pair) -> str:
+def few_undercuts(pair: SweepPair) -> str:
     """There are fewer undercuts than convex parts of D_b, and each has at most n_t edges."""
     s, (top, _, directrix) = sweep(*pair), pair.chains
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
     if len(lower) >= len(convex_parts(directrix)):
@@ -103,10 +114,10 @@ def few_undercuts(pair: Pair) -> str:
     return f"an undercut with {longest} edges" if longest > len(top) - 1 else ""
 
 
-def bottom_chains_have_two_forms(pair: Pair) -> str:
+def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     """Whether all undercuts have the form that goes with what closes them."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     for undercut in s.undercuts:
         if failure := _form(undercut, s.generatrix.vertices):
@@ -116,7 +127,7 @@ def bottom_chains_have_two_forms(pair: Pair) -> str:
     return ""
 
 
-def resting_pairs() -> list[Pair]:
+def resting_pairs() -> list[SweepPair]:
     """Pairs in which G rests with an edge on two or three teeth, at several slopes."""
     found = []
     for slope, depth, teeth in product(range(-2, 3), (1, 2), (2, 3)):
@@ -124,8 +135,8 @@ def resting_pairs() -> list[Pair]:
         for k in range(teeth):
             bottom += [(2 * k + 1, 0), (2 * k + 2, depth)]
         directrix = [*bottom[:-1], (2 * teeth, 2), (teeth, 3)]
-        pair = Pair([(1, 0), (4, 0), (5, 1), (0, 1)], directrix)
-        found.append(Pair(*([(x, y + slope * x) for x, y in ring] for ring in pair)))
+        pair = SweepPair([(1, 0), (4, 0), (5, 1), (0, 1)], directrix)
+        found.append(SweepPair(*([(x, y + slope * x) for x, y in ring] for ring in pair)))
     return found
 
 
@@ -133,7 +144,7 @@ def check_two_forms(effort: Effort) -> Evidence:
     """Hold every undercut against the form that goes with what closes it."""
     forms: Counter[str] = Counter()
 
-    def law(pair: Pair) -> str:
+    def law(pair: SweepPair) -> str:
         """Closed in a point: a piece of G's boundary; along a segment: one edge, parallel to it."""
         forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
         return bottom_chains_have_two_forms(pair)
@@ -172,12 +183,12 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
 
 
-def labels_name_the_extremes(pair: Pair) -> str:
+def labels_name_the_extremes(pair: SweepPair) -> str:
     """The contacts along the edges of T at a closing position, or there, name both extremes."""
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     features, corners = Features(s), s.trajectory.vertices
     for undercut in s.undercuts:

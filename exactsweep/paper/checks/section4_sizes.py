@@ -15,19 +15,19 @@ from exactsweep.paper.claim import (
 )
 from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.counting import grow_vertices
-from exactsweep.paper.functions import bottom_of, exact, reference
+from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import MN, Growth, double
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
-def sizes_are_bounded(pair: Pair) -> str:
+def sizes_are_bounded(pair: SweepPair) -> str:
     """For k parts, m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges are enough."""
     top, bottom, directrix = pair.chains
-    m_b, n_t, n_b = (len(exact(chain)) - 1 for chain in (directrix, top, bottom))
-    k, loops = len(convex_parts(directrix)), reference(pair)
+    m_b, n_t, n_b = (len(keep_corners(chain)) - 1 for chain in (directrix, top, bottom))
+    k, loops = len(convex_parts(directrix)), look_up(pair)
     found = [
         len(list(chain)) - 1
         for chain in (
@@ -36,7 +36,7 @@ def sizes_are_bounded(pair: Pair) -> str:
             sweep_inner_cm(top, directrix),
         )
     ]
-    expected = [len(bottom_of(loop)) - 1 for loop in (loops.trajectory, loops.outer, loops.inner)]
+    expected = [len(take_bottom(loop)) - 1 for loop in (loops.trajectory, loops.outer, loops.inner)]
     most = [m_b + k * n_t, m_b + k * (n_t + n_b), m_b + (k - 1) * n_t]
     if found != expected:
         return f"sizes {found}, and {expected} by the definition"
@@ -77,7 +77,7 @@ def find_large_parts(effort: Effort) -> Evidence:
     rows = []
     for n_b in (4, 8, 16):
         pair = under_a_lid(n_b)
-        edges, bound = len(bottom_of(reference(pair).outer)) - 1, len(pair.chains.directrix) - 1
+        edges, bound = len(take_bottom(look_up(pair).outer)) - 1, len(pair.chains.directrix) - 1
         rows.append([str(n_b), str(bound), str(edges)])
         if failure := parts_are_bounded(pair):
             return Evidence("", failure)
@@ -93,21 +93,21 @@ def find_large_parts(effort: Effort) -> Evidence:
     return Evidence("", "", against, tables=(table,))
 
 
-def parts_are_bounded(pair: Pair) -> str:
+def parts_are_bounded(pair: SweepPair) -> str:
     """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
     top, bottom, directrix = pair.chains
     parts = convex_parts(directrix)
     k, m_b, n_t, n_b = len(parts), len(directrix) - 1, len(top) - 1, len(bottom) - 1
-    inner = sum(len(exact(trajectory_cc(top, part))) - 1 for part in parts)
-    outer = sum(len(exact(sweep_outer_cc(top, bottom, part))) - 1 for part in parts)
+    inner = sum(len(keep_corners(trajectory_cc(top, part))) - 1 for part in parts)
+    outer = sum(len(keep_corners(sweep_outer_cc(top, bottom, part))) - 1 for part in parts)
     if inner > m_b + k * n_t or outer > m_b + k * (n_t + n_b):
         return f"{inner} and {outer} edges in all sub-trajectories and sub-outer chains"
     return sub_trajectories_suffice(pair)
 
 
-def under_a_lid(n_b: int) -> Pair:
+def under_a_lid(n_b: int) -> SweepPair:
     """A convex G with one edge on top and n_b below, and D with four teeth deeper than G turns."""
     generatrix = [(2 * k, k * (k - n_b)) for k in range(n_b + 1)]
     width, depth = 2 * n_b + 2, n_b * n_b
     bottom = [(width * k, -depth if k % 2 else 0) for k in range(9)]
-    return Pair(generatrix, [*bottom, (4 * width, depth)])
+    return SweepPair(generatrix, [*bottom, (4 * width, depth)])

@@ -14,37 +14,44 @@ from exactsweep.geometry.segment import Segment, segment
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence
-from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.functions import (
+    clip,
+    keep_corners,
+    look_up,
+    take_bottom,
+    tell_difference,
+    write_chain,
+)
 from exactsweep.paper.laws import shrink
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # A pair of which G draws parallel edges of both loops 11 apart, where it is 16 wide.
-NARROW = Pair(
+NARROW = SweepPair(
     [(0, 0), (1, -8), (2, -1), (7, -1), (10, 7), (9, 8), (7, 1), (5, 0), (2, 3)],
     [(0, 0), (30, 0), (15, 3)],
 )
 
 
-def trajectory_mm_is_right(pair: Pair) -> str:
+def trajectory_mm_is_right(pair: SweepPair) -> str:
     """Trajectory_MM returns the trajectory of the definition."""
     top, _, directrix = pair.chains
-    expected = bottom_of(reference(pair).trajectory)
-    return differs("Trajectory_MM", trajectory_mm(top, directrix), expected)
+    expected = take_bottom(look_up(pair).trajectory)
+    return tell_difference("Trajectory_MM", trajectory_mm(top, directrix), expected)
 
 
-def sub_trajectories_suffice(pair: Pair) -> str:
+def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
     chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
-    return lowest("sub-trajectory", chains, bottom_of(reference(pair).trajectory))
+    return lowest("sub-trajectory", chains, take_bottom(look_up(pair).trajectory))
 
 
-def inverse_is_a_reflection(pair: Pair) -> str:
+def inverse_is_a_reflection(pair: SweepPair) -> str:
     """The inverse maps vertices, chains and the polygon as a reflection in a point does."""
     g = Polygon(pair.generatrix)
     if g.reflected().reflected() != g:
@@ -61,7 +68,7 @@ def inverse_is_a_reflection(pair: Pair) -> str:
     return ""
 
 
-def complement_has_the_outside_left(pair: Pair) -> str:
+def complement_has_the_outside_left(pair: SweepPair) -> str:
     """The complement is the same chain with the outside on its left."""
     directrix = pair.chains.directrix
     if complement(complement(directrix)) != directrix:
@@ -76,23 +83,23 @@ def complement_has_the_outside_left(pair: Pair) -> str:
     return ""
 
 
-def loops_are_retraced(pair: Pair) -> str:
+def loops_are_retraced(pair: SweepPair) -> str:
     """Both loops are trajectories of I(G); the inner one where I(G) is wholly inside."""
-    loops, directrix = reference(pair), pair.chains.directrix
+    loops, directrix = look_up(pair), pair.chains.directrix
     inner, outer = literal.sweep_mm(*pair.chains)
     ends = Fraction(directrix[0][0]), Fraction(directrix[-1][0])
     whole = sweep(sweep(*pair).generatrix.reflected(), sweep(*pair).trajectory).trajectory
     if whole.vertices != loops.outer:
         return "the trajectory of I(G) around T is not the outer loop"
-    return differs("T(G_b, T)", outer, bottom_of(loops.outer)) or differs(
-        "T(I(G), -T) over D's range of x", clip(inner, *ends), bottom_of(loops.inner)
+    return tell_difference("T(G_b, T)", outer, take_bottom(loops.outer)) or tell_difference(
+        "T(I(G), -T) over D's range of x", clip(inner, *ends), take_bottom(loops.inner)
     )
 
 
-def inner_to_the_letter(pair: Pair) -> str:
+def inner_to_the_letter(pair: SweepPair) -> str:
     """What Trajectory_MM returns along the inside is not the inner boundary."""
-    inner = exact(literal.sweep_mm(*pair.chains)[0])
-    expected = bottom_of(reference(pair).inner)
+    inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
+    expected = take_bottom(look_up(pair).inner)
     if inner == expected:
         return ""
     return (
@@ -107,16 +114,16 @@ def find_inner_to_the_letter(effort: Effort) -> Evidence:
     return search_grid(2, 6, is_convex, is_convex, inner_to_the_letter)
 
 
-def sweep_mm_is_right(pair: Pair) -> str:
+def sweep_mm_is_right(pair: SweepPair) -> str:
     """Sweep_MM, as corrected, returns both boundaries of the definition."""
-    loops = reference(pair)
+    loops = look_up(pair)
     inner, outer = sweep_mm(*pair.chains)
-    return differs("the inner boundary", inner, bottom_of(loops.inner)) or differs(
-        "the outer boundary", outer, bottom_of(loops.outer)
-    )
+    return tell_difference(
+        "the inner boundary", inner, take_bottom(loops.inner)
+    ) or tell_difference("the outer boundary", outer, take_bottom(loops.outer))
 
 
-def loops_are_monotone(pair: Pair) -> str:
+def loops_are_monotone(pair: SweepPair) -> str:
     """Without vertical edges in G and D there are none in the chains, which are X-monotone."""
     inner, outer = sweep_mm(*pair.chains)
     return (
@@ -126,11 +133,11 @@ def loops_are_monotone(pair: Pair) -> str:
     )
 
 
-def trajectory_is_monotone(pair: Pair) -> str:
+def trajectory_is_monotone(pair: SweepPair) -> str:
     """The trajectory is a simple polygon made of two X-monotone chains."""
     top, _, directrix = pair.chains
     s = sweep(*pair)
-    if Polygon(s.trajectory.vertices).vertices != reference(pair).trajectory:
+    if Polygon(s.trajectory.vertices).vertices != look_up(pair).trajectory:
         return "the trajectory is not the simple polygon of the definition"
     bottom, upper = split(s.trajectory.vertices)
     return (
@@ -141,7 +148,7 @@ def trajectory_is_monotone(pair: Pair) -> str:
     )
 
 
-def local_width(pair: Pair) -> str:
+def local_width(pair: SweepPair) -> str:
     """Across an edge of a convex D, the outer loop is as far from it as G is wide."""
     s = sweep(*pair)
     corners = s.inner.vertices
@@ -162,7 +169,7 @@ def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
 def find_missing_edge(effort: Effort) -> Evidence:
     """Look for an edge of a trajectory that draws no edge of the inner loop, and for near ones."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         s = sweep(*pair)
         missing = sorted(_slopes(s.trajectory) - _slopes(s.inner))
         if not missing:
@@ -178,7 +185,7 @@ def find_missing_edge(effort: Effort) -> Evidence:
     )
 
 
-def edges_are_near(pair: Pair) -> str:
+def edges_are_near(pair: SweepPair) -> str:
     """Two edges that G draws along one edge of T, nearer to one another than G is wide across."""
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
@@ -220,25 +227,26 @@ def _slopes(polygon: Polygon) -> set[Fraction]:
     return {(q.y - p.y) / (q.x - p.x) for p, q in pairwise([*corners, corners[0]])}
 
 
-def outside_of_the_inner_loop(pair: Pair) -> str:
+def outside_of_the_inner_loop(pair: SweepPair) -> str:
     """G swept around the inner loop, taken for D, has the trajectory of the sweep around D."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     again = sweep(s.generatrix, s.inner).trajectory
     return "" if again == s.trajectory else "the trajectory around the inner loop is another one"
 
 
-def inside_of_the_outer_loop(pair: Pair) -> str:
+def inside_of_the_outer_loop(pair: SweepPair) -> str:
     """The lowest path of G inside the outer loop, where it is not the trajectory."""
     _, bottom, _ = pair.chains
-    loops = reference(pair)
-    path, outer = bottom_of(loops.trajectory), bottom_of(loops.outer)
+    loops = look_up(pair)
+    path, outer = take_bottom(loops.trajectory), take_bottom(loops.outer)
     ends = Fraction(path[0][0]), Fraction(path[-1][0])
     found = clip(literal.slide_inside(bottom, outer, trajectory_mm), *ends)
     if found == path:
         return ""
-    return f"inside the outer loop G's path is {text(found)}, the trajectory {text(path)}"
+    chains = write_chain(found), write_chain(path)
+    return f"inside the outer loop G's path is {chains[0]}, the trajectory {chains[1]}"
 
 
 def find_path_inside(effort: Effort) -> Evidence:
@@ -249,7 +257,7 @@ def find_path_inside(effort: Effort) -> Evidence:
     return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
 
 
-def kernel_is_literal(pair: Pair) -> str:
+def kernel_is_literal(pair: SweepPair) -> str:
     """The kernel's trajectory and outer boundary are those of the procedures to the letter."""
     top, bottom, directrix = pair.chains
     inner, outer = literal.sweep_mm(top, bottom, directrix)
@@ -263,15 +271,15 @@ def kernel_is_literal(pair: Pair) -> str:
 
 
 def _unlike(name: str, found: Iterable[Vertex], literally: Iterable[Vertex]) -> str:
-    found, literally = exact(found), exact(literally)
+    found, literally = keep_corners(found), keep_corners(literally)
     if found == literally:
         return ""
-    return f"the {name} is {text(found)}, and {text(literally)} to the letter"
+    return f"the {name} is {write_chain(found)}, and {write_chain(literally)} to the letter"
 
 
-def outer_loop_reaches_by_the_width(pair: Pair) -> str:
+def outer_loop_reaches_by_the_width(pair: SweepPair) -> str:
     """Across each edge of D, the outer loop reaches farther than D by as much as G is wide."""
-    s, expected = sweep(*pair), reference(pair).outer
+    s, expected = sweep(*pair), look_up(pair).outer
     if s.outer.vertices != expected:
         return "the outer loop is not that of the definition"
     for p, q in _edges(s.directrix):

@@ -32,9 +32,9 @@ from exactsweep.paper.claim import (
     first_failure,
 )
 from exactsweep.paper.counting import grow_vertices
-from exactsweep.paper.functions import bottom_of, differs, exact, reference
+from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
@@ -42,15 +42,15 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 # What the search in `_check_lemma_5_2` finds.
-OUTGROWING = Pair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
+OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0), (1, 2)])
 
 
-def outgrows_its_parts(pair: Pair) -> str:
+def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
-    sizes = [len(exact(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
-    found = len(exact(trajectory_mm(top, directrix))) - 1
+    sizes = [len(keep_corners(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
+    found = len(keep_corners(trajectory_mm(top, directrix))) - 1
     if found <= sum(sizes):
         return ""
     return (
@@ -69,7 +69,7 @@ def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     pair, count = windows(segments), len(segments)
     most = pieces(segments)
     expected = (count + 1) * most + pieces_at_the_sides(segments)
-    found = pieces_in(exact(whole_trajectory(pair.chains)), segments)
+    found = pieces_in(keep_corners(whole_trajectory(pair.chains)), segments)
     failure = trajectory_mm_is_right(pair) if count <= 3 else ""
     if found != expected:
         failure = failure or f"{found} pieces of {count} segments in T, {expected} by the envelopes"
@@ -127,10 +127,10 @@ def outer_boundary(chains: Chains) -> list[Vertex]:
     return sweep_mm(*chains)[1]
 
 
-def outer_edges(pair: Pair) -> int:
+def outer_edges(pair: SweepPair) -> int:
     """Edges of the outer boundary of the lower sweep, which is held against the definition."""
-    outer = exact(outer_boundary(pair.chains))
-    if failure := differs("the outer boundary", outer, bottom_of(reference(pair).outer)):
+    outer = keep_corners(outer_boundary(pair.chains))
+    if failure := tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer)):
         raise ExactSweepError(failure)
     return len(outer) - 1
 
@@ -139,10 +139,10 @@ def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[s
     """All windows come out in one outer boundary: what fails, and a row of the table."""
     pair, count = windows_of_windows(segments), len(segments)
     most, full = pieces(segments), count * (count - 1) + 1
-    outer = exact(outer_boundary(pair.chains))
+    outer = keep_corners(outer_boundary(pair.chains))
     # The ends of G may add some.
     least, found = full * most + pieces_at_the_sides(segments), pieces_in(outer, segments)
-    failure = differs("the outer boundary", outer, bottom_of(reference(pair).outer))
+    failure = tell_difference("the outer boundary", outer, take_bottom(look_up(pair).outer))
     if found < least:
         failure = failure or f"{found} pieces of {count} segments, {least} by the envelopes"
     return failure, [*map(str, (count, most, full)), f"{found:,}", f"{found / count**3:.2f}"]
@@ -197,7 +197,7 @@ def fill_windows_of_windows(effort: Effort) -> Evidence:
     )
 
 
-def sizes_of(pair: Pair) -> tuple[int, int, int]:
+def sizes_of(pair: SweepPair) -> tuple[int, int, int]:
     """m_b, n_t and n_b."""
     top, bottom, directrix = pair.chains
     return len(directrix) - 1, len(top) - 1, len(bottom) - 1
@@ -208,7 +208,7 @@ def count_bumps(effort: Effort) -> Evidence:
     sizes = [(2, 4, 6), (2, 2, 4), (4, 2, 4), (4, 4, 4), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8)]
     rows, failure, against = [], "", None
     for m_b, n_t, n_b in sizes[: 5 if effort.quick else None]:
-        pair = Pair(*bumps(m_b, n_t, n_b))
+        pair = SweepPair(*bumps(m_b, n_t, n_b))
         edges, printed = outer_edges(pair), printed_count(m_b, n_t, n_b)
         expected = edges_of_bumps(m_b, n_t, n_b)
         rows.append([f"({m_b}, {n_t}, {n_b})", str(printed), str(expected), str(edges)])

@@ -22,10 +22,23 @@ from exactsweep.paper.checks.section5_sizes import (
 )
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
 from exactsweep.paper.costs import STEPS
-from exactsweep.paper.counting import Family, counting, grow_operations, grow_vertices, make_counted
-from exactsweep.paper.functions import bottom_of, clip, differs, exact, reference, text
+from exactsweep.paper.counting import (
+    PairFamily,
+    counting,
+    grow_operations,
+    grow_vertices,
+    make_counted,
+)
+from exactsweep.paper.functions import (
+    clip,
+    keep_corners,
+    look_up,
+    take_bottom,
+    tell_difference,
+    write_chain,
+)
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
@@ -73,11 +86,12 @@ def find_growing_level(effort: Effort) -> Evidence:
     against = None
     pairs = sorted(product(_tiny_chains(), repeat=2), key=lambda pair: sum(map(len, pair)))
     for searched, (first, second) in enumerate(pairs, 1):  # noqa: B007
-        merged = exact(lower_envelope_mm([Envelope.of(first), Envelope.of(second)]))
-        if len(merged) - 1 > len(first) + len(second) - 2:
+        merged = keep_corners(lower_envelope_mm([Envelope.of(first), Envelope.of(second)]))
+        edges = len(first) + len(second) - 2
+        if len(merged) - 1 > edges:
             against = Counterexample(
-                f"the chains {text(first)} and {text(second)} have {len(first) + len(second) - 2} "
-                f"edges, their lower envelope {len(merged) - 1}",
+                f"the chains {write_chain(first)} and {write_chain(second)} have {edges} edges, "
+                f"their lower envelope {len(merged) - 1}",
                 "the first of all pairs of chains with up to two edges on the 3 by 3 grid",
             )
             break
@@ -91,11 +105,11 @@ def find_growing_level(effort: Effort) -> Evidence:
     )
 
 
-def _envelope_growth(family: Family, effort: Effort) -> Growth:
+def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
     """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        top, _, directrix = Pair(*family(m, n)).chains
+        top, _, directrix = SweepPair(*family(m, n)).chains
         with counting() as tally:
             chains = [
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
@@ -110,15 +124,15 @@ def _envelope_growth(family: Family, effort: Effort) -> Growth:
     )
 
 
-def lower_envelope_mm_is_right(pair: Pair) -> str:
+def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_MM returns what is lowest over every x."""
     top, _, directrix = pair.chains
     parts = convex_parts(inverse(top))
     chains = [trajectory_cm(inverse(part), directrix) for part in parts]
     found = lower_envelope_mm(chains)
-    return lowest("sub-trajectory", [list(chain) for chain in chains], list(found)) or differs(
-        "the lower envelope", found, bottom_of(reference(pair).trajectory)
-    )
+    return lowest(
+        "sub-trajectory", [list(chain) for chain in chains], list(found)
+    ) or tell_difference("the lower envelope", found, take_bottom(look_up(pair).trajectory))
 
 
 def find_large_trajectory(effort: Effort) -> Evidence:
@@ -182,7 +196,7 @@ def _sub_trajectories(chains: Chains) -> list[list[Vertex]]:
 
 def inner_again(chains: Chains, trajectory: Envelope) -> list[Vertex]:
     """The inner boundary to the letter: Trajectory_MM along all of T's inside."""
-    bottom, path = inverse(chains.top), exact(trajectory)
+    bottom, path = inverse(chains.top), keep_corners(trajectory)
     ends = Fraction(chains.directrix[0][0]), Fraction(chains.directrix[-1][0])
     return clip(literal.slide_inside(bottom, path, literal.trajectory_mm), *ends)
 
@@ -201,7 +215,7 @@ def _inner_grows(
     """Operations beyond the trajectory, on a family that is touched almost everywhere."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in Pair(*rim(m, n)).chains))  # type: ignore[arg-type]
+        chains = Chains(*(make_counted(chain) for chain in SweepPair(*rim(m, n)).chains))  # type: ignore[arg-type]
         trajectory = whole_trajectory(chains)
         with counting() as tally:
             out = len(inner(chains, trajectory))
@@ -210,11 +224,11 @@ def _inner_grows(
     return grow(f"operations of the inner boundary, {what}", rim.__name__, bound[0], sizes, count)
 
 
-def gaps_give_the_same(pair: Pair) -> str:
+def gaps_give_the_same(pair: SweepPair) -> str:
     """Sweeping the gaps alone gives the inner boundary of Sweep_MM."""
     chains = pair.chains
     trajectory = whole_trajectory(chains)
-    return differs(
+    return tell_difference(
         "the inner boundary",
         inner_by_gaps(chains, trajectory),
         inner_again(chains, trajectory),

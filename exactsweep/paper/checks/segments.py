@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.pairs import SweepPair
 
 Stroke = tuple[int, int, int, int]
 
@@ -59,15 +59,15 @@ FINE = 64
 
 # (m_b, n_t, n_b) = (2, 2, 2): 10, (2, 4, 4): 36, (2, 4, 6): 49
 RECORDS = (
-    Pair(
+    SweepPair(
         [(25, 9), (37, -126), (76, 32), (60, 18)],
         [(-23, 45), (-14, 77), (20, 64), (-14, 85)],
     ),
-    Pair(
+    SweepPair(
         [(-15, -30), (-6, -31), (26, -22), (45, -41), (75, -36), (60, 37), (33, -26), (6, 47)],
         [(10, -28), (115, 74), (121, -48), (115, 104)],
     ),
-    Pair(
+    SweepPair(
         [
             (0, 16),
             (8, -56),
@@ -107,7 +107,7 @@ def pieces(segments: Sequence[Stroke]) -> int:
     return 1 + sum(p != q for p, q in pairwise(lowest))
 
 
-def windows(segments: Sequence[Stroke]) -> Pair:
+def windows(segments: Sequence[Stroke]) -> SweepPair:
     """A pair whose trajectory has the envelope of all s segments s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
@@ -116,10 +116,10 @@ def windows(segments: Sequence[Stroke]) -> Pair:
     directrix, width, high = _beside_one_another(segments, 2)
     top = _peaks(count, width, high)
     right, low = top[-1]
-    return Pair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
+    return SweepPair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
 
 
-def windows_of_windows(segments: Sequence[Stroke]) -> Pair:
+def windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
     """A pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
@@ -132,7 +132,7 @@ def windows_of_windows(segments: Sequence[Stroke]) -> Pair:
     for k in range(count):
         tips += [(k * width - 1, low), (k * width, low - 8 * high), (k * width + 1, low)]
     top[-1] = (top[-1][0] + count * width, top[-1][1])
-    return Pair([top[0], *tips, *top[:0:-1]], directrix)
+    return SweepPair([top[0], *tips, *top[:0:-1]], directrix)
 
 
 def _beside_one_another(

@@ -9,10 +9,10 @@ from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.counting import counting, make_counted
-from exactsweep.paper.functions import bottom_of, exact, reference
+from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.literal import split_at_reflex
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 
@@ -20,13 +20,13 @@ from exactsweep.procedures.cm import sweep_inner_cm, trajectory_cm
 def find_whole_trajectory(effort: Effort) -> Evidence:
     """Look for a partial trajectory that shares more than a segment with all of T(G_t, D_b)."""
 
-    def fails(pair: Pair) -> str:
+    def fails(pair: SweepPair) -> str:
         top, _, directrix = pair.chains
         parts = split_at_reflex(directrix)
         partial = literal.trajectory_cm(
             top, [*parts[0], *(p for part in parts[1:-1] for p in part[1:])]
         )
-        whole = bottom_of(reference(pair).trajectory)
+        whole = take_bottom(look_up(pair).trajectory)
         failure, _ = meetings(partial, whole)
         return failure and f"T_(i-1) and T(G_t, D_b): {failure}"
 
@@ -36,9 +36,9 @@ def find_whole_trajectory(effort: Effort) -> Evidence:
 def find_open_output(effort: Effort) -> Evidence:
     """Look for a pair of which Trajectory_CC does not return T(G, D)."""
 
-    def fails(pair: Pair) -> str:
-        found = exact(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
-        whole = reference(pair).trajectory
+    def fails(pair: SweepPair) -> str:
+        found = keep_corners(literal.trajectory_cc(pair.chains.top, pair.chains.directrix))
+        whole = look_up(pair).trajectory
         if len(found) - 1 == len(whole):
             return ""
         return f"a chain of {len(found) - 1} edges comes out, and T(G, D) has {len(whole)}"
@@ -49,9 +49,9 @@ def find_open_output(effort: Effort) -> Evidence:
 def count_step_3(effort: Effort) -> Evidence:
     """Count the operations of SweepI_CM beyond the trajectory; find a pair that needs step 3."""
 
-    def needed(pair: Pair) -> str:
-        loops = reference(pair)
-        if bottom_of(loops.inner) == bottom_of(pair.directrix):
+    def needed(pair: SweepPair) -> str:
+        loops = look_up(pair)
+        if take_bottom(loops.inner) == take_bottom(pair.directrix):
             return ""
         return "after step 2 the list L is still D_b, and not the inner boundary"
 
@@ -64,7 +64,7 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
     """Operations of step 3 over close teeth."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Chains(*(make_counted(chain) for chain in Pair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
+        chains = Chains(*(make_counted(chain) for chain in SweepPair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
         trajectory = trajectory_cm(chains.top, chains.directrix)
         with counting() as tally:
             out = len(sweep_inner_cm(chains.top, chains.directrix, trajectory))
@@ -77,9 +77,9 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
 def find_boundary_off_trajectory(effort: Effort) -> Evidence:
     """Look for a pair whose partial outer boundary is no trajectory."""
 
-    def fails(pair: Pair) -> str:
-        loops = reference(pair)
-        if bottom_of(loops.outer) == bottom_of(loops.trajectory):
+    def fails(pair: SweepPair) -> str:
+        loops = look_up(pair)
+        if take_bottom(loops.outer) == take_bottom(loops.trajectory):
             return ""
         return "S_1, an outer boundary, is not where a point of G goes"
 

@@ -6,19 +6,18 @@ from exactsweep import Polygon, Sweep
 from exactsweep.check.certificate import CertificateError, Contact
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.loop import Frame, Loop
-from exactsweep.check.size import common_scale
 from exactsweep.geometry.point import ORIGIN
-from exactsweep.paper.functions import reference
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.functions import look_up
+from exactsweep.paper.pairs import SweepPair
 
 
 def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
     g, d = s.generatrix, s.directrix
-    pair = Pair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
-    if s.trajectory.vertices != reference(pair).trajectory:
+    pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
+    if s.trajectory.vertices != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
-    frame = Frame((1, 0), common_scale([*g.vertices, *d.vertices]))
+    frame = Frame((1, 0), 1)
     nodes = [(-x, -y, w) for x, y, w in frame.enter(g.vertices, ORIGIN)]
     trajectory = Loop(frame.enter(s.trajectory.vertices, s.reference), "trajectory", frame)
     directrix = Loop(frame.enter(d.vertices, ORIGIN), "directrix", frame)

@@ -7,12 +7,12 @@ from dataclasses import replace
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
-from exactsweep.evidence.undercut import pockets
+from exactsweep.evidence.undercut import find_pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
-from exactsweep.paper.counting import Family, grow_vertices
-from exactsweep.paper.functions import reference
+from exactsweep.paper.counting import PairFamily, grow_vertices
+from exactsweep.paper.functions import look_up
 from exactsweep.paper.growth import MN2, Growth, double, grow
-from exactsweep.paper.pairs import Chains, Pair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
 
@@ -30,6 +30,7 @@ def find_long_undercut(effort: Effort) -> Evidence:
         )
     )
     failure = proved_case(needles, 10, 8) or first_failure(map(_fall_behind, growth))
+    failure = failure or first_failure(map(_undercut_falls_behind, (10, 20, 30)))
     tried = f"{found.tried} A family of needles, one of them proved by its certificate."
     return replace(found, tried=tried, failure=failure, growth=growth)
 
@@ -41,7 +42,14 @@ def _fall_behind(growth: Growth) -> str:
     return "" if growth.is_attained else "the inner boundary over the needles falls behind mn²"
 
 
-def long_undercut(pair: Pair) -> str:
+def _undercut_falls_behind(n: int) -> str:
+    """The only undercut between two needles has as many edges as the proof says."""
+    longest = max(len(u.bottom) - 1 for u in sweep(*needles(7, n)).undercuts)
+    least = edges_over_needles(7, n)
+    return "" if longest >= least else f"an undercut of {longest} edges for n = {n}, not {least}"
+
+
+def long_undercut(pair: SweepPair) -> str:
     """An undercut whose bottom chain has more edges than G_t."""
     most = len(pair.chains.top) - 1
     longest = max((len(u.bottom) - 1 for u in sweep(*pair).undercuts), default=0)
@@ -53,20 +61,20 @@ def run_inner(chains: Chains) -> list[tuple[object, object]]:
     return list(sweep_mm(*chains)[0])
 
 
-def proved_case(family: Family, m: int, n: int) -> str:
+def proved_case(family: PairFamily, m: int, n: int) -> str:
     """What is wrong with one pair of a family, by the definition and by its certificate."""
-    pair = Pair(*family(m, n))
+    pair = SweepPair(*family(m, n))
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is wrong"
     verdict = verify(s.certificate())
     return undercuts_fill_the_inner_loop(pair) or ("" if verdict.proved else verdict.reason)
 
 
-def undercuts_fill_the_inner_loop(pair: Pair) -> str:
+def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     """The undercuts are apart, and make up the difference between the inner loop and D."""
     s = sweep(*pair)
-    if s.inner.vertices != reference(pair).inner:
+    if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"
@@ -82,8 +90,8 @@ def count_undercuts(effort: Effort) -> Evidence:
     """Count the undercuts over terraces; those of one of them are proved by its certificate."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = Pair(*terraces(m, n)).chains
-        return len(pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
+        chains = SweepPair(*terraces(m, n)).chains
+        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
 
     last = 2 if effort.quick else 4
     growth = tuple(
@@ -100,7 +108,7 @@ def count_undercuts(effort: Effort) -> Evidence:
         for p in g.points
         if p.count < (p.m - 4) // 3 * ((p.n - 4) // 2)
     )
-    pair = Pair(*terraces(7, 20))
+    pair = SweepPair(*terraces(7, 20))
     against = Counterexample(
         f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D has "
         f"{len(pair.directrix)} vertices",

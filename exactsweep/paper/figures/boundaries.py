@@ -16,12 +16,12 @@ from exactsweep.paper.figures.sheet import (
     INNER,
     OUTER,
     TRAJECTORY,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
 )
-from exactsweep.paper.functions import bottom_of, clip, exact
+from exactsweep.paper.functions import clip, keep_corners, take_bottom
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.procedures.mm import trajectory_mm
@@ -71,8 +71,10 @@ def find_failures() -> Iterator[str]:
     yield from loops_differ(s)
     yield from overlaps(s, _stations(half))
     left, right = (Fraction(x) for x, _ in (half.directrix[0], half.directrix[-1]))
-    yield differ("inner boundary", clip(_top_chain(half), left, right), exact(half.inner))
-    yield differ("bottom of the outer loop", bottom_of(s.outer.vertices), exact(half.outer))
+    yield differ("inner boundary", clip(_top_chain(half), left, right), keep_corners(half.inner))
+    yield differ(
+        "bottom of the outer loop", take_bottom(s.outer.vertices), keep_corners(half.outer)
+    )
     start, stop = _stations(half)
     widths = sum(p.bounding_box[1].x - p.bounding_box[0].x for p in (s.generatrix, s.directrix))
     yield differ("horizontal distance", stop.x - start.x, widths)
@@ -86,7 +88,7 @@ def draw() -> Figure:
     top = _top_chain(half)
     low = min(y for _, y in half.outer) - 3
     start, stop = _stations(half)
-    box = Box.around(
+    box = Extent.around(
         s.directrix.vertices, top, half.outer, [(start.x, low)], margins=Margins(2, 8, 2, 10)
     )
     with Sheet([[box]], COLUMN) as sheet:

@@ -17,13 +17,13 @@ from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import (
     COLUMN,
     PLACED,
-    Box,
+    BarePicture,
+    Extent,
     Margins,
-    Panel,
     Sheet,
     middle,
 )
-from exactsweep.paper.functions import between
+from exactsweep.paper.functions import sample_between
 from exactsweep.procedures.chain import split
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def find_failures() -> Iterator[str]:
         edges = list(pairwise([*corners, corners[0]]))
         bottom, top = chains[f"{letter}_b"], chains[f"{letter}_t"]
         yield differ("edges", len(bottom) + len(top) - 2, len(edges))
-        for x in between(corners):
+        for x in sample_between(corners):
             met = sum(min(p.x, q.x) < x < max(p.x, q.x) for p, q in edges)
             yield differ(f"edges of {letter} over x = {x}", met, 2)
 
@@ -65,7 +65,7 @@ def draw() -> Figure:
     """The picture."""
     rings = list(POLYGONS.values())
     margins = Margins(15, 10, 17, 8)
-    boxes = [Box.around(ring, margins=margins) for ring in rings]
+    boxes = [Extent.around(ring, margins=margins) for ring in rings]
     chains = _chains()
     with Sheet([boxes], COLUMN) as sheet:
         for panel, (letter, ring) in zip(sheet.panels, POLYGONS.items(), strict=True):
@@ -89,7 +89,7 @@ def draw() -> Figure:
     return sheet.figure
 
 
-def _heads(panel: Panel, chain: Sequence[Vertex], look: Look) -> None:
+def _heads(panel: BarePicture, chain: Sequence[Vertex], look: Look) -> None:
     """Arrow heads in the middle of the edges, which run counter-clockwise."""
     for p, q in pairwise(chain):
         panel.arrow(middle(p, q), middle(p, q, share=Fraction(5, 8)), replace(look, dash="-"))

@@ -16,7 +16,7 @@ from exactsweep.paper.figures.sheet import (
     PAGE,
     PLACED,
     SMALL,
-    Box,
+    Extent,
     Margins,
     Sheet,
     half_way,
@@ -105,8 +105,8 @@ def draw() -> Figure:
     low, high = min(y for _, y in ring) - 1, max(y for _, y in s.directrix.vertices)
     left = min(x for x, _ in ring) - 2
     boxes = [
-        Box.around(s.directrix.vertices, ring, [(left, low), (left, high)], title="(a)"),
-        Box((0, 0), (travelled + 1, width + 1), "(b)", Margins(18, 20, 2, 2)),
+        Extent.around(s.directrix.vertices, ring, [(left, low), (left, high)], title="(a)"),
+        Extent((0, 0), (travelled + 1, width + 1), "(b)", Margins(18, 20, 2, 2)),
     ]
     with Sheet([boxes], PAGE) as sheet:
         picture, chart = sheet.panels

@@ -18,12 +18,12 @@ from exactsweep.paper.figures.sheet import (
     OUTER,
     PLACED,
     THIN,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
 )
-from exactsweep.paper.functions import bottom_of, exact
+from exactsweep.paper.functions import keep_corners, take_bottom
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import convex_parts, split
 from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
@@ -96,8 +96,8 @@ def find_failures() -> Iterator[str]:
     yield from loops_differ(s)
     yield from overlaps(s, s.undercuts[0].positions)
     path, outer = _envelopes()
-    yield differ("trajectory", exact(path), bottom_of(s.trajectory.vertices))
-    yield differ("outer boundary", exact(outer), bottom_of(s.outer.vertices))
+    yield differ("trajectory", keep_corners(path), take_bottom(s.trajectory.vertices))
+    yield differ("outer boundary", keep_corners(outer), take_bottom(s.outer.vertices))
     paths, outers = _sub_chains()
     yield lowest("sub-trajectory", paths, path)
     yield lowest("sub-outer chain", outers, outer)
@@ -116,9 +116,9 @@ def draw() -> Figure:
     beside = shift(s.generatrix.vertices, (-5, 0))
     ends = [(x, 0) for x, _ in (outer[0], outer[-1])]
     boxes = [
-        Box.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
-        Box.around(*everything, title="(b)", margins=Margins(2, 16, 2, 2)),
-        Box.around(*everything, title="(c)", margins=Margins(2, 16, 2, 2)),
+        Extent.around(s.directrix.vertices, beside, ends, title="(a)", margins=Margins(2, 8, 2, 2)),
+        Extent.around(*everything, title="(b)", margins=Margins(2, 16, 2, 2)),
+        Extent.around(*everything, title="(c)", margins=Margins(2, 16, 2, 2)),
     ]
     with Sheet([[box] for box in boxes], COLUMN) as sheet:
         a, b, c = sheet.panels

@@ -19,12 +19,12 @@ from exactsweep.paper.figures.sheet import (
     SMALL,
     SMALL_DOT,
     TRAJECTORY,
-    Box,
+    Extent,
     Margins,
     Sheet,
     shift,
 )
-from exactsweep.paper.functions import value
+from exactsweep.paper.functions import evaluate
 from exactsweep.procedures.chain import complement, split
 from exactsweep.sweep import no_fit_polygon
 
@@ -78,8 +78,8 @@ def _sticks_out(ring: Sequence[Vertex], around: Polygon) -> str:
     xs = {x for chain in (low, high, floor, ceiling) for x, _ in chain if not _beside(x, low)}
     if any(_beside(x, floor) for x in xs):
         return f"I(G) at {ring[0]} sticks out sideways"
-    gaps = [value(low, x) - value(floor, x) for x in map(Fraction, xs)]
-    gaps += [value(ceiling, x) - value(high, x) for x in map(Fraction, xs)]
+    gaps = [evaluate(low, x) - evaluate(floor, x) for x in map(Fraction, xs)]
+    gaps += [evaluate(ceiling, x) - evaluate(high, x) for x in map(Fraction, xs)]
     return differ(f"least gap above and below I(G) at {ring[0]}", min(gaps), 0)
 
 
@@ -91,7 +91,7 @@ def draw() -> Figure:
     """The picture."""
     s = example()
     boxes = [
-        Box.around(
+        Extent.around(
             s.outer.vertices,
             *map(inverse_at, _outside()),
             title=title,

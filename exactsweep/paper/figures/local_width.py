@@ -21,13 +21,13 @@ from exactsweep.paper.figures.sheet import (
     OUTER,
     PAGE,
     TRAJECTORY,
-    Box,
-    Panel,
+    BarePicture,
+    Extent,
     Sheet,
     middle,
     shift,
 )
-from exactsweep.paper.functions import bottom_of, value
+from exactsweep.paper.functions import evaluate, take_bottom
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -119,10 +119,10 @@ def find_failures() -> Iterator[str]:
         s, (p, q) = found.sweep, found.edge
         yield from loops_differ(s)
         for loop, point in ((s.inner, found.inside), (s.outer, found.outside)):
-            chain = bottom_of(loop.vertices)
+            chain = take_bottom(loop.vertices)
             for by in (Fraction(-1, 9), Fraction(0), Fraction(1, 9)):
                 x = point[0] + by * (q.x - p.x)
-                yield differ(f"height over {x}", value(chain, x), point[1] + by * (q.y - p.y))
+                yield differ(f"height over {x}", evaluate(chain, x), point[1] + by * (q.y - p.y))
 
 
 def draw() -> Figure:
@@ -133,7 +133,7 @@ def draw() -> Figure:
         x, y = found.at
         half = Fraction(1, 2)
         corners = [(x - beside[0], y - 4 - half), (x + beside[1], y + 3 + half)]
-        box = Box.around(*_placed(found), corners, title=title)
+        box = Extent.around(*_placed(found), corners, title=title)
         boxes.append(box._replace(is_cut=True))
     with Sheet([boxes], PAGE) as sheet:
         left, right = sheet.panels
@@ -162,7 +162,7 @@ def _equal(letters: str, value: Fraction) -> str:
     return f"${letters} = {format_fraction(value)}$"
 
 
-def _draw_widths(panel: Panel, found: Widths) -> None:
+def _draw_widths(panel: BarePicture, found: Widths) -> None:
     """The swept area, I(G) on both sides of e, and their distances from it."""
     s = found.sweep
     panel.ring(s.outer.vertices, s.inner.vertices, style.SWEPT)
@@ -185,7 +185,7 @@ def _draw_widths(panel: Panel, found: Widths) -> None:
 
 
 def _name_parts(
-    panel: Panel, found: Widths, places: tuple[Vertex, Vertex, tuple[Fraction, int], Vertex]
+    panel: BarePicture, found: Widths, places: tuple[Vertex, Vertex, tuple[Fraction, int], Vertex]
 ) -> None:
     """Write the names of I(g), and of I(G)', I(G)'', e and D, whose places are given."""
     (x, y), (inside, outside, (ahead, up), directrix) = found.at, places

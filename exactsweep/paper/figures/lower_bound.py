@@ -21,13 +21,13 @@ from exactsweep.paper.figures.sheet import (
     SMALL,
     SMALL_DOT,
     THIN,
-    Box,
+    BarePicture,
+    Extent,
     Margins,
-    Panel,
     Sheet,
     middle,
 )
-from exactsweep.paper.functions import bottom_of
+from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
@@ -57,7 +57,7 @@ def sizes(s: Sweep) -> tuple[int, int, int]:
 
 def outer_edges(s: Sweep) -> list[Edge]:
     """The edges of the outer boundary of the lower sweep."""
-    return list(pairwise(bottom_of(s.outer.vertices)))
+    return list(pairwise(take_bottom(s.outer.vertices)))
 
 
 def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
@@ -98,7 +98,7 @@ def find_failures() -> Iterator[str]:
 def draw() -> Figure:
     """The picture."""
     first, second = example(1), example(2)
-    boxes = [[_box(first, "a"), Box((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
+    boxes = [[_box(first, "a"), Extent((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
     with Sheet(boxes, PAGE) as sheet:
         a, table, b = sheet.panels
         for panel, s in ((a, first), (b, second)):
@@ -108,23 +108,23 @@ def draw() -> Figure:
     return sheet.figure
 
 
-def _box(s: Sweep, letter: str) -> Box:
-    lower, title = bottom_of(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
-    return Box.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
+def _box(s: Sweep, letter: str) -> Extent:
+    lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
+    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
 
 
-def _draw_pair(panel: Panel, s: Sweep) -> None:
+def _draw_pair(panel: BarePicture, s: Sweep) -> None:
     """D, G where a peak of it is under a tooth, and the edges of the outer boundary."""
     place = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
     panel.area(s.directrix.vertices, style.DIRECTRIX)
     panel.area(placed_generatrix(s, place).vertices, PLACED)
     panel.lines(outer_edges(s), replace(OUTER, order=5))
-    panel.dots(bottom_of(s.outer.vertices), SMALL_DOT)
+    panel.dots(take_bottom(s.outer.vertices), SMALL_DOT)
     panel.label((10, -2), "$D$")
     panel.label((place.x + 10, place.y), "$G$", 0, -12)
 
 
-def _number(panel: Panel, edges: Sequence[Edge]) -> None:
+def _number(panel: BarePicture, edges: Sequence[Edge]) -> None:
     """Number edges below them, straight below where the chain turns right and room is scarce."""
     vectors = [(q[0] - p[0], q[1] - p[1]) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
@@ -134,7 +134,7 @@ def _number(panel: Panel, edges: Sequence[Edge]) -> None:
         panel.label(middle(*edge), str(k + 1), shift, -7, size=SMALL)
 
 
-def _draw_table(panel: Panel) -> None:
+def _draw_table(panel: BarePicture) -> None:
     """The counts of the family."""
     columns = [(3, "$(m_b, n_t, n_b)$"), (10, "formula"), (16, "edges")]
     for x, head in columns:

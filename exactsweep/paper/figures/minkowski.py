@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
 from exactsweep.draw import Picture, draw_undercuts, placed_generatrix
-from exactsweep.evidence.undercut import pockets
+from exactsweep.evidence.undercut import find_pockets
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
-from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Box, Margins, Sheet
+from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Extent, Margins, Sheet
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import trajectory_mm
@@ -60,7 +60,9 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     ceiling = highest.restrict(left, right)
     ceilings = list(ceiling)
     lower = lower_envelope_mm([ceiling.of(floor), ceiling])
-    holes = [(*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in pockets(list(lower), ceilings)]
+    holes = [
+        (*pocket.bottom, *pocket.top[-2:0:-1]) for pocket in find_pockets(list(lower), ceilings)
+    ]
     return outer, tuple(holes)
 
 
@@ -117,8 +119,8 @@ def draw() -> Figure:
     shapes = s.outer.vertices, sum_outer
     margins = Margins(top=22)
     boxes = [
-        Box.around(*shapes, title="(a) sweep", margins=margins),
-        Box.around(*shapes, title="(b) Minkowski sum", margins=margins),
+        Extent.around(*shapes, title="(a) sweep", margins=margins),
+        Extent.around(*shapes, title="(b) Minkowski sum", margins=margins),
     ]
     with Sheet([boxes], PAGE) as sheet:
         left, right = sheet.panels

@@ -16,7 +16,7 @@ from exactsweep.paper.figures.sheet import (
     SMALL_DOT,
     TRAJECTORY,
     WIDE,
-    Box,
+    Extent,
     Margins,
     Sheet,
     middle,
@@ -100,8 +100,8 @@ def draw() -> Figure:
     outer, order = _outer(), by_slope("D_b", "G_t", "G_b")
     apart = _apart(order)
     boxes = [
-        Box.around(s.directrix.vertices, outer, path, title="(a)", margins=Margins(2, 4, 2, 4)),
-        Box.around(*apart, title="(b)", margins=Margins(8, 24, 8, 14)),
+        Extent.around(s.directrix.vertices, outer, path, title="(a)", margins=Margins(2, 4, 2, 4)),
+        Extent.around(*apart, title="(b)", margins=Margins(8, 24, 8, 14)),
     ]
     with Sheet([[box] for box in boxes], WIDE) as sheet:
         panel, row = sheet.panels

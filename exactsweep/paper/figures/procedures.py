@@ -15,8 +15,8 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.figures.figure import Facts, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
-from exactsweep.paper.figures.sheet import PAGE, Box, Sheet
-from exactsweep.paper.pairs import Pair
+from exactsweep.paper.figures.sheet import PAGE, Extent, Sheet
+from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures import cc, cm, lower_envelope, mm, mm_inner, part_pairs
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ def watch_literal() -> set[tuple[str, str]]:
         literal.lower_envelope_mm.__code__: "LowerEnvelope_MM",
         literal.sweep_mm.__code__: "Sweep_MM",
     }
-    chains = Pair(GENERATRIX, DIRECTRIX).chains
+    chains = SweepPair(GENERATRIX, DIRECTRIX).chains
 
     def run() -> None:
         literal.sweep_mm(*chains)
@@ -150,10 +150,13 @@ def watch_literal() -> set[tuple[str, str]]:
 def watch_kernel() -> set[tuple[str, str]]:
     """The calls that the kernel makes, for a pair of each class."""
     words = {function.__code__: name for name, (function, _) in KERNEL.items()}
-    convex, toothed = Pair(*growing.cc(8, 8)).chains, Pair(*growing.cm_undercut(16, 8)).chains
+    convex, toothed = (
+        SweepPair(*growing.cc(8, 8)).chains,
+        SweepPair(*growing.cm_undercut(16, 8)).chains,
+    )
 
     def run() -> None:
-        mm.sweep_mm(*Pair(GENERATRIX, DIRECTRIX).chains)
+        mm.sweep_mm(*SweepPair(GENERATRIX, DIRECTRIX).chains)
         cm.sweep_inner_cm(toothed.top, toothed.directrix)
         cm.sweep_outer_cm(*toothed)
         cc.sweep_inner_cc(convex.top, convex.directrix)
@@ -171,7 +174,7 @@ def draw() -> Figure:
     )
     rims = [{name: _rim(name, place) for name, place in places.items()} for _, places, _ in graphs]
     boxes = [
-        [Box.around(*own.values(), title=title)]
+        [Extent.around(*own.values(), title=title)]
         for own, (title, _, _) in zip(rims, graphs, strict=True)
     ]
     with Sheet(boxes, PAGE) as sheet:

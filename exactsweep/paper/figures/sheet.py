@@ -54,7 +54,7 @@ class Margins(NamedTuple):
     top: float = 4
 
 
-class Box(NamedTuple):
+class Extent(NamedTuple):
     """What a panel shows: an exact rectangle, with room around it and a title below.
 
     What reaches beyond is drawn, too, unless `is_cut`.
@@ -80,7 +80,7 @@ class Box(NamedTuple):
         return tuple(float(high - low) for low, high in zip(self.low, self.high, strict=True))  # type: ignore[return-value]
 
 
-class Panel(Picture):
+class BarePicture(Picture):
     """A picture without axes, with labels and arrows."""
 
     def label(
@@ -154,15 +154,15 @@ class Sheet(ExitStack):
 
     Attributes:
         figure: a Figure of matplotlib.
-        panels: a Panel for each box, in order.
+        panels: a BarePicture for each box, in order.
         unit: the length of the plane's unit, in points.
     """
 
-    def __init__(self, rows: Sequence[Sequence[Box]], width: float) -> None:
+    def __init__(self, rows: Sequence[Sequence[Extent]], width: float) -> None:
         super().__init__()
         self.rows = rows
         self.width = width
-        self.panels: list[Panel] = []
+        self.panels: list[BarePicture] = []
 
     def __enter__(self) -> Self:
         require_matplotlib()
@@ -192,23 +192,23 @@ class Sheet(ExitStack):
                 artist.set_clip_on(box.is_cut)
         return super().__exit__(*exception)
 
-    def _unit_of(self, row: Sequence[Box]) -> float:
+    def _unit_of(self, row: Sequence[Extent]) -> float:
         used = sum(box.margins.left + box.margins.right for box in row) + _GAP * (len(row) - 1)
         return (self.width * _POINTS - used) / sum(box.size[0] for box in row)
 
-    def _outside(self, box: Box) -> tuple[float, float]:
+    def _outside(self, box: Extent) -> tuple[float, float]:
         """Width and height of a panel with its margins and title, in points."""
         (wide, high), (left, bottom, right, top) = box.size, box.margins
         lines = len(box.title.split("\n")) if box.title else 0
         return wide * self.unit + left + right, high * self.unit + bottom + top + 12 * lines
 
-    def _add(self, box: Box, left: float, low: float, across: float, total: float) -> None:
+    def _add(self, box: Extent, left: float, low: float, across: float, total: float) -> None:
         (wide, high), lines = box.size, box.title.count("\n") + 1 if box.title else 0
         x, y = left + box.margins.left, low + box.margins.bottom + 12 * lines
         axes = self.figure.add_axes(
             (x / across, y / total, wide * self.unit / across, high * self.unit / total)
         )
-        panel = Panel(axes, Scale.of([box.low, box.high]))
+        panel = BarePicture(axes, Scale.of([box.low, box.high]))
         axes.set_axis_off()
         (x0, y0), (x1, y1) = panel.scale.places([box.low, box.high])
         axes.set_xlim(x0, x1)

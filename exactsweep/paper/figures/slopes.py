@@ -20,8 +20,8 @@ from exactsweep.paper.figures.sheet import (
     SMALL_DOT,
     TRAJECTORY,
     WIDE,
-    Box,
-    Panel,
+    BarePicture,
+    Extent,
     Sheet,
     middle,
     shift,
@@ -141,7 +141,7 @@ def draw() -> Figure:
     placed = [placed_generatrix(s, place).vertices for place in path[: STEPS + 1]]
     across = [(x, 0) for ring in placed for x, _ in ring]
     boxes = [
-        Box.around(s.directrix.vertices, across, *placed[k : k + 2], title=f"({'abcd'[k]})")
+        Extent.around(s.directrix.vertices, across, *placed[k : k + 2], title=f"({'abcd'[k]})")
         for k in range(STEPS)
     ]
     with Sheet([boxes[:2], boxes[2:]], WIDE) as sheet:
@@ -157,7 +157,7 @@ def draw() -> Figure:
     return sheet.figure
 
 
-def _show_step(panel: Panel, step: int) -> None:
+def _show_step(panel: BarePicture, step: int) -> None:
     """Mark the vertices that have met, the edge along which G goes on, and both slopes."""
     ours, theirs = _upcoming(step)
     x, y = _meeting(step)

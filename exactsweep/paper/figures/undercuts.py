@@ -19,12 +19,12 @@ from exactsweep.paper.figures.sheet import (
     PAGE,
     PLACED,
     TRAJECTORY,
-    Box,
+    Extent,
     Sheet,
     middle,
     shift,
 )
-from exactsweep.paper.functions import bottom_of
+from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import convex_parts, split
 from exactsweep.sweep import Sweep, sweep
@@ -93,7 +93,7 @@ def draw() -> Figure:
     for letter, s in zip("ab", examples(), strict=True):
         placed = [placed_generatrix(s, place).vertices for place in undercut(s).positions]
         shapes = s.directrix.vertices, *placed, *sub_trajectories(s)
-        boxes.append(Box.around(*shapes, title=f"({letter})"))
+        boxes.append(Extent.around(*shapes, title=f"({letter})"))
     with Sheet([boxes], PAGE) as sheet:
         for panel, s in zip(sheet.panels, examples(), strict=True):
             found = undercut(s)
@@ -103,7 +103,7 @@ def draw() -> Figure:
             draw_undercuts(panel, [found])
             for chain in sub_trajectories(s):
                 panel.line(chain, style.SUB_TRAJECTORY)
-            panel.line(bottom_of(s.trajectory.vertices), TRAJECTORY)
+            panel.line(take_bottom(s.trajectory.vertices), TRAJECTORY)
             panel.line(found.bottom, BOLD)
             panel.dots(found.extremes)
             panel.dots(found.positions, HOLLOW)

@@ -15,7 +15,7 @@ from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlap
 from exactsweep.paper.figures.sheet import (
     PLACED,
     WIDE,
-    Box,
+    Extent,
     Sheet,
     half_way,
     middle,
@@ -79,7 +79,7 @@ def draw() -> Figure:
     places = [half_way(m.start, m.end) for m in moments]
     placed = [placed_generatrix(s, place).vertices for place in places]
     boxes = [
-        Box.around(s.directrix.vertices, ring, title=title)
+        Extent.around(s.directrix.vertices, ring, title=title)
         for ring, title in zip(placed, ("(a)", "(b)"), strict=True)
     ]
     with Sheet([boxes], WIDE) as sheet:

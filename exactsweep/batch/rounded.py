@@ -1,0 +1,65 @@
+"""Results of pairs on a decimal grid."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from exactsweep.formats.rounding import Side, round_region
+from exactsweep.geometry.point import Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+
+class Rounding(NamedTuple):
+    """How results are rounded.
+
+    Attributes:
+        places: how many decimal places.
+        outward: whether loops never move to where they would permit an overlap.
+    """
+
+    places: int
+    outward: bool = False
+
+
+def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:
+    """Round what a record holds.
+
+    Args:
+        values: the columns of a record, loops as Polygons.
+        rounding: how they are rounded. Outward, the trajectory, the outer loop and the exterior
+            grow, all other loops shrink or are left out, and of the exact fits those stay that do
+            not move.
+
+    Returns:
+        The same columns; areas are those of the exact loops, rounded.
+
+    Raises:
+        PolygonError: a loop is no polygon any more, which does not happen outward.
+    """
+    places, outward = rounding
+    found: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, Fraction):
+            found[name] = round(value, places)
+        elif name == "exact_fits":
+            moved = [_round_fit(fit, places) for fit in value]
+            kept = [fit for fit, to in zip(value, moved, strict=True) if fit == to]
+            found[name] = kept if outward else moved
+        elif isinstance(value, Polygon):
+            side: Side = "inward" if name == "inner" else "outward"
+            rounded = round_region(Region(value), places, side if outward else "closest")
+            found[name] = None if rounded.region is None else rounded.region.exterior
+        elif name in ("holes", "unswept"):
+            way: Side = "inward" if outward else "closest"
+            loops = [round_region(Region(loop), places, way).region for loop in value]
+            found[name] = [loop.exterior for loop in loops if loop is not None]
+        else:
+            found[name] = value
+    return found
+
+
+def _round_fit(fit: Sequence[Point], places: int) -> tuple[Point, ...]:
+    return tuple(Point(round(p.x, places), round(p.y, places)) for p in fit)

@@ -1,0 +1,93 @@
+"""Records as a table: CSV, or a Parquet file by pyarrow."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from exactsweep.batch.record import COLUMNS, Quantities
+from exactsweep.formats.error import needs
+
+_ROWS = 1024
+_NAMES = ("error", "id", "generatrix", "directrix")
+
+
+def require_pyarrow() -> None:
+    """Refuse to begin what could not be finished."""
+    with needs("pyarrow", "parquet", "Parquet"):
+        import pyarrow.parquet  # noqa: F401
+
+
+def write_csv(records: Path, output: Path, what: Quantities) -> None:
+    """Turn records into CSV.
+
+    Args:
+        records: a file with a record a line.
+        output: the file to be written: a head, and a column for each member that a record may
+            have, empty where a record has none; directions, vertices and exact fits are JSON.
+        what: the quantities of the batch.
+
+    Cost: linear; one record is in memory at a time.
+    """
+    columns = ("index", *_NAMES, *COLUMNS[what])
+    with (
+        open(records, "rb") as lines,
+        open(output, "w", encoding="utf-8", newline="") as table,
+    ):
+        writer = csv.DictWriter(table, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(_rows(lines))
+
+
+def write_parquet(records: Path, output: Path, what: Quantities, *, rounded: bool = False) -> None:
+    """Turn records into a table.
+
+    Args:
+        records: a file with a record a line.
+        output: the file to be written: a column for each member that a record may have, "index" an
+            int64, all others strings, null where a record has none; directions, vertices and exact
+            fits are JSON.
+        what: the quantities of the batch.
+        rounded: whether areas are numbers, and become float64.
+
+    Cost: linear; a thousand records are in memory at a time.
+    """
+    import pyarrow
+    import pyarrow.parquet
+
+    columns = (*_NAMES, *COLUMNS[what])
+    floats = {name for name in columns if rounded and name.endswith("area")}
+    kinds = [pyarrow.float64() if name in floats else pyarrow.string() for name in columns]
+    fields = [("index", pyarrow.int64()), *zip(columns, kinds, strict=True)]
+    schema = pyarrow.schema(fields)
+    with open(records, "rb") as lines, pyarrow.parquet.ParquetWriter(output, schema) as writer:
+        while rows := list(islice(_rows(lines), _ROWS)):
+            cells: dict[str, list[Any]] = {c: [row.get(c) for row in rows] for c in columns}
+            for column in floats:
+                cells[column] = [None if area is None else float(area) for area in cells[column]]
+            cells["index"] = [int(row["index"] or 0) for row in rows]
+            writer.write_table(pyarrow.table(cells, schema=schema))
+
+
+def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:
+    for line in lines:
+        # Numbers stay the text that they are, whatever their length.
+        record: dict[str, Any] = json.loads(line, parse_int=_Digits, parse_float=_Digits)
+        yield {
+            name: value if value is None or type(value) is str else _text(value)
+            for name, value in record.items()
+        }
+
+
+class _Digits(str):
+    """A number, as it was written."""
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_text, value))}]"
+    return str(value) if isinstance(value, _Digits) else json.dumps(value)

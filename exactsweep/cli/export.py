@@ -1,0 +1,161 @@
+"""Results as polygons in a format, rounded on request, and what rounding did to them."""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import wraps
+from typing import Any, NamedTuple
+
+import click
+
+from exactsweep.cli.output import write
+from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
+from exactsweep.formats.rounding import Changes, Side, contains
+from exactsweep.formats.writing import Fit
+from exactsweep.geometry.point import Point
+from exactsweep.words import count
+
+
+class Rounding(NamedTuple):
+    """How a result is rounded.
+
+    Attributes:
+        places: how many decimal places; None to leave it as it is.
+        outward: whether it must stay safe.
+    """
+
+    places: int | None
+    outward: bool
+
+
+def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command --round and --round-outward, as `rounding`."""
+
+    @click.option(
+        "--round",
+        "places",
+        type=click.IntRange(0, 4000),
+        metavar="PLACES",
+        help="Round to so many decimal places, and say on standard error what that changed.",
+    )
+    @click.option(
+        "--round-outward",
+        "outward",
+        is_flag=True,
+        help="With --round: never to where it would permit an overlap, which is proved. What is "
+        "forbidden grows, what is free shrinks.",
+    )
+    @wraps(command)
+    def with_rounding(*arguments: Any, places: int | None, outward: bool, **options: Any) -> None:
+        if outward and places is None:
+            raise click.UsageError("--round-outward goes with --round PLACES.")
+        command(*arguments, rounding=Rounding(places, outward), **options)
+
+    return with_rounding
+
+
+def takes_format(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command --to FORMAT, as `target`; None if left out."""
+    option = click.option(
+        "--to",
+        "target",
+        type=click.Choice(FORMATS),
+        help="Write the polygons of the result in this format, for other programs and 'convert'.",
+    )
+    return option(command)
+
+
+def export(
+    regions: Sequence[NamedRegion],
+    fits: Sequence[Fit],
+    target: str,
+    rounding: Rounding,
+    output: str,
+    side_of: Callable[[NamedRegion], Side],
+) -> None:
+    """Write polygons and exact fits, and say on standard error what rounding changed.
+
+    Args:
+        regions: the polygons.
+        fits: the exact fits.
+        target: one of FORMATS.
+        rounding: how they are rounded.
+        output: a file, or "-".
+        side_of: "outward" for what is forbidden, "inward" for what is free, "closest" for what may
+            move either way.
+
+    Raises:
+        FormatError: what the format cannot hold, or rounding leaves nothing of.
+    """
+    said = ""
+    if rounding.places is not None:
+        wanted = side_of if rounding.outward else _closest
+        rounded, changes = round_regions(regions, rounding.places, wanted)
+        ends = [_round_fit(fit, rounding.places) for fit in fits]
+        moved = sum(old != new for old, new in zip(fits, ends, strict=True))
+        if rounding.outward:
+            # A fit that moves is one no longer.
+            ends = [old for old, new in zip(fits, ends, strict=True) if old == new]
+        decides = any(side_of(region) != "closest" for region in regions)
+        is_safe = rounding.outward or (not moved and _is_safe(regions, rounded, side_of))
+        said = _say(changes, moved, rounding, decides and is_safe)
+        if said and decides and not is_safe:
+            said += "; it may permit an overlap (--round-outward does not)"
+        regions, fits = rounded, ends
+    try:
+        text = format_polygons(regions, target, fits, decimals=rounding.places is not None)
+    except FormatError as error:
+        hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
+        raise FormatError(f"{error}{hint}") from None
+    write(text, output)
+    if said:
+        click.echo(said, err=True)
+
+
+def _closest(region: NamedRegion) -> Side:
+    return "closest"
+
+
+def _round_fit(fit: Fit, places: int) -> Fit:
+    first, last = (Point(round(p.x, places), round(p.y, places)) for p in fit)
+    return first, last
+
+
+def _is_safe(
+    old: Sequence[NamedRegion],
+    new: Sequence[NamedRegion],
+    side_of: Callable[[NamedRegion], Side],
+) -> bool:
+    for before, after in zip(old, new, strict=True):
+        side = side_of(before)
+        if side == "outward" and not contains(after.region, before.region):
+            return False
+        if side == "inward" and not contains(before.region, after.region):
+            return False
+    return True
+
+
+def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str:
+    """What rounding did, in one line; nothing if it did nothing."""
+    if not changes.changed and not moved:
+        return ""
+    # rich takes longer to import than all the rest.
+    from exactsweep.text.report import approximation
+
+    parts = [f"rounded: {count(changes.changed, 'polygon')}"]
+    if changes.distance:
+        parts.append(f"moved by at most {approximation(_up(changes.distance))}")
+    if moved:
+        parts.append(f"{count(moved, 'exact fit')} {'left out' if rounding.outward else 'moved'}")
+    if changes.left_out:
+        parts.append(f"nothing left of {count(changes.left_out, 'ring')}")
+    if is_safe:
+        parts.append("proved to permit no overlap")
+    return ", ".join(parts)
+
+
+def _up(distance: Fraction) -> Fraction:
+    """The distance with six digits, not below it."""
+    scale = Fraction(1)
+    while distance * scale < 10**5:
+        scale *= 10
+    return Fraction(-(-distance * scale // 1)) / scale

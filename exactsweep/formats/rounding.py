@@ -1,0 +1,340 @@
+"""Regions on a decimal grid: at the closest points, or so that they surely grow, or surely shrink.
+
+Outward. Let a ring run with its region on the left; let v be a vertex, e and f the edges before and
+after it.
+
+1. New vertices for v on the right of the lines of e and f, or on them, leave both edges on the left
+   of the new ones, or on them: a new edge runs between two points that are right of one line.
+2. At a left turn these are the corners of the grid's cell around v that are extreme in a direction
+   between the normals of e and f; at a right turn one point close to v, if there is one.
+3. In a notch narrower than a cell, new edges may cross, or a right turn may find no point. Then the
+   vertex of a right turn is left out, which fills the notch; the smallest ears go first. The hull
+   of all cells comes last.
+4. What comes out is proved, not believed: it is a polygon, and no point inside the old one is
+   outside of it.
+
+A hole is a ring that runs clockwise, and its new ring, found in the same way, lies inside of it. It
+is left out where no ring does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from math import ceil, floor, lcm
+from typing import Literal, NamedTuple
+
+from exactsweep.formats.candidate import NamedRegion
+from exactsweep.formats.curved.curves import root_above
+from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+Side = Literal["closest", "outward", "inward"]
+_Ring = Sequence[Point]
+# How many cells away a point for a right turn is looked for.
+_REACH = 3
+
+
+class Rounded(NamedTuple):
+    """What rounding made of a region.
+
+    Attributes:
+        region: None if nothing is left of it.
+        distance: how far, at most, old and new rings are apart; those left out do not count.
+        left_out: how many holes nothing is left of.
+    """
+
+    region: Region | None
+    distance: Fraction
+    left_out: int = 0
+
+
+class Changes(NamedTuple):
+    """What rounding changed.
+
+    Attributes:
+        changed: how many regions are no longer what they were.
+        distance: the greatest of their distances.
+        left_out: how many regions and holes nothing is left of.
+    """
+
+    changed: int
+    distance: Fraction
+    left_out: int
+
+
+def round_regions(
+    regions: Iterable[NamedRegion], places: int, side_of: Callable[[NamedRegion], Side]
+) -> tuple[list[NamedRegion], Changes]:
+    """Round regions to decimals, each as `round_region` does.
+
+    Args:
+        regions: what is to be rounded.
+        places: how many decimal places.
+        side_of: which way each is rounded.
+
+    Returns:
+        The regions of which something is left, and what changed.
+    """
+    found: list[NamedRegion] = []
+    changed = left_out = 0
+    distance = Fraction(0)
+    for named in regions:
+        try:
+            rounded = round_region(named.region, places, side_of(named))
+        except PolygonError as error:
+            name = "" if named.name is None else f"{ascii(named.name)[1:-1]}, "
+            raise PolygonError(f"{name}rounded to {places} places: {error}") from None
+        changed += rounded.region != named.region
+        distance = max(distance, rounded.distance)
+        left_out += rounded.left_out + (rounded.region is None)
+        if rounded.region is not None:
+            found.append(named._replace(region=rounded.region))
+    return found, Changes(changed, distance, left_out)
+
+
+def round_region(region: Region, places: int, side: Side = "closest") -> Rounded:
+    """Round a region to decimals.
+
+    Args:
+        region: a Region.
+        places: how many decimal places.
+        side: "closest" takes each vertex to the closest point of the grid; "outward" gives a region
+            that holds the old one, "inward" one that is held by it.
+
+    Returns:
+        A Rounded; outward there always is a region, inward it may be None.
+
+    Raises:
+        PolygonError: the closest points make no region.
+
+    Cost: O(n log n) for n vertices, and the proof, an `Overlap` for each ring; where vertices have
+        to be left out, that a few times over.
+
+    Example:
+        >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
+        >>> for side in ("closest", "outward", "inward"):
+        ...     print(round_region(part, 0, side).region)
+        (0, 0) (3, 0) (3, 2) (0, 2)
+        (0, 0) (4, 0) (4, 3) (0, 3)
+        (0, 0) (3, 0) (3, 2) (0, 2)
+    """
+    grid = Fraction(1, 10**places)
+    if side == "closest":
+        rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
+        distance = max(
+            root_above((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
+            for old, new in zip(region.rings, rings, strict=True)
+            for p, q in zip(old, new, strict=True)
+        )
+        return Rounded(Region(rings[0], rings[1:]), distance)
+    exterior, *holes = region.rings
+    if side == "outward":
+        outer = _move(exterior, grid)
+        inner = [_move(hole[::-1], grid) for hole in holes]
+    else:
+        outer = _move(exterior[::-1], grid)
+        inner = [_move(hole, grid) for hole in holes]
+    moved = [ring for ring in inner if ring is not None]
+    if outer is None:
+        return Rounded(None, Fraction(0))
+    distance = max(ring.distance for ring in (outer, *moved))
+    try:
+        found = Region(outer.polygon, [ring.polygon for ring in moved])
+    except PolygonError:
+        # Holes that have grown into each other, or out of the region.
+        if side == "inward":
+            return Rounded(None, Fraction(0))
+        return Rounded(Region(outer.polygon), outer.distance, len(holes))
+    return Rounded(found, distance, len(holes) - len(moved))
+
+
+def contains(outer: Region, inner: Region) -> bool:
+    """Tell whether a region holds another one, boundaries included.
+
+    Example:
+        >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
+        >>> contains(larger, square), contains(square, larger), contains(square, square)
+        (True, False, True)
+    """
+    (own, of_outer), (other, of_inner) = outer.lattice(), inner.lattice()
+    scale = lcm(own, other)
+    # What is left of the rings, run through backward, is the complement.
+    outside = [[(x * (scale // own), y * (scale // own)) for x, y in r[::-1]] for r in of_outer]
+    inside = [[(x * (scale // other), y * (scale // other)) for x, y in r] for r in of_inner]
+    return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
+
+
+class _Moved(NamedTuple):
+    """A new ring, and how far it is, at most, from the old one."""
+
+    polygon: Polygon
+    distance: Fraction
+
+
+def _move(ring: _Ring, grid: Fraction) -> _Moved | None:
+    """Move a ring to the grid, to its right; None if no ring is left."""
+    points = [Point(x / grid, y / grid) for x, y in ring]
+    old = Polygon(points)
+    is_exterior = doubled_area(points) > 0
+    alive = list(range(len(points)))
+    drop = 1
+    while len(alive) > 2:
+        corners = [points[i] for i in alive]
+        chains = _chains(corners)
+        moved = [point for chain in chains for point in chain]
+        if all(chains) and _is_proved(moved, old, is_exterior):
+            return _scaled(moved, _distance(points, alive, chains), grid)
+        ears = _ears(corners)
+        # Those without a point first; more of them each time.
+        ears.sort(key=lambda ear: (bool(chains[ear[1]]), ear))
+        if not ears:
+            break
+        gone = {position for _, position in ears[:drop]}
+        alive = [i for position, i in enumerate(alive) if position not in gone]
+        drop *= 2
+    if not is_exterior:
+        return None
+    hull = _hull(points)
+    far = max(_square_to_ring(point, hull) for point in points)
+    return _scaled(hull, max(root_above(far), Fraction(3, 2)), grid)
+
+
+def _scaled(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
+    return _Moved(Polygon([(x * grid, y * grid) for x, y in ring]), distance * grid)
+
+
+def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
+    """Tell whether a new ring is one, runs the same way round, and is on the right of the old."""
+    try:
+        new = Polygon(ring)
+    except PolygonError:
+        return False
+    if (doubled_area(ring) > 0) != is_exterior:
+        return False
+    outer, inner = (new, old) if is_exterior else (old, new)
+    return contains(Region(outer), Region(inner))
+
+
+def _chains(corners: _Ring) -> list[list[Point]]:
+    """The new vertices for each corner; none where there is no point for a right turn."""
+    found = []
+    for i, v in enumerate(corners):
+        e, f = _step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)])
+        if v.x.denominator == v.y.denominator == 1:
+            found.append([v])
+        elif _cross(e, f) >= 0:
+            found.append(_extremes(v, e, f))
+        else:
+            found.append(_closest(v, e, f))
+    return found
+
+
+def _extremes(v: Point, e: Point, f: Point) -> list[Point]:
+    """The corners of v's cell that are extreme between the normals of e and f, on their right."""
+    first = _quadrant(e.y, -e.x)
+    # The quadrant that ends with the other normal, not the one that begins with it: the first one
+    # of its mirror image.
+    last = -_quadrant(-f.x, f.y) % 4
+    corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
+    count = (last - first) % 4 + 1
+    # Of a straight line along an axis, which has no directions between, either corner will do.
+    turns = [corners[(first + k) % 4] for k in range(count if count < 4 else 1)]
+    return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
+
+
+def _quadrant(x: Fraction, y: Fraction) -> int:
+    """The quadrant of a direction, its first axis included."""
+    if y >= 0 and x > 0:
+        return 0
+    if x <= 0 and y > 0:
+        return 1
+    return 2 if x < 0 else 3
+
+
+def _closest(v: Point, e: Point, f: Point) -> list[Point]:
+    """The closest point on the right of the lines of e and f."""
+    xs = range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
+    ys = range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
+    near = [
+        (by.x * by.x + by.y * by.y, Point(Fraction(x), Fraction(y)))
+        for x in xs
+        for y in ys
+        for by in [Point(x - v.x, y - v.y)]
+        if _cross(e, by) <= 0 and _cross(f, by) <= 0
+    ]
+    return [min(near)[1]] if near else []
+
+
+def _ears(corners: _Ring) -> list[tuple[Fraction, int]]:
+    """The right turns: twice the area that is filled without each, and its place."""
+    found = []
+    for i, v in enumerate(corners):
+        turn = _cross(_step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)]))
+        if turn < 0:
+            found.append((-turn, i))
+    return found
+
+
+def _hull(points: _Ring) -> list[Point]:
+    """The convex hull of the cells around points (Andrew's monotone chain)."""
+    corners = sorted(
+        {
+            Point(Fraction(x), Fraction(y))
+            for v in points
+            for x in (floor(v.x), ceil(v.x))
+            for y in (floor(v.y), ceil(v.y))
+        }
+    )
+    sides = []
+    for ordered in (corners, corners[::-1]):
+        side: list[Point] = []
+        for p in ordered:
+            while len(side) > 1 and _cross(_step(side[-2], side[-1]), _step(side[-1], p)) <= 0:
+                side.pop()
+            side.append(p)
+        sides.append(side[:-1])
+    return sides[0] + sides[1]
+
+
+def _distance(points: _Ring, alive: Sequence[int], chains: Sequence[Sequence[Point]]) -> Fraction:
+    """How far old and new ring are apart, at most.
+
+    Along an edge the distance is largest at an end; what was left out lies along one new edge.
+    """
+    largest = Fraction(0)
+    for position, (i, chain) in enumerate(zip(alive, chains, strict=True)):
+        largest = max(largest, *(_square(_step(points[i], p)) for p in chain))
+        k = (position + 1) % len(alive)
+        end = alive[k] + len(points) * (k == 0)
+        for j in range(i + 1, end):
+            by = _square_to_edge(points[j % len(points)], chain[-1], chains[k][0])
+            largest = max(largest, by)
+    return root_above(largest)
+
+
+def _square_to_ring(p: Point, ring: _Ring) -> Fraction:
+    return min(_square_to_edge(p, ring[k - 1], ring[k]) for k in range(len(ring)))
+
+
+def _square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
+    along, to = _step(a, b), _step(a, p)
+    length = _square(along)
+    share = (to.x * along.x + to.y * along.y) / length if length else Fraction(0)
+    share = min(max(share, Fraction(0)), Fraction(1))
+    return _square(Point(to.x - share * along.x, to.y - share * along.y))
+
+
+def _square(v: Point) -> Fraction:
+    return v.x * v.x + v.y * v.y
+
+
+def _step(a: Point, b: Point) -> Point:
+    return Point(b.x - a.x, b.y - a.y)
+
+
+def _cross(u: Point, v: Point) -> Fraction:
+    return u.x * v.y - u.y * v.x

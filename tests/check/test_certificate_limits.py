@@ -1,0 +1,143 @@
+"""What comes out of accepted input is read again, however long its numbers are."""
+
+import json
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from producer import SLOT, UNIT, VALLEY
+from shape_families import untangled
+
+from exactsweep import DirectionError, Polygon, inner_fit_polygon, limits, no_fit_polygon, sweep
+from exactsweep.check import verify
+from exactsweep.check.length import answer_digits, area_digits, reading_steps
+from exactsweep.cli import main
+from exactsweep.formats.exact_json import parse_certificate
+from exactsweep.geometry.number import format_fraction
+from exactsweep.text.results import certificate_to_json, sweep_to_json
+
+LONG = Fraction(10**4299 - 1, 10**4290 + 7)
+LYING = [(0, 0), (2, 1), (0, 2), (3, 2), (3, 0)]  # monotone to Y and some directions beside it
+CAVE = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]
+
+
+def sheared(ring: Any, one: Fraction, other: Fraction) -> list[tuple[Fraction, Fraction]]:
+    """Along X, then along Y: lines along Y come to lie along (one, one * other + 1)."""
+    return [(x + one * y, other * (x + one * y) + y) for x, y in ring]
+
+
+@pytest.mark.parametrize(
+    "triangle", [[(0, 0), ("1e2001", 0), (0, "1e2001")], [(0, 0), (1, 0), (0, "1e4000")]]
+)
+def test_numbers_with_exponents_come_back(triangle: Any, tmp_path: Any) -> None:
+    """Once areas beyond 1e4000 were refused by the reader of certificates."""
+    s = sweep(triangle, triangle)
+    assert s.area == 12 * Polygon(triangle).area
+    assert verify(s.certificate()).proved
+    path = tmp_path / "triangle.json"
+    path.write_text(json.dumps(triangle))
+    once = CliRunner().invoke(main, ["convert", str(path), "--to", "json"])
+    path.write_text(once.output)
+    again = CliRunner().invoke(main, ["convert", str(path), "--to", "json"])
+    assert once.exit_code == again.exit_code == 0
+    assert once.output == again.output
+
+
+@pytest.mark.parametrize("answer", [sweep, no_fit_polygon, inner_fit_polygon])
+@pytest.mark.parametrize("directrix", [VALLEY, CAVE])
+def test_certificates_of_long_numbers_are_proved(answer: Any, directrix: Any) -> None:
+    """Coordinates of 400 digits cross over denominators of thousands, and an area has more."""
+    long = Fraction(10**400 - 1, 10**390 + 7)
+    moved = [(x * long + 1 / (long + 5), y / long) for x, y in directrix]
+    certificate = answer(moved, [(x / 7, y / 7) for x, y in directrix]).certificate()
+    assert verify(parse_certificate(json.dumps(certificate))).proved
+
+
+def test_directions_too_long_for_readers_of_json_are_strings() -> None:
+    """Once `json.dumps` ended in Python's own words."""
+    one, other = Fraction(10**4290 - 1, 10**4280 + 7), Fraction(10**4288 - 1, 10**4285 + 9)
+    slanted = sheared([(y, x) for x, y in LYING], one, other)
+    s = sweep(slanted, slanted, direction=(one * other + 1, -one))
+    certificate = parse_certificate(certificate_to_json(s))
+    assert isinstance(certificate, dict)
+    assert [type(c) for c in certificate["direction"]] == [str, str]
+    assert verify(certificate).proved
+    for written in (str(s), repr(s), repr(s.trajectory.vertices), sweep_to_json(s)):
+        assert written
+    with pytest.raises(DirectionError, match=r"not monotone to \(\d{21}\.\.\., -\d{20}\.\.\.\)"):
+        sweep(slanted, CAVE, direction=s.direction)
+    for p, q in ((["1", "0"]), (["1/2", 3]), ([" 1", 0])):
+        assert verify({**certificate, "direction": [p, q]}).reason.startswith("direction")
+
+
+@given(st.integers(0, 10**9), st.integers(1, 40), st.integers(1, 40))
+@settings(max_examples=40)
+def test_answers_are_no_longer_than_the_input_allows(seed: int, above: int, below: int) -> None:
+    rng = Random(seed)
+    shapes = []
+    for _ in "gd":
+        n, d = rng.randrange(10**above) + 1, rng.randrange(10**below) + 1
+        shapes.append(
+            [(x * Fraction(n, d), y / Fraction(n + 1, d)) for x, y in untangled(rng, 7).vertices]
+        )
+    certificate = sweep(*shapes).certificate()
+    most = answer_digits(certificate["generatrix"], certificate["directrix"])
+    loops = [certificate[key] for key in ("inner", "outer", "unswept") if key in certificate]
+    numbers = [c for loop in json_points(loops) for c in loop]
+    assert max(map(digits, numbers)) <= most
+    assert digits(certificate["area"]) <= area_digits(*loops)
+
+
+def json_points(item: Any) -> list[list[str]]:
+    if item and isinstance(item[0], str):
+        return [item]
+    return [point for entry in item for point in json_points(entry)]
+
+
+def digits(number: str) -> int:
+    return max(map(len, number.lstrip("-").split("/")))
+
+
+def test_numbers_longer_than_the_input_allows_are_refused_before_they_are_read() -> None:
+    certificate = sweep(UNIT, SLOT).certificate()
+    most = answer_digits(*(certificate[key] for key in ("generatrix", "directrix", "reference")))
+    changed = {**certificate, "outer": [["-" + "9" * (most + 1), "0"], *certificate["outer"][1:]]}
+    assert verify(changed).reason == (
+        f"outer[0][0]: '-{'9' * 35}... has more than {most} digits (max_digits)"
+    )
+    changed = {
+        **certificate,
+        "area": "9" * (area_digits(certificate["inner"], certificate["outer"]) + 1),
+    }
+    assert "digits" in verify(changed).reason
+
+
+def test_the_input_may_be_as_long_as_limits_allow() -> None:
+    side = 10**20_000
+    certificate = sweep(UNIT, [(0, 0), (side, 0), (0, 1)]).certificate()
+    assert verify(certificate).reason.endswith("has more than 20000 digits (max_digits)")
+    with limits(max_digits=20_001):
+        assert verify(certificate).proved
+
+
+def test_reading_counts_in_steps() -> None:
+    assert reading_steps(["1", {"a": ["2"]}, 3, None]) == 2
+    assert reading_steps("7" * 20_000) == 1 + 20_000
+    certificate = {**sweep(UNIT, SLOT).certificate(), "area": "9" * 10**6}
+    assert verify(certificate, max_steps=10**7).reason == (
+        "too large: to check it would take more than 10000000 steps"
+    )
+    nested: list[Any] = []
+    nested.append(nested)
+    assert not verify({**certificate, "contacts": nested}).proved
+
+
+def test_polygons_written_by_a_program_are_read() -> None:
+    """The largest number that is accepted, and its inverse, through the format of the package."""
+    largest = Fraction(10**4300 - 1)
+    for c in (largest, 1 / largest, LONG):
+        assert Polygon([(0, 0), (format_fraction(c), 0), (0, 1)]).area == c / 2

@@ -1,0 +1,191 @@
+"""However large and noisy an answer is, it is judged by a bounded number of operations."""
+
+import json
+import math
+import resource
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+from command import EXACTSWEEP, refusal, run
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from judged import CONVEX, SLOT, SQUARE
+from strategies import simple_rings
+
+from exactsweep import Point, Polygon
+from exactsweep.check import classify
+from exactsweep.conform import Outcome, Run, Verdict
+from exactsweep.conform.judge import hausdorff, loops, region
+from exactsweep.conform.judge.compare import compare
+from exactsweep.conform.judge.region import differences, find_overlap
+from exactsweep.conform.judge.verdict import PartComparison
+from exactsweep.conform.run.protocol import Hello
+from exactsweep.conform.run.spool import SpoolError
+from exactsweep.corpus import Case
+from exactsweep.geometry.point import ORIGIN
+
+CASE = Case.of("slot", "", SLOT, SQUARE)
+MANY = 3200
+
+
+def judge(loop: object, **options: Any) -> PartComparison:
+    return compare(CASE, {"trajectory": loop}, **options).parts[0]
+
+
+def scatter(amount: float) -> list[tuple[float, float]]:
+    """Many points along the exact trajectory, each a little off."""
+    random, ring = Random(1), CASE.trajectory.vertices
+    each = MANY // len(ring)
+    found = []
+    for k, (x, y) in enumerate(ring):
+        px, py = ring[k - 1]
+        for j in range(each):
+            t = Fraction(j, each)
+            noise = (random.uniform(-amount, amount), random.uniform(-amount, amount))
+            found.append((float(px + t * (x - px)) + noise[0], float(py + t * (y - py)) + noise[1]))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("amount", "verdict"), [(1e-13, "within"), (1e-8, "wrong"), (0.1, "malformed")]
+)
+def test_a_large_noisy_answer_is_judged(amount: float, verdict: str) -> None:
+    found = judge(scatter(amount), numbers="binary64")
+    assert found.verdict == verdict
+    assert found.distance_squared is None
+    assert bool(found.witnesses) == (verdict == "wrong")
+
+
+@pytest.mark.parametrize("k", [-1, 1])
+def test_what_is_too_large_to_be_compared_is_never_called_better(
+    k: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One that lies inside, or outside, is no worse than wrong; and it is never called sound."""
+    low, high = CASE.trajectory.bounding_box
+    ring = [(low.x - k, low.y - k), (high.x + k, low.y - k), (high.x + k, high.y + k)]
+    ring += [(low.x - k, high.y + k)]
+    sound = judge(ring).verdict
+    assert sound == ("conservative" if k == 1 else "wrong")
+    monkeypatch.setattr(loops, "MOST_MEASURED", 3)
+    assert judge(ring).verdict == sound
+    for work in (0, 4):
+        monkeypatch.setattr(region, "MAX_WORK", work)
+        assert judge(ring).verdict in (Verdict.WRONG, Verdict.UNDECIDED)
+    assert judge(CASE.trajectory.vertices).verdict is Verdict.EXACT
+
+
+def test_rings_inside_each_other_are_judged_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    nested = [[(-k, -k), (k, -k), (k, k), (-k, k)] for k in range(10, 40)]
+    assert judge(nested).verdict is not Verdict.MALFORMED
+    assert judge([*nested, nested[0]]).verdict is Verdict.MALFORMED
+    monkeypatch.setattr(region, "MAX_WORK", 3000)
+    circle = [
+        (20 * math.cos(2 * math.pi * k / 44), 20 * math.sin(2 * math.pi * k / 44))
+        for k in range(44)
+    ]
+    rings = [[(x * (1 + i / 7), y * (1 + i / 7)) for x, y in circle] for i in range(20)]
+    assert judge(rings).verdict is Verdict.UNDECIDED
+
+
+@given(st.lists(simple_rings(), min_size=2, max_size=3))
+@settings(max_examples=40)
+def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> None:
+    polygons = [Polygon(ring) for ring in rings]
+    found = find_overlap([polygon.vertices for polygon in polygons])
+    pairs = {
+        (j, k)
+        for k, one in enumerate(polygons)
+        for j, other in enumerate(polygons[:k])
+        if classify(one, other, ORIGIN).verdict == "OVERLAP"
+        and len({c.first for c in differences([one.vertices], [other.vertices])}) != 1
+    }
+    assert (found in pairs) if pairs else found is None
+
+
+def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked_at = 0
+
+    class Counting(hausdorff.Edges):
+        def nearest(self, place: hausdorff.Place) -> Any:
+            nonlocal looked_at
+            looked_at += len(self._segments)
+            return super().nearest(place)
+
+    monkeypatch.setattr(hausdorff, "Edges", Counting)
+    rim = [Point(Fraction(k), Fraction(k * k % 7, 50)) for k in range(3000)]
+    noisy = [*rim, Point(Fraction(3000), Fraction(900)), Point(Fraction(-1), Fraction(900))]
+    box = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (3000, 0), (3000, 900), (0, 900)]]
+    low, high = hausdorff.distance_squared([box], [noisy])
+    assert low <= high
+    assert looked_at < 2_000_000
+
+
+def test_of_very_many_edges_neither_distance_nor_area_is_measured(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    far = [[9, 9], [10, 9], [9, 10]]
+    small = judge(far)
+    assert small.area == CASE.trajectory.area + Fraction(1, 2)
+    monkeypatch.setattr(loops, "MOST_MEASURED", 3)
+    large = judge(far)
+    assert (small.verdict, large.verdict) == ("wrong", "wrong")
+    assert (large.distance_squared, large.area) == (None, None)
+
+
+# A full disk.
+
+
+def limit_files(size: int) -> None:
+    _, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+
+
+def test_a_full_disk_is_told_by_the_spool() -> None:
+    report = Run(Hello("mine"))
+    soft, _ = resource.getrlimit(resource.RLIMIT_FSIZE)
+    limit_files(2**20)
+    try:
+        with pytest.raises(SpoolError, match="temporary files: File too large"):
+            report.add(Outcome("long", "CC", (), Verdict.UNSUPPORTED, "why" * 2**20))
+    finally:
+        limit_files(soft)
+
+
+@pytest.mark.parametrize(
+    ("option", "size"),
+    [("--html", 4096), ("--json", 4096), ("--junit", 4096), ("--journal", 4096), ("--html", 1024)],
+)
+def test_a_full_disk_ends_in_one_line(tmp_path: Path, option: str, size: int) -> None:
+    path = str(tmp_path / "report")
+    command = ["conform", "--filter", "size=9", option, path, "--", *CONVEX]
+    done = subprocess.run(
+        [EXACTSWEEP, *command], capture_output=True, text=True, preexec_fn=lambda: limit_files(size)
+    )
+    assert done.returncode == 1
+    # The processes that judge need a page of a file to meet at.
+    what = path if size == 4096 else "no process can be started"
+    assert done.stderr == f"Error: {what}: File too large\n"
+
+
+def test_a_name_with_a_newline_is_refused() -> None:
+    hello = {"hello": "a\nb", "loops": ["inner"], "numbers": "rational", "reference": "given"}
+    program = f"print({json.dumps(json.dumps(hello))})"
+    said = refusal(run("conform", "--", sys.executable, "-c", program))
+    assert said == '"hello" is not a name of 1 to 200 printable characters'
+
+
+def test_ids_and_arguments_with_newlines_stay_on_their_line(tmp_path: Path) -> None:
+    line = json.dumps({"id": "a\nb\x1b[0m", "directrix": SQUARE, "generatrix": SQUARE})
+    pairs, page = tmp_path / "pairs", tmp_path / "page\n.html"
+    pairs.write_text(line)
+    fails = "import json, sys; exec(open(sys.argv[1]).read().replace('loop =', 'loop = 1 //'))"
+    command = [sys.executable, "-c", fails, CONVEX[1], "two\nlines"]
+    done = run("conform", "--pairs", str(pairs), "--html", str(page), "--", *command)
+    assert "\x1b" not in done.stdout
+    assert done.exit_code == 1
+    assert done.stdout.partition("\n\n")[2].count("\n") == 2

@@ -1,0 +1,145 @@
+"""`python -m tests.convictions`: faulty programs, and what the judge says of each."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+
+# As in tests that pytest sets up.
+sys.path.insert(0, str(Path(__file__).parent / "support"))
+
+from mistakes import MISTAKES, Mistake
+from spoiling import LOOPS, answer_exactly
+
+from exactsweep import Point, Polygon
+from exactsweep.conform.judge.answer import read_loop
+from exactsweep.conform.judge.rounding import grant_rounding
+from exactsweep.conform.run.outcome import Outcome, judge_answer
+from exactsweep.conform.run.peer import Answer
+from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
+from exactsweep.corpus import Case, cases
+from exactsweep.geometry.number import to_fraction
+
+
+def list_cases() -> list[Case]:
+    """The shipped cases, small ones first, and two that are larger than these."""
+    square = [(0, 0), (3, 0), (3, 3), (0, 3)]
+    rounds = {n: [(k, k * k) for k in range(n)] for n in (60, 300)}
+    own = [
+        Case.of("many-vertices-of-d", "", rounds[300], square),
+        Case.of("many-vertices-of-g", "", square, rounds[60]),
+    ]
+    return sorted([*cases(), *own], key=lambda case: (case.size, case.id))
+
+
+class Judged(NamedTuple):
+    """A wrong answer, judged."""
+
+    case: Case
+    outcome: Outcome
+
+
+def judge_wrong_answers(mistake: Mistake, cases: Iterable[Case]) -> Iterator[Judged]:
+    """Judge what a mistake makes of exact answers, where that is something else."""
+    hello = Hello("mistaken", LOOPS, mistake.numbers)
+    for case in cases:
+        try:
+            put = adapt(case, hello)
+        except UnsupportedError:
+            continue
+        exact = answer_exactly(put)
+        try:
+            answer = mistake.change(put, dict(exact))
+        except OverflowError:
+            continue
+        is_rounded = hello.numbers == "binary64" and is_near(put, answer, exact)
+        if not is_rounded and not is_same(answer, exact):
+            given = Answer(result=answer)
+            yield Judged(case, judge_answer(case, put, given, hello.loops, hello.numbers))
+
+
+def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
+    """Whether an answer is right, in whatever way it is written: found out without the judge."""
+    try:
+        loops = all(Polygon(answer[name]) == Polygon(exact[name]) for name in LOOPS)
+        fits, others = (
+            {frozenset(Point(to_fraction(x), to_fraction(y)) for x, y in fit) for fit in given}
+            for given in (answer["exact_fits"], exact["exact_fits"])
+        )
+    except (ValueError, KeyError, TypeError):
+        return False
+    return loops and fits == others
+
+
+def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
+    """Whether each vertex of an answer in floats is off by no more than is granted."""
+    for name in LOOPS:
+        loop = read_loop(answer[name], name)
+        granted = grant_rounding(case, name, loop, "binary64")
+        ring = [Point(to_fraction(x), to_fraction(y)) for x, y in answer[name]]
+        if any(
+            abs(a - b) >= granted
+            for p, q in zip(ring, exact[name], strict=True)
+            for a, b in zip(p, q, strict=True)
+        ):
+            return False
+    return True
+
+
+def list_sayings(outcome: Outcome) -> list[str]:
+    """All that is said of an answer: reasons, mistakes, and what witnesses show."""
+    said = [outcome.reason]
+    for part in outcome.parts:
+        said += [part["reason"], part["kind"], *part["diagnosis"]]
+    return said
+
+
+def is_right(mistake: Mistake, outcome: Outcome) -> bool:
+    """Whether a wrong answer has the right verdict, and the right thing is said of it."""
+    said = any(re.search(mistake.says, words) for words in list_sayings(outcome))
+    return outcome.verdict in mistake.verdicts and said
+
+
+@click.command()
+@click.option(
+    "--wrong",
+    type=click.IntRange(min=1),
+    default=20,
+    help="How many wrong answers of each program are judged; 20 if left out.",
+)
+def main(wrong: int) -> None:
+    """Judge faulty programs on the shipped cases, and write what is said of each in Markdown.
+
+    A row has the program, the verdicts on its wrong answers, and what is said of most of them. The
+    exit code is 1 if one of them is acquitted, or something else is said than should be.
+    """
+    chosen = list_cases()
+    click.echo("| program | verdicts | what is said |")
+    click.echo("|---|---|---|")
+    failed = 0
+    for name, mistake in MISTAKES.items():
+        judged = [j.outcome for j in islice(judge_wrong_answers(mistake, chosen), wrong)]
+        verdicts = Counter(outcome.verdict.value for outcome in judged)
+        said = Counter(
+            next(words for words in list_sayings(o) if re.search(mistake.says, words) and words)
+            for o in judged
+            if is_right(mistake, o)
+        )
+        failed += len(judged) - said.total() + (not judged)
+        listed = ", ".join(f"{number} {verdict}" for verdict, number in verdicts.most_common())
+        words, _ = next(iter(said.most_common(1)), ("", 0))
+        # What is named comes before what it does.
+        click.echo(f"| {name} | {listed} | {words.partition(';')[0]} |")
+    click.echo(f"\n{len(MISTAKES)} programs, {failed} answers misjudged.")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,108 @@
+"""Rounded regions: they surely grow, or surely shrink, whatever the grid; and how far they move."""
+
+from fractions import Fraction
+
+import pytest
+import strategies
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Point, Polygon, Region
+from exactsweep.check import classify
+from exactsweep.formats.rounding import Rounded, contains, round_region
+
+fewer = settings(max_examples=60)
+
+
+def turned(polygon: Polygon, divisor: int) -> Region:
+    """A polygon that lies on no grid: turned, and divided."""
+    points = polygon.lattice()[1]
+    return Region(
+        [(Fraction(3 * x - 4 * y, divisor), Fraction(4 * x + 3 * y, divisor)) for x, y in points]
+    )
+
+
+@fewer
+@given(strategies.simple_polygons(), st.sampled_from([7, 30, 333, 10**6 + 3]), st.integers(0, 2))
+def test_regions_grow_and_shrink_for_certain(polygon: Polygon, divisor: int, places: int) -> None:
+    region = turned(polygon, divisor)
+    grown, shrunk = (round_region(region, places, side) for side in ("outward", "inward"))
+    assert grown.region is not None
+    assert contains(grown.region, region)
+    for found in (grown.region, shrunk.region):
+        if found is not None:
+            assert all((c * 10**places).denominator == 1 for v in found.vertices for c in v)
+    if shrunk.region is not None:
+        assert contains(region, shrunk.region)
+        assert round_region(shrunk.region, places, "inward") == Rounded(shrunk.region, Fraction(0))
+
+
+@fewer
+@given(strategies.simple_polygons(), strategies.simple_polygons())
+def test_what_holds_is_what_leaves_nothing_outside(one: Polygon, other: Polygon) -> None:
+    a, b = Region(one), Region(other)
+    if contains(a, b):
+        assert a.area >= b.area
+        assert all(classify(a, tiny(v), (0, 0)).verdict != "FREE" for v in b.vertices)
+    assert contains(a, a)
+
+
+def tiny(v: Point) -> Polygon:
+    by = Fraction(1, 10**6)
+    return Polygon([(v.x - by, v.y - by), (v.x + by, v.y - by), (v.x, v.y + by)])
+
+
+def test_holes_go_the_other_way() -> None:
+    plate = Region(
+        [(0, 0), ("9.5", 0), ("9.5", "9.5"), (0, "9.5")],
+        [[("1.5", "1.5"), ("4.5", "1.5"), ("4.5", "4.5")], [(6, 6), ("6.5", 6), ("6.5", "6.5")]],
+    )
+    grown = round_region(plate, 0, "outward")
+    assert grown.region is not None
+    assert contains(grown.region, plate)
+    assert len(grown.region.holes) == 1
+    assert grown.left_out == 1
+    shrunk = round_region(plate, 0, "inward")
+    assert shrunk.region is not None
+    assert contains(plate, shrunk.region)
+    assert len(shrunk.region.holes) == 2
+    assert shrunk.left_out == 0
+
+
+@pytest.mark.parametrize("places", [0, 1, 2, 3])
+def test_a_notch_narrower_than_a_cell_is_filled(places: int) -> None:
+    notch = Region([(0, 0), (9, 0), (9, 9), ("4.501", 9), ("4.5", "1.33"), ("4.499", 9), (0, 9)])
+    found = round_region(notch, places, "outward")
+    assert found.region is not None
+    assert contains(found.region, notch)
+    assert (len(found.region.vertices) > 4) == (places == 3)
+    # How deep the slit was that is filled is not hidden.
+    assert (found.distance > 7) == (places < 3)
+
+
+@fewer
+@given(strategies.simple_polygons(), st.integers(0, 3))
+@example(Polygon([(0, 0), (1, 0), (0, 1)]), 0)
+def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) -> None:
+    region = turned(polygon, 77)
+    found = round_region(region, places, "outward")
+    assert found.region is not None
+    for ring, other in ((region, found.region), (found.region, region)):
+        for p in ring.exterior.vertices:
+            edges = [(other.vertices[k - 1], other.vertices[k]) for k in range(len(other))]
+            nearest = min(square_to_edge(p, *edge) for edge in edges)
+            assert nearest <= found.distance**2
+
+
+def square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
+    u, v, x, y = b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y
+    t = min(max((u * x + v * y) / (u * u + v * v), Fraction(0)), Fraction(1))
+    return (x - t * u) ** 2 + (y - t * v) ** 2
+
+
+def test_faulty_roundings_are_caught_by_the_proof() -> None:
+    region = turned(Polygon([(0, 0), (5, 1), (4, 6), (2, 2)]), 7)
+    closest = round_region(region, 0).region
+    assert closest is not None
+    assert not contains(closest, region)
+    assert not contains(region, closest)
