@@ -88,7 +88,8 @@ class SeenNames:
     """
 
     def __init__(self) -> None:
-        self._table = sqlite3.connect("")
+        # What is left of it may be swept up in another thread, which closes it then.
+        self._table = sqlite3.connect("", check_same_thread=False)
         finalize(self, self._table.close)
         self._table.execute("CREATE TABLE seen (name BLOB PRIMARY KEY) WITHOUT ROWID")
 
