@@ -20,6 +20,7 @@ SHARE = Fraction(1, 2**32)
 """The part of the smaller polygon's size that edges which are nearly parallel may take besides."""
 MOST_CLAIMED = Fraction(1, 100)
 """No answer may claim more for itself than this part of the smaller polygon's size."""
+_NEAREST = Fraction(9, 16)
 _LEAST_UNIT = Fraction(1, 2**1074)
 
 
@@ -35,9 +36,9 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
     Returns:
         For floats, and for whatever a program answers that reads binary64: 16 units in the last
         place of the largest coordinate of the case, and 2^-32 of the size of the smaller
-        polygon. For integers 1, or that size if it is less, if the exact answer has other numbers,
-        else 0. And 0 for other rationals, and for integers of a program that reads any rationals:
-        these claim to be exact.
+        polygon. For integers 1, or that size if it is less, but 9/16 at least, by which the nearest
+        ones are less off, if the exact answer has other numbers, else 0. And 0 for other rationals,
+        and for integers of a program that reads any rationals: these claim to be exact.
 
     Cost: linear.
     """
@@ -45,7 +46,11 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
         return ULPS * _unit_in_last_place(_largest(case)) + SHARE * smaller_size(case)
     if numbers == "rational" or not loop.is_integer:
         return Fraction(0)
-    return Fraction(0) if _is_integer(case, name) else min(Fraction(1), smaller_size(case))
+    return (
+        Fraction(0)
+        if _is_integer(case, name)
+        else max(_NEAREST, min(Fraction(1), smaller_size(case)))
+    )
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:

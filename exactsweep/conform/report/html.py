@@ -24,7 +24,8 @@ from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import root, tell_costs, witness_lines
 from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
-from exactsweep.conform.run.run import SHOWN, Run, fails
+from exactsweep.conform.run.run import SHOWN, Run
+from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, expected_rings
 from exactsweep.geometry.number import NumberError, to_fraction
 from exactsweep.geometry.point import Point

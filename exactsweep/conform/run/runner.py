@@ -11,7 +11,8 @@ from exactsweep.conform.run.outcome import Outcome, digest, judge_case, shrink_o
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.run import ACCEPTED, Run
+from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
 
 TO_MAKE_SMALLER = 20.0
@@ -45,7 +46,7 @@ def conduct(
 
     def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
-            old = journal and journal.done.get(digest(case))
+            old = journal and journal.find(digest(case))
             if old:
                 run.add(old)
                 tell(old)
