@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
@@ -28,6 +28,9 @@ from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.ledger import ABSTRACT, OPEN
 from exactsweep.paper.pairs import SweepPair
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
 WEIGHTS = {
@@ -37,8 +40,6 @@ WEIGHTS = {
     4: "Slips of the pen",
 }
 """Errata by weight."""
-
-SUFFIXES = (".svg", ".pdf")
 
 
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
@@ -299,6 +300,14 @@ def pair_svg(pair: SweepPair) -> str:
     return svg(shapes, "D grey, G blue, and the path of G's origin")
 
 
+def _save_outlined(picture: Figure, path: Path) -> None:
+    """Write a figure as SVG with its letters as outlines, so that it needs no font."""
+    from matplotlib import rc_context
+
+    with style.in_style(), rc_context({"svg.fonttype": "path"}):
+        picture.savefig(path, format="svg", metadata={"Date": None}, bbox_inches="tight")
+
+
 def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     """Draw the figures that are among some rows into a folder, as figure-1.svg and figure-1.pdf.
 
@@ -316,7 +325,7 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     for row in rows:
         if row.claim.figure and not row.disagreement:
             picture, stem = load(row.claim.figure).draw(), slug(row.claim.name)
-            for suffix in SUFFIXES:
-                save(picture, str(folder / f"{stem}{suffix}"))
+            save(picture, str(folder / f"{stem}.pdf"))
+            _save_outlined(picture, folder / f"{stem}.svg")
             drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()
     return drawn

@@ -224,6 +224,8 @@ def test_one_figure_alone_is_reported_and_drawn(tmp_path: Path) -> None:
         *("counterexamples", "figure-7.pdf", "figure-7.svg", "ledger.json"),
         *("report.html", "report.md", "tables"),
     ]
+    assert b"<text" not in (tmp_path / "figure-7.svg").read_bytes()
+    assert b"/FontFile2" in (tmp_path / "figure-7.pdf").read_bytes()
     assert "![Figure 7](figure-7.svg)" in (tmp_path / "report.md").read_text(encoding="utf-8")
     html = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert '<img class="figure" alt="Figure 7" src="data:image/svg+xml;base64,' in html
