@@ -1,9 +1,9 @@
 """Change the kernel or `check/` in one place; does a test notice? `python -m tests.mutants`.
 
 A sample of all mutants of `operators` is drawn by a seed. Each one first goes through a few pairs
-of `small_campaign`; if it comes through, the tests run in a copy of the checkout, those of its room
-first, until one fails. Mutants that are the same program, or one that differs in time alone, are
-known by their lines in `equivalent_mutants.toml`, with the reason.
+of `small_campaign`; if it comes through, the tests run in a copy of the checkout until one fails,
+those that name its module first, then those of its room. Mutants that are the same program, or one
+that differs in time alone, are known by their lines in `equivalent_mutants.toml`, with the reason.
 
 A test that takes three times as long as without the mutant, and 6 seconds more, notices it, too.
 Seconds are those of the processor, so that it does not matter what else the machine does.
@@ -12,6 +12,7 @@ Seconds are those of the processor, so that it does not matter what else the mac
 import importlib
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -21,6 +22,7 @@ import tomllib
 import traceback
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from random import Random
 from typing import IO, NamedTuple
@@ -41,7 +43,7 @@ ROOT = Path(__file__).parent.parent
 ROOMS = ("geometry", "procedures", "evidence", "check")
 FEW = "a few pairs"  # instead of tests
 PAIRS = 60
-STAGES = ("pairs", "room", "wider")
+STAGES = ("pairs", "named", "room", "wider")
 WIDER = ("tests/geometry", "tests/procedures", "tests/check", "tests/evidence")
 NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "LICENSE")
 OPTIONS = (
@@ -84,11 +86,23 @@ def read_equivalent() -> dict[tuple[str, str, str], str]:
 
 
 def stages_of(path: str, tests: str) -> list[tuple[str, ...]]:
-    """The tests that concern a module, in the order in which they are run."""
+    """What a mutant of a module goes through, in this order."""
     room = path.split("/")[1]
     own = f"tests/{room if room in ROOMS else 'evidence'}"
     others = tuple(folder for folder in WIDER if folder != own)
-    return [(FEW,), (own,), others][: 1 + STAGES.index(tests)]
+    stages = [(FEW,), tests_naming(path), (own,), others][: 1 + STAGES.index(tests)]
+    return [stage for stage in stages if stage]
+
+
+@cache
+def tests_naming(path: str) -> tuple[str, ...]:
+    """The tests of the room that import a module, or say its name."""
+    *_, room, name = Path(path).with_suffix("").parts
+    module = re.compile(rf"\b{room}(\.| import (.*\W)?){name}\b")
+    files = (ROOT / "tests" / room).rglob("test_*.py")
+    return tuple(
+        sorted(f.relative_to(ROOT).as_posix() for f in files if module.search(f.read_text()))
+    )
 
 
 def run_tests(tree: Path, paths: Sequence[str], limit: float) -> tuple[str, str, float]:
@@ -194,7 +208,7 @@ def _copy(source: Path, target: Path) -> None:
     type=click.Choice(STAGES),
     default="room",
     show_default=True,
-    help="How far to go with what survives: a few pairs, its room, all rooms.",
+    help="How far to go with what survives: pairs, tests that name it, its room, all rooms.",
 )
 @click.option("--results", type=click.File("a"), help="A file to add results to, as JSON lines.")
 def main(

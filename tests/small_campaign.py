@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from datetime import date
 from functools import partial
@@ -38,8 +38,11 @@ from exactsweep.check import (
 )
 
 # The tests import one another by bare names, as pytest sets them up.
+sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "support"))
+import tampering
 from decisions import NOTED, ROOT, load_noted_kernel
+from shape_certificates import falsified
 from small_pairs import Shape, SmallPair, breed, draw, draw_shapeless, shares_direction, shrink
 
 SHARD = 1000
@@ -47,6 +50,7 @@ ROUND = 4  # shards that know of the same rounds before them
 NOTED_SHARE, DEEP_SHARE = 4, 40  # one of so many
 SHAPELESS_SHARE, FRESH_SHARE = 5, 4  # of those drawn; of the former, not bred from the last one
 KEPT = 4  # pairs for each outcome
+FALSIFIED = 4  # changes of each certificate
 RARE = 0.02  # of the pairs that notes are taken of
 
 
@@ -163,9 +167,22 @@ def _hold_deeply(pair: SmallPair, s: Any, inner: Any) -> str:
             return "a vertex of the trajectory without contact"
     if not all(s.contacts):
         return "an edge of the trajectory without contact"
+    if failure := _find_accepted((s.certificate(), inner.certificate()), Random(repr(pair))):
+        return failure
     regions = tuple((r.exterior.vertices, _vertices(r.holes)) for r in inner.regions)
     if (regions, inner.exact_fits) != reference_inner_fit(d, g):
         return "inner fit"
+    return ""
+
+
+def _find_accepted(certificates: Sequence[Any], rng: Random) -> str:
+    """Change certificates in one place each; none may be proved then."""
+    for certificate in certificates:
+        change = falsified if "claim" in certificate else tampering.changes
+        changed = list(change(certificate, rng))
+        for name, false in rng.sample(changed, min(FALSIFIED, len(changed))):
+            if verify(false).proved:
+                return f"proved, though changed: {name}"
     return ""
 
 

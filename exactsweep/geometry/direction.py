@@ -21,7 +21,7 @@ from math import gcd
 from operator import ne, sub
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.number import quoted, to_fraction
 from exactsweep.geometry.point import LatticePoint
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.words import degrees, vector
@@ -172,10 +172,13 @@ def primitive(direction: LatticePoint) -> Vector:
 
 def read_direction(direction: Iterable[object]) -> Vector:
     """Read a caller's direction, any pair of exact numbers but (0, 0), as a primitive vector."""
+    # Text, sets and mappings unpack too, but not into components.
+    if isinstance(direction, str | bytes | set | frozenset | dict):
+        raise DirectionError(f"a direction is a pair of numbers, not {quoted(direction)}")
     try:
         p, q = (to_fraction(component) for component in direction)
     except TypeError:
-        raise DirectionError(f"a direction is a pair of numbers, not {direction!r:.40}") from None
+        raise DirectionError(f"a direction is a pair of numbers, not {quoted(direction)}") from None
     except ValueError as error:
         raise DirectionError(f"the direction is not a pair of exact numbers: {error}") from None
     if p == 0 == q:

@@ -305,6 +305,8 @@ def quoted(value: object) -> str:
         text = repr(value)
     except Exception:  # a foreign repr may fail in any way; the refusal must still be readable
         text = f"<{type(value).__name__}>"
+    if not text.isprintable():  # a foreign repr may hold anything
+        text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:_ECHO])
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 

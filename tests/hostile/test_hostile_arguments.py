@@ -1,0 +1,124 @@
+"""Arguments that are not what a function asks for: refused by name, whatever they are."""
+
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from hostile_table import require_row
+
+from exactsweep import (
+    Polygon,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
+from exactsweep.check import classify, reference_loops, reference_no_fit, verify
+from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.number import to_fraction
+
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+NESTED: list[Any] = []
+for _ in range(10**4):
+    NESTED = [NESTED]
+CYCLE: list[Any] = []
+CYCLE += [CYCLE, CYCLE, CYCLE]
+
+
+class Lying:
+    """Says that it is long, and has nothing."""
+
+    def __len__(self) -> int:
+        return 10**9
+
+    def __iter__(self) -> Any:
+        return iter(())
+
+    def __repr__(self) -> str:
+        return "\n" * 10**6
+
+
+NUMBERS = [
+    *(
+        None,
+        True,
+        1j,
+        float("nan"),
+        float("inf"),
+        "",
+        " 1",
+        "1 ",
+        "+1",
+        "01",
+        "1_0",
+        "0x1",
+        "½",
+        "٣",
+    ),
+    *("1e", "1e9999999", "1e-9999999", "1/0", "-", "1/-2", "1//2", "NaN", "1\n", "\x00", "\ud800"),
+    *(Decimal("nan"), Decimal("inf"), Decimal("1e99999"), b"1", [1], {1}, object(), int, Lying()),
+    *("9" * 10**5, "0." + "0" * 10**5, "1/" + "3" * 10**5, "e" * 10**5, "1e" + "9" * 10**5),
+]
+POINTS = [None, 7, "ab", b"ab", (), (1,), (1, 2, 3), [[1], [2]], {}, {1: 2}, Lying(), NESTED, CYCLE]
+SHAPES = [
+    *(None, 7, "polygon", b"", (), [(0, 0)], [(0, 0), (1, 1)], [(0, 0), (1, 1), (2, 2)], [UNIT]),
+    *([(0, 0), (1, 0), (0, 0), (0, 1)], [(0, 0), (2, 2), (2, 0), (0, 2)], {0: 1}, Lying(), NESTED),
+    *(CYCLE, [(0, 0), (1, 0), (None, 1)], [(0, 0), (1, 0), (0, "x")], [UNIT, UNIT], object(), int),
+]
+DIRECTIONS = [
+    *POINTS[1:],
+    "12",
+    {1: 2, 3: 4},
+    (0, 0),
+    (0, 1j),
+    ("x", 1),
+    (1, float("nan")),
+    (True, 1),
+]
+CERTIFICATES = [*SHAPES, *POINTS, *NUMBERS, {"claim": []}, {"claim": "sweep"}, {"format": 1}]
+
+REFUSING: dict[str, tuple[Callable[[Any], object], list[Any]]] = {
+    "`to_fraction`": (to_fraction, NUMBERS),
+    "coordinates of a `Polygon`": (lambda c: Polygon([(0, 0), (1, 0), (0, c)]), NUMBERS),
+    "`Polygon`": (Polygon, SHAPES),
+    "exterior of a `Region`": (Region, SHAPES),
+    "holes of a `Region`": (lambda hole: Region(UNIT, [hole]), SHAPES),
+    "generatrix of a `sweep`": (lambda g: sweep(g, UNIT), SHAPES),
+    "directrix of a `sweep`": (lambda d: sweep(UNIT, d), SHAPES),
+    "`direction`": (lambda u: sweep(UNIT, UNIT, direction=u), DIRECTIONS),
+    "`reference`": (lambda r: sweep(UNIT, UNIT, reference=r), POINTS),
+    "`no_fit_polygon`": (lambda d: no_fit_polygon(d, UNIT), SHAPES),
+    "`inner_fit_polygon`": (lambda d: inner_fit_polygon(d, UNIT), SHAPES),
+    "position of `classify`": (lambda t: classify(UNIT, UNIT, t), POINTS),
+    "shapes of `classify`": (lambda d: classify(d, UNIT, (0, 0)), SHAPES),
+    "`reference_loops`": (lambda d: reference_loops(d, UNIT), SHAPES),
+    "`reference_no_fit`": (lambda d: reference_no_fit(d, UNIT), SHAPES),
+}
+
+
+@pytest.mark.parametrize("entry", REFUSING)
+def test_what_is_no_argument_is_refused(entry: str) -> None:
+    call, arguments = REFUSING[entry]
+    for argument in arguments:
+        with pytest.raises(ExactSweepError) as caught:
+            call(argument)
+        message = str(caught.value)
+        assert message.isprintable()
+        assert 0 < len(message) < 300
+    require_row(entry, len(arguments))
+
+
+def test_no_argument_makes_verify_raise() -> None:
+    for argument in CERTIFICATES:
+        result = verify(argument)
+        assert not result.proved
+        assert result.reason.isprintable()
+    require_row("`verify`, arguments", len(CERTIFICATES))
+
+
+def test_exact_numbers_of_any_kind_come_in() -> None:
+    """What looks hostile and is not."""
+    for value in (10**9999, Fraction(1, 10**9999), -0.0, 5e-324, "-0", "0e0", Decimal("-0")):
+        assert Polygon([(0, 0), (1, 0), (0, 1 + to_fraction(value))])
