@@ -18,7 +18,7 @@ from exactsweep.text.results import no_fit_to_json, no_fit_to_regions, no_fit_to
 def nfp_command(
     stationary: list[NamedRegion], orbiting: list[NamedRegion], reference: Point, form: Form
 ) -> None:
-    """Find the no-fit polygon of two polygons, or of all pairs of several.
+    """Find no-fit polygons, of one pair or of several.
 
     That is where ORBITING overlaps STATIONARY: the exterior, which is the trajectory of a sweep;
     holes, where ORBITING fits into a cave or a hole; and exact fits, single positions and segments
