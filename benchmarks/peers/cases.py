@@ -35,11 +35,11 @@ class Case(NamedTuple):
         if self.family in ANY_SHAPE:
             return ANY_SHAPE[self.family].get((self.m, self.n))
         if operation == LOOPS:
-            bars = {(16, 16): 1.0, (64, 64): 3.0, (256, 64): 5.0, (256, 256): 10.0}
+            bars = {(16, 16): 2.5, (64, 64): 6.0, (256, 64): 5.0, (256, 256): 20.0}
         elif self.family in ("mm", "stair"):
-            bars = {(64, 64): 2.0, (256, 64): 5.0, (256, 256): 5.0}
+            bars = {(16, 16): 2.5, (64, 64): 2.0, (256, 64): 5.0, (256, 256): 5.0}
         else:
-            bars = {(64, 64): 2.0, (256, 64): 2.0, (256, 256): 2.0}
+            bars = {(16, 16): 2.5, (64, 64): 2.0, (256, 64): 2.0, (256, 256): 2.0}
         return bars.get((self.m, self.n))
 
 
@@ -69,8 +69,10 @@ FLOOR_CASES = (
     Case("cm_hard", 1024, 256, (TRAJECTORY,)),
 )
 FLOOR_BAR = 3.0
+# So is the way from lists of ints to the two Polygons.
+READING_BAR = 0.8
 
 MEMORY_CASE = Case("cm_hard", 1024, 256, (TRAJECTORY,))
-PAIRS_BARS = {TRAJECTORY: 1000.0, LOOPS: 400.0}
+PAIRS_BARS = {TRAJECTORY: 2000.0, LOOPS: 700.0}
 MEMORY_BYTES = 600
 MEMORY_FIXED = 50_000_000

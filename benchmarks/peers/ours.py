@@ -40,6 +40,17 @@ def checked_loops(generatrix: Outline, directrix: Outline) -> Callable[[], list[
     return run
 
 
+def reading(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
+    """From lists of ints to Polygons, with every check."""
+
+    def run() -> list[Loop]:
+        exactsweep.Polygon(generatrix)
+        exactsweep.Polygon(directrix)
+        return []
+
+    return run
+
+
 def floor(generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
     """The floor: the Fractions of the trajectory from its numerators and denominators."""
     vertices = exactsweep.sweep(generatrix, directrix).trajectory.vertices

@@ -25,6 +25,7 @@ from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
 
 OURS, CHECKED, CGAL, FLOOR = "exactsweep", "with checks", "CGAL", "floor"
+READING = "ints to polygons"
 MODULES = {
     "pysfcgal": "sfcgal",
     "shapely": "shapely_pieces",
@@ -136,12 +137,14 @@ def measure_cgal(
 
 
 def measure_floor(case: Case) -> list[Result]:
-    """A trajectory, and the making of its Fractions alone."""
+    """A trajectory, the making of its Fractions alone, and the reading of its polygons."""
     times, loops = run_ours(case, TRAJECTORY)
     floor, _ = run_worker("ours", "floor", case, UNLIMITED)
+    reading, _ = run_worker("ours", "reading", case, UNLIMITED)
     return [
         _result(OURS, TRAJECTORY, case, times + run_ours(case, TRAJECTORY)[0], loops, loops),
         _result(FLOOR, TRAJECTORY, case, floor, loops, loops),
+        _result(READING, TRAJECTORY, case, reading, loops, loops),
     ]
 
 

@@ -4,8 +4,8 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job, all_pairs, pairs_of
 from exactsweep.batch.parts import Part, read_parts
 from exactsweep.batch.record import QUANTITIES
-from exactsweep.batch.rounded import Rounding
 from exactsweep.batch.run import Counts, run
+from exactsweep.formats.rounding import Rounding
 
 __all__ = [
     "QUANTITIES",

@@ -13,14 +13,19 @@ from exactsweep import __version__
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
-from exactsweep.batch.rounded import Rounding
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import MAX_BYTES, file_name
 from exactsweep.formats.folder import make_unique
+from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.number import format_fraction, quoted
 
 CHUNK_PAIRS = 16
+"""How many pairs a process is given at a time in a small batch."""
+
+# In a large one as many as it takes for this many chunks: who gives them out is one process alone.
+_CHUNKS = 2**14
+_MAX_CHUNK_PAIRS = 512
 _CHUNK_BYTES = 2**20
 
 
@@ -41,10 +46,11 @@ class Job(NamedTuple):
 
     def chunks(self, start: int) -> Iterator[Chunk]:
         """Yield the pairs from one on, in order."""
+        size = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         if self.path is not None:
-            return _chunks_of_lines(self.path, start, self.total)
-        firsts = range(start, self.total, CHUNK_PAIRS)
-        return (Chunk(k, range(k, min(k + CHUNK_PAIRS, self.total))) for k in firsts)
+            return _chunks_of_lines(self.path, start, self.total, size)
+        firsts = range(start, self.total, size)
+        return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
 
 
 def all_pairs(
@@ -148,13 +154,13 @@ def _digest(work: Work, source: bytes) -> str:
     return digest.hexdigest()
 
 
-def _chunks_of_lines(path: str, start: int, total: int) -> Iterator[Chunk]:
+def _chunks_of_lines(path: str, start: int, total: int, most: int) -> Iterator[Chunk]:
     pending: list[bytes] = []
     size, first = 0, start
     for k, line in islice(enumerate(_lines(path)), start, total):
         pending.append(line)
         size += len(line)
-        if len(pending) == CHUNK_PAIRS or size > _CHUNK_BYTES:
+        if len(pending) == most or size > _CHUNK_BYTES:
             yield Chunk(first, pending)
             first, pending, size = k + 1, [], 0
     if pending:

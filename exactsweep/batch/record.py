@@ -5,9 +5,10 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from exactsweep import NoFitPolygon, Sweep
-from exactsweep.batch.rounded import Rounding, round_values
+from exactsweep.batch.rounded import round_values
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.exact_json import write_json
+from exactsweep.formats.rounding import Rounding
 from exactsweep.text.results import direction_to_json
 
 Quantities = Literal["trajectory", "loops", "areas", "nfp"]

@@ -4,24 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
-from exactsweep.formats.rounding import Side, round_region
+from exactsweep.formats.rounding import Rounding, Side, round_region
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-
-
-class Rounding(NamedTuple):
-    """How results are rounded.
-
-    Attributes:
-        places: how many decimal places.
-        outward: whether loops never move to where they would permit an overlap.
-    """
-
-    places: int
-    outward: bool = False
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:

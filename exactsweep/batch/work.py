@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 
 from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, error_line, result_line
-from exactsweep.batch.rounded import Rounding
 from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
 from exactsweep.formats.polygons import find_candidates
+from exactsweep.formats.rounding import Rounding
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region

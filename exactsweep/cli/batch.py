@@ -9,17 +9,18 @@ from typing import TYPE_CHECKING
 
 import click
 
-from exactsweep.cli.export import Rounding, takes_rounding
-from exactsweep.cli.output import say_left_out, write
+from exactsweep.cli.export import takes_rounding
+from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH, Reading, takes_reading
-from exactsweep.formats import FormatError, file_name
+from exactsweep.cli.parts import find_parts
+from exactsweep.formats import file_name
 from exactsweep.geometry.number import quoted
 from exactsweep.words import count
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from exactsweep.batch import Job, Part
+    from exactsweep.batch import Job, Part, Rounding
 
 
 def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -> list[int] | None:
@@ -89,7 +90,7 @@ def batch_command(
     scheduler: str | None,
     rotations: list[int] | None,
     restart: bool,
-    rounding: Rounding,
+    rounding: Rounding | None,
     reading: Reading,
     output: str,
 ) -> None:
@@ -164,35 +165,28 @@ def _job(
     lists: tuple[str, str] | None,
     parts: str | None,
     what: str,
-    rounding: Rounding,
+    rounding: Rounding | None,
     rotations: list[int] | None,
     reading: Reading,
 ) -> Job:
-    from exactsweep.batch import Rounding as Rounded
     from exactsweep.batch import all_pairs, pairs_of
     from exactsweep.batch.parts import rotate_parts
 
-    rounded = None if rounding.places is None else Rounded(rounding.places, rounding.outward)
     if pairs is not None:
-        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what, rounded)
+        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what, rounding)
     assert lists is not None
     generatrices, directrices = lists
     first = _parts(generatrices, reading)
     second = first if generatrices == directrices else _parts(directrices, reading)
     turned = first if rotations is None else rotate_parts(first, rotations)
-    return all_pairs(turned, second, what, rounded)
+    return all_pairs(turned, second, what, rounding)
 
 
 def _parts(path: str, reading: Reading) -> Sequence[Part]:
     """Read the parts of files, and say what is left out."""
     from exactsweep.batch.parts import make_parts
-    from exactsweep.formats.folder import list_parts
 
-    listing = list_parts([path], **reading)
-    if listing.left_out and not listing.parts:
-        raise FormatError(f"nothing can be read: {listing.first_reason()}")
-    say_left_out(listing.left_out)
-    return make_parts(listing)
+    return make_parts(find_parts([path], reading))
 
 
 @contextmanager

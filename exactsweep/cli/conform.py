@@ -33,7 +33,7 @@ def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> floa
     multiple=True,
     metavar="NAME=VALUE",
     shell_complete=offer(list_filters),
-    help="Only cases whose id starts with id=..., with flag=..., class=CC, CM or MM, or at most "
+    help="Only cases whose id starts with id=..., with flag=..., class=CC to SS, or at most "
     "size=... vertices. May be repeated.",
 )
 @click.option(

@@ -4,17 +4,16 @@ from pathlib import PurePath
 
 import click
 
-from exactsweep.cli.export import Rounding, export, takes_rounding
-from exactsweep.cli.output import say_left_out, takes_output
+from exactsweep.cli.export import export, takes_rounding
+from exactsweep.cli.output import takes_output
 from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
     FormatError,
-    NamedRegion,
     file_name,
 )
-from exactsweep.formats.folder import list_parts, make_unique
-from exactsweep.formats.rounding import Side
+from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.words import count
 
@@ -39,7 +38,7 @@ def convert_command(
     files: tuple[str, ...],
     form: str | None,
     free: bool,
-    rounding: Rounding,
+    rounding: Rounding | None,
     reading: Reading,
     output: str,
 ) -> None:
@@ -57,10 +56,10 @@ def convert_command(
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
-    polygons = _read(files, reading)
+    polygons = read_named(files, reading, keep=True)
     # Of a part it is not known what is forbidden.
     side: Side = "closest"
-    if rounding.outward:
+    if rounding is not None and rounding.outward:
         side = "inward" if free else "outward"
     try:
         export(polygons, (), form, rounding, output, lambda region: side)
@@ -72,25 +71,3 @@ def convert_command(
             f"{count(holes, 'hole')} written as closed polylines, which --nested reads as holes",
             err=True,
         )
-
-
-def _read(files: tuple[str, ...], reading: Reading) -> list[NamedRegion]:
-    """Read all polygons, and say what is left out."""
-    listing = list_parts(files, **reading)
-    names: list[str] = []
-    found: list[NamedRegion] = []
-    for part in listing.parts:
-        try:
-            found.append(part.candidate.named_region())
-            names.append(part.name)
-        except ValueError as error:
-            listing.left_out.append(f"{part.file}: {error}")
-    if listing.left_out and not found:
-        raise FormatError(f"nothing can be read: {listing.first_reason()}")
-    if not found:
-        raise FormatError(f"{', '.join(map(file_name, files))}: holds no polygon")
-    say_left_out(listing.left_out)
-    if listing.files == 1:
-        return found
-    unique = make_unique(names)
-    return [part._replace(name=name) for part, name in zip(found, unique, strict=True)]

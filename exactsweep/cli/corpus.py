@@ -37,7 +37,7 @@ def _takes_filters(command: _Command) -> _Command:
             "kind",
             metavar="CLASS",
             shell_complete=offer(list_classes),
-            help="CC, CM or MM.",
+            help="CC, CM, MM or SS.",
         ),
         click.option(
             "--flag",

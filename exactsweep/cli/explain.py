@@ -5,8 +5,8 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, terminal_size, write
 from exactsweep.cli.pair import takes_pair
-from exactsweep.text.results import story_to_json
-from exactsweep.text.story import story
+from exactsweep.text.explanation import tell
+from exactsweep.text.results import explanation_to_json
 
 
 @click.command("explain")
@@ -14,15 +14,17 @@ from exactsweep.text.story import story
 @click.option("--json", "as_json", is_flag=True, help="Write the steps, exactly, as JSON.")
 @takes_output
 def explain_command(result: Sweep, as_json: bool, output: str) -> None:
-    """Tell a sweep as a story, step by step.
+    """Explain a sweep, step by step.
 
     A step is an edge of the trajectory. For each one: what touches and slides, in which direction,
-    from where to where, and why it ends; and the undercuts and exact fits on the way. Vertices and
-    edges have their index in the files, edge i being the one from vertex i to the next.
+    from where to where, and why it ends; and the undercuts and exact fits on the way. Then come the
+    holes of the no-fit polygon, in which there is room for the generatrix, and the exact fits, with
+    what touches there. Vertices and edges have their index in the files, edge i being the one from
+    vertex i to the next.
 
-    Files are read as by 'exactsweep sweep'; without files, its example is told.
+    Files are read as by 'exactsweep sweep'; without files, its example is explained.
     """
-    text = story_to_json(result) if as_json else "".join(f"{line}\n" for line in story(result))
+    text = explanation_to_json(result) if as_json else "".join(f"{line}\n" for line in tell(result))
     terminal = terminal_size(output)
     if terminal and text.count("\n") > terminal.lines:
         click.echo_via_pager(text)

@@ -3,32 +3,20 @@
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import wraps
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
 from exactsweep.cli.output import write
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
-from exactsweep.formats.rounding import Changes, Side, contains
+from exactsweep.formats.rounding import Changes, Rounding, Side, contains
 from exactsweep.formats.writing import Fit
 from exactsweep.geometry.point import Point
 from exactsweep.words import count
 
 
-class Rounding(NamedTuple):
-    """How a result is rounded.
-
-    Attributes:
-        places: how many decimal places; None to leave it as it is.
-        outward: whether it must stay safe.
-    """
-
-    places: int | None
-    outward: bool
-
-
 def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command --round and --round-outward, as `rounding`."""
+    """Give a command --round and --round-outward, as `rounding`; None without them."""
 
     @click.option(
         "--round",
@@ -48,7 +36,8 @@ def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
     def with_rounding(*arguments: Any, places: int | None, outward: bool, **options: Any) -> None:
         if outward and places is None:
             raise click.UsageError("--round-outward goes with --round PLACES.")
-        command(*arguments, rounding=Rounding(places, outward), **options)
+        rounding = None if places is None else Rounding(places, outward)
+        command(*arguments, rounding=rounding, **options)
 
     return with_rounding
 
@@ -68,7 +57,7 @@ def export(
     regions: Sequence[NamedRegion],
     fits: Sequence[Fit],
     target: str,
-    rounding: Rounding,
+    rounding: Rounding | None,
     output: str,
     side_of: Callable[[NamedRegion], Side],
 ) -> None:
@@ -78,7 +67,7 @@ def export(
         regions: the polygons.
         fits: the exact fits.
         target: one of FORMATS.
-        rounding: how they are rounded.
+        rounding: how they are rounded; None to leave them.
         output: a file, or "-".
         side_of: "outward" for what is forbidden, "inward" for what is free, "closest" for what may
             move either way.
@@ -87,7 +76,7 @@ def export(
         FormatError: what the format cannot hold, or rounding leaves nothing of.
     """
     said = ""
-    if rounding.places is not None:
+    if rounding is not None:
         wanted = side_of if rounding.outward else _closest
         rounded, changes = round_regions(regions, rounding.places, wanted)
         ends = [_round_fit(fit, rounding.places) for fit in fits]
@@ -102,7 +91,7 @@ def export(
             said += "; it may permit an overlap (--round-outward does not)"
         regions, fits = rounded, ends
     try:
-        text = format_polygons(regions, target, fits, decimals=rounding.places is not None)
+        text = format_polygons(regions, target, fits, decimals=rounding is not None)
     except FormatError as error:
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
         raise FormatError(f"{error}{hint}") from None

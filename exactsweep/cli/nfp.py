@@ -2,7 +2,9 @@
 
 import click
 
-from exactsweep import NoFitPolygon, Point, Region, no_fit_polygon
+from exactsweep import NoFitPolygon, Point, no_fit_polygon
+from exactsweep.cli.export import export
+from exactsweep.cli.output import terminal_size, write
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
@@ -11,28 +13,74 @@ from exactsweep.text.results import no_fit_to_json, no_fit_to_regions, no_fit_to
 
 
 @click.command("nfp")
-@takes_shapes("STATIONARY", "ORBITING")
+@takes_shapes("STATIONARY", "ORBITING", several=True)
 @takes_form("the no-fit polygon and the exact fits")
-def nfp_command(stationary: Region, orbiting: Region, reference: Point, form: Form) -> None:
-    """Find the no-fit polygon of two polygons.
+def nfp_command(
+    stationary: list[NamedRegion], orbiting: list[NamedRegion], reference: Point, form: Form
+) -> None:
+    """Find the no-fit polygon of two polygons, or of all pairs of several.
 
     That is where ORBITING overlaps STATIONARY: the exterior, which is the trajectory of a sweep;
     holes, where ORBITING fits into a cave or a hole; and exact fits, single positions and segments
     of them, at which it fits without any room.
 
-    Files are read as by 'exactsweep sweep'. --wkt writes a POLYGON with its holes, and a LINESTRING
-    or a POINT for each exact fit, if all coordinates are finite decimals, and is refused otherwise.
+    Files are read as by 'exactsweep sweep'; each may be a folder or a pattern, too. Of several
+    pairs the report has a line for each, --json a line of JSON, and --to writes all of them.
+    --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
+    coordinates are finite decimals, and is refused otherwise.
     """
-    result = no_fit_polygon(stationary, orbiting, reference=reference)
-    write_result(
-        result,
-        form,
-        to_json=no_fit_to_json,
-        to_wkt=no_fit_to_wkt,
-        to_regions=no_fit_to_regions,
-        side_of=_side,
-        report=_report,
-    )
+    pairs = [(d, g) for d in stationary for g in orbiting]
+    found = [no_fit_polygon(d.region, g.region, reference=reference) for d, g in pairs]
+    if len(pairs) == 1:
+        write_result(
+            found[0],
+            form,
+            to_json=no_fit_to_json,
+            to_wkt=no_fit_to_wkt,
+            to_regions=no_fit_to_regions,
+            side_of=_side,
+            report=_report,
+        )
+        return
+    names = [(str(d.name), str(g.name)) for d, g in pairs]
+    if form.kind == "to":
+        regions = [
+            one._replace(name=f"{g} around {d}")
+            for (d, g), result in zip(names, found, strict=True)
+            for one in no_fit_to_regions(result)
+        ]
+        fits = [fit for result in found for fit in result.exact_fits]
+        export(regions, fits, form.target, form.rounding, form.output, _side)
+    elif form.kind == "json":
+        from exactsweep.batch.record import result_line
+
+        lines = (
+            result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
+            for k, ((d, g), result) in enumerate(zip(names, found, strict=True))
+        )
+        write(b"".join(lines).decode(), form.output)
+    elif form.kind == "report":
+        write(_list(names, found, form.output), form.output)
+    else:
+        raise click.UsageError(f"--{form.kind} is for one pair; here are {len(pairs)}.")
+
+
+def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) -> str:
+    """A line for each pair."""
+    from rich.table import Table
+
+    from exactsweep.text.report import approximation, laid_out
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for head in ("stationary", "orbiting", "class"):
+        table.add_column(head)
+    for head in ("vertices", "holes", "exact fits", "area about"):
+        table.add_column(head, justify="right")
+    for (d, g), n in zip(names, found, strict=True):
+        sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
+        table.add_row(d, g, n.kind, *map(str, sizes), approximation(n.area))
+    terminal = terminal_size(output)
+    return laid_out([table], terminal and terminal.columns)
 
 
 def _side(region: NamedRegion) -> Side:

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from shutil import get_terminal_size
 from typing import TypeVar
@@ -11,9 +11,6 @@ import click
 
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, file_name
-
-# A report of more is not read.
-_MOST_REASONS = 100
 
 _Command = TypeVar("_Command", bound=Callable[..., None])
 
@@ -24,14 +21,6 @@ def takes_output(command: _Command) -> _Command:
         "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
     )
     return option(command)
-
-
-def say_left_out(reasons: Sequence[str]) -> None:
-    """Say on standard error what was not read, and why, a line each."""
-    for reason in reasons[:_MOST_REASONS]:
-        click.echo(f"left out: {reason}", err=True)
-    if len(reasons) > _MOST_REASONS:
-        click.echo(f"left out: {len(reasons) - _MOST_REASONS} more", err=True)
 
 
 def terminal_size(output: str) -> os.terminal_size | None:

@@ -8,7 +8,8 @@ from typing import Any
 import click
 
 from exactsweep import Point, Region, sweep
-from exactsweep.formats import file_name, read_region
+from exactsweep.cli.parts import read_named
+from exactsweep.formats import NamedRegion, file_name, read_region
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
@@ -109,15 +110,19 @@ def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
     return with_way_up
 
 
-def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+def takes_shapes(
+    first: str, second: str, *, several: bool = False
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command two polygons, of which the second one moves, as positional arguments.
 
     Args:
         first: what the file of the one that stays is called.
         second: what the file of the other one is called.
+        several: whether each may be several files with several polygons.
 
     Returns:
-        A decorator for a function of two Regions and of options, of which "reference" is one.
+        A decorator for a function of two Regions, or of two lists of NamedRegion, and of options,
+        of which "reference" is one.
     """
 
     def decorated(command: Callable[..., None]) -> Callable[..., None]:
@@ -134,16 +139,29 @@ def takes_shapes(first: str, second: str) -> Callable[[Callable[..., None]], Cal
         @takes_reading
         @wraps(command)
         def with_shapes(stays: str, moves: str, reading: Reading, **options: Any) -> None:
-            command(*_read(stays, moves, reading), **options)
+            read = _read_each if several else _read
+            command(*read(stays, moves, reading), **options)
 
         return with_shapes
 
     return decorated
 
 
-def _read(first: str, second: str, reading: Reading) -> tuple[Region, Region]:
+def _require_one_input(first: str, second: str) -> None:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
+
+
+def _read_each(
+    first: str, second: str, reading: Reading
+) -> tuple[list[NamedRegion], list[NamedRegion]]:
+    _require_one_input(first, second)
+    one, other = (read_named([path], reading) for path in (first, second))
+    return one, other
+
+
+def _read(first: str, second: str, reading: Reading) -> tuple[Region, Region]:
+    _require_one_input(first, second)
     one, other = (read_region(path, **reading) for path in (first, second))
     return one, other
 

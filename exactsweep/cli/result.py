@@ -7,10 +7,10 @@ from typing import Any, NamedTuple, TypeVar
 import click
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
-from exactsweep.cli.export import Rounding, export, takes_format, takes_rounding
+from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.output import takes_output, terminal_size, write
 from exactsweep.formats import FormatError, NamedRegion
-from exactsweep.formats.rounding import Side
+from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text.results import certificate_to_json
 
 _Result = TypeVar("_Result", Sweep, NoFitPolygon, InnerFit)
@@ -29,7 +29,7 @@ class Form(NamedTuple):
 
     kind: str
     target: str
-    rounding: Rounding
+    rounding: Rounding | None
     output: str
     everything: bool
 
@@ -61,7 +61,7 @@ def takes_form(wkt: str) -> Callable[[Callable[..., None]], Callable[..., None]]
             certificate: bool,
             everything: bool,
             target: str | None,
-            rounding: Rounding,
+            rounding: Rounding | None,
             output: str,
             **options: Any,
         ) -> None:
@@ -76,7 +76,7 @@ def takes_form(wkt: str) -> Callable[[Callable[..., None]], Callable[..., None]]
             if len(chosen) > 1:
                 raise click.UsageError(f"{chosen[0]} and {chosen[1]} exclude each other.")
             kind = chosen[0].removeprefix("--") if chosen else "report"
-            if rounding.places is not None:
+            if rounding is not None:
                 if kind not in ("json", "wkt", "to"):
                     raise click.UsageError("--round goes with --to FORMAT, --json or --wkt.")
                 kind, target = "to", target or kind

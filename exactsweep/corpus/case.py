@@ -15,11 +15,23 @@ from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.sweep import sweep
+from exactsweep.geometry.region import Region
+from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
 Kind = Literal["CC", "CM", "MM", "SS"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
+Shapes = Literal["convex", "monotone", "simple", "any"]
+SHAPES: tuple[Shapes, ...] = get_args(Shapes)
+"""What pairs there are, each kind with those before it: without a hole they are simple."""
+_SHAPES_OF: dict[Kind, Shapes] = {
+    "CC": "convex",
+    "CM": "monotone",
+    "MM": "monotone",
+    "SS": "simple",
+}
 Ring = tuple[Point, ...]
+Fit = tuple[Point, Point]
+Given = Polygon | Region | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
@@ -33,17 +45,25 @@ class Case:
     Attributes:
         id: the name of the case; it never changes its meaning.
         title: one line for people.
-        directrix_ring: D as the case gives it: tuple of Point, not closed, and with the
-            orientation, collinear vertices and repeated vertices of the input.
+        directrix_ring: D, or its exterior, as the case gives it: tuple of Point, not closed, and
+            with the orientation, collinear vertices and repeated vertices of the input.
         generatrix_ring: G, likewise.
         reference: the point of G whose path the trajectory is.
-        kind: "CC", "CM" or "MM", as of the sweep.
+        kind: "CC", "CM", "MM" or "SS", as of the sweep.
         flags: what is special about the case, sorted; `exactsweep.corpus.notes` has a note on each.
         trajectory: the expected trajectory, a Polygon, and so for the inner and outer loop.
         inner: the expected inner loop.
         outer: the expected outer loop.
         exact_fits: the expected exact fits, as `Sweep.exact_fits` has them.
         area: the expected swept area.
+        directrix_holes: the holes of D, each a ring as given.
+        generatrix_holes: those of G.
+        holes: the expected holes of the no-fit polygon, whose exterior is the trajectory.
+        unswept: the expected further holes of the swept area.
+        inner_regions: the expected regions of positions of G inside D; None where that is not
+            asked. It is, of all cases of class "SS", and of containers of any class.
+        inner_exact_fits: the expected exact fits of G inside D.
+        note: where the case comes from, if there is more to say than the title says.
     """
 
     id: str
@@ -56,29 +76,45 @@ class Case:
     trajectory: Polygon
     inner: Polygon
     outer: Polygon
-    exact_fits: tuple[tuple[Point, Point], ...]
+    exact_fits: tuple[Fit, ...]
     area: Fraction
+    directrix_holes: tuple[Ring, ...] = ()
+    generatrix_holes: tuple[Ring, ...] = ()
+    holes: tuple[Polygon, ...] = ()
+    unswept: tuple[Polygon, ...] = ()
+    inner_regions: tuple[Region, ...] | None = None
+    inner_exact_fits: tuple[Fit, ...] = ()
+    note: str = ""
 
     @classmethod
     def of(
         cls,
         id: str,
         title: str,
-        directrix: Polygon | Iterable[Iterable[object]],
-        generatrix: Polygon | Iterable[Iterable[object]],
+        directrix: Given,
+        generatrix: Given,
         reference: Iterable[object] = (0, 0),
         flags: Iterable[str] = (),
+        *,
+        directrix_holes: Iterable[Given] = (),
+        generatrix_holes: Iterable[Given] = (),
+        inner_fit: bool = False,
+        note: str = "",
     ) -> Case:
         """Make a case by sweeping the pair.
 
         Args:
             id: its name.
             title: one line for people.
-            directrix: D, a Polygon or vertices as `Polygon` takes them; vertices are kept as they
-                are, except for a last one that repeats the first.
+            directrix: D, a Polygon, a Region or vertices as `Polygon` takes them; vertices are kept
+                as they are, except for a last one that repeats the first.
             generatrix: G, likewise.
             reference: the point of G whose path the trajectory is.
             flags: what cannot be seen from the pair; `facts` adds what can.
+            directrix_holes: the holes of D, where it is no Region, each as D is given.
+            generatrix_holes: those of G.
+            inner_fit: whether the positions of G inside D are asked of a pair that is not "SS".
+            note: where the case comes from.
 
         Returns:
             The Case with its expected answers.
@@ -86,45 +122,80 @@ class Case:
         Raises:
             ValueError: what `sweep` refuses.
 
-        Cost: that of the sweep and of its loops, and of `facts`.
+        Cost: that of the sweep and of its loops, of the inner fit and of `facts`.
 
         Example:
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
             >>> case = Case.of("mine-1", "a square around itself", square, square)
             >>> case.kind, case.area, case.integer_scale, sorted(case.representable)
             ('CC', Fraction(8, 1), 1, ['binary64', 'int32', 'int64'])
+            >>> plate = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (4, 2), (4, 4), (2, 4)]])
+            >>> case = Case.of("mine-2", "a square in a plate", plate, square)
+            >>> case.kind, len(case.holes), len(case.inner_regions)
+            ('SS', 1, 1)
         """
-        d, g = given_ring(directrix), given_ring(generatrix)
-        s = sweep(g, d, reference=reference)
+        d, g = given_rings(directrix, directrix_holes), given_rings(generatrix, generatrix_holes)
+        s = sweep(_shape(g), _shape(d), reference=reference)
+        inside = None
+        if inner_fit or s.kind == "SS":
+            inside = inner_fit_polygon(_shape(d), _shape(g), reference=reference)
         return cls(
             id=id,
             title=title,
-            directrix_ring=d,
-            generatrix_ring=g,
+            directrix_ring=d[0],
+            generatrix_ring=g[0],
             reference=s.reference,
             kind=s.kind,
-            flags=tuple(sorted({*flags, *facts(d, g, s)})),
+            flags=tuple(sorted({*flags, *facts(d, g, s, inside)})),
             trajectory=s.trajectory,
             inner=s.inner,
             outer=s.outer,
             exact_fits=s.exact_fits,
             area=s.area,
+            directrix_holes=d[1:],
+            generatrix_holes=g[1:],
+            holes=s.no_fit_holes,
+            unswept=s.unswept,
+            inner_regions=None if inside is None else inside.regions,
+            inner_exact_fits=() if inside is None else inside.exact_fits,
+            note=note,
         )
 
-    @cached_property
-    def directrix(self) -> Polygon:
-        """D as a Polygon, in canonical form."""
-        return Polygon(self.directrix_ring)
+    @property
+    def directrix_rings(self) -> tuple[Ring, ...]:
+        """The exterior and the holes of D as given."""
+        return (self.directrix_ring, *self.directrix_holes)
+
+    @property
+    def generatrix_rings(self) -> tuple[Ring, ...]:
+        """The exterior and the holes of G as given."""
+        return (self.generatrix_ring, *self.generatrix_holes)
 
     @cached_property
-    def generatrix(self) -> Polygon:
-        """G as a Polygon, in canonical form."""
-        return Polygon(self.generatrix_ring)
+    def directrix(self) -> Polygon | Region:
+        """D in canonical form; a Region if it has holes."""
+        return _shape(self.directrix_rings)
+
+    @cached_property
+    def generatrix(self) -> Polygon | Region:
+        """G in canonical form; a Region if it has holes."""
+        return _shape(self.generatrix_rings)
+
+    def sweep(self) -> Sweep:
+        """Sweep the pair anew."""
+        return sweep(self.generatrix, self.directrix, reference=self.reference)
+
+    @property
+    def shapes(self) -> Shapes:
+        """The least of SHAPES that holds the pair."""
+        if self.directrix_holes or self.generatrix_holes:
+            return "any"
+        return _SHAPES_OF[self.kind]
 
     @property
     def size(self) -> int:
-        """The vertices of both rings as given."""
-        return len(self.directrix_ring) + len(self.generatrix_ring)
+        """The vertices of all rings as given."""
+        return sum(map(len, (*self.directrix_rings, *self.generatrix_rings)))
 
     @cached_property
     def integer_scale(self) -> int:
@@ -154,26 +225,38 @@ class Case:
         return types_holding(list(self._answer()), self.integer_scale)
 
     def _input(self) -> Iterator[Fraction]:
-        for ring in self.directrix_ring, self.generatrix_ring, (self.reference,):
+        for ring in (*self.directrix_rings, *self.generatrix_rings, (self.reference,)):
             for point in ring:
                 yield from point
 
     def _answer(self) -> Iterator[Fraction]:
-        for loop in self.trajectory, self.inner, self.outer:
-            for vertex in loop.vertices:
-                yield from vertex
-        for fit in self.exact_fits:
-            for point in fit:
+        loops = (self.trajectory, self.inner, self.outer, *self.holes, *self.unswept)
+        rings = [loop.vertices for loop in loops]
+        rings += [region.vertices for region in self.inner_regions or ()]
+        for points in (*rings, *self.exact_fits, *self.inner_exact_fits):
+            for point in points:
                 yield from point
 
 
-def given_ring(vertices: Polygon | Iterable[Iterable[object]]) -> Ring:
+def given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Ring, ...]:
+    """Read the exterior and the holes of a shape, each as it is given; see `given_ring`."""
+    if isinstance(shape, Region):
+        return shape.rings
+    return (given_ring(shape), *map(given_ring, holes))
+
+
+def given_ring(vertices: Given) -> Ring:
     """Read vertices as they are given, except for a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
     4
     """
-    if isinstance(vertices, Polygon):
+    if isinstance(vertices, (Polygon, Region)):
         return vertices.vertices
     ring = tuple(read_point(pair, f"vertex {i}") for i, pair in enumerate(vertices))
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+
+
+def _shape(rings: tuple[Ring, ...]) -> Polygon | Region:
+    exterior, *holes = rings
+    return Region(exterior, holes) if holes else Polygon(exterior)

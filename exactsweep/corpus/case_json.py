@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +14,9 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+Loop = tuple[tuple[Point, ...], Polygon]
 
 
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -33,7 +36,7 @@ def case_to_json(case: Case) -> dict[str, Any]:
         >>> data["directrix"][1], data["integer_scale"], data["expected"]["counts"]["outer"]
         (['1/2', '0'], '2', 4)
     """
-    return {
+    data: dict[str, Any] = {
         "id": case.id,
         "title": case.title,
         "class": case.kind,
@@ -53,6 +56,20 @@ def case_to_json(case: Case) -> dict[str, Any]:
             "representable": _types(case.answer_representable),
         },
     }
+    for name in ("directrix_holes", "generatrix_holes"):
+        if holes := getattr(case, name):
+            data[name] = [_points(hole) for hole in holes]
+    if case.kind == "SS":
+        for name in ("holes", "unswept"):
+            data["expected"][name] = [_points(loop.vertices) for loop in getattr(case, name)]
+    if case.inner_regions is not None:
+        data["expected"]["inner_fit"] = {
+            "regions": [_region(region) for region in case.inner_regions],
+            "exact_fits": [_points(fit) for fit in case.inner_exact_fits],
+        }
+    if case.note:
+        data["note"] = case.note
+    return data
 
 
 def case_from_json(data: object) -> Case:
@@ -85,20 +102,24 @@ def case_from_json(data: object) -> Case:
     return case
 
 
-def _read(data: object) -> Case:
-    expected = _member(data, "expected", "$")
+def _read(document: object) -> Case:
+    data = _object(document, "$")
+    expected = _object(_member(data, "expected", "$"), "$.expected")
     kind = _text(_member(data, "class", "$"), "$.class")
     if kind not in KINDS:
         raise CaseError(f"$.class is {described(kind)}, not one of {', '.join(KINDS)}")
-    fits = []
-    for k, fit in enumerate(_list(expected, "exact_fits", "$.expected")):
-        ends = read_vertices(fit, f"$.expected.exact_fits[{k}]")
-        if len(ends) != 2:
-            raise CaseError(f"$.expected.exact_fits[{k}] has {len(ends)} ends, not 2")
-        fits.append((ends[0], ends[1]))
     d, g = (_ring(data, name, "$")[0] for name in ("directrix", "generatrix"))
     trajectory, inner, outer = (
         _ring(expected, name, "$.expected")[1] for name in ("trajectory", "inner", "outer")
+    )
+    d_holes, g_holes = (
+        _rings(data, name, "$") if name in data else ()
+        for name in ("directrix_holes", "generatrix_holes")
+    )
+    inside = expected.get("inner_fit")
+    holes, unswept = (
+        _rings(expected, name, "$.expected") if kind == "SS" else ()
+        for name in ("holes", "unswept")
     )
     return Case(
         id=_text(_member(data, "id", "$"), "$.id"),
@@ -113,9 +134,39 @@ def _read(data: object) -> Case:
         trajectory=trajectory,
         inner=inner,
         outer=outer,
-        exact_fits=tuple(fits),
+        exact_fits=_fits(expected, "$.expected"),
         area=read_number(_member(expected, "area", "$.expected"), "$.expected.area"),
+        directrix_holes=tuple(points for points, _ in d_holes),
+        generatrix_holes=tuple(points for points, _ in g_holes),
+        holes=tuple(hole for _, hole in holes),
+        unswept=tuple(loop for _, loop in unswept),
+        inner_regions=None if inside is None else _regions(inside, "$.expected.inner_fit"),
+        inner_exact_fits=() if inside is None else _fits(inside, "$.expected.inner_fit"),
+        note=_text(data["note"], "$.note") if "note" in data else "",
     )
+
+
+def _regions(value: object, path: str) -> tuple[Region, ...]:
+    regions = []
+    for k, region in enumerate(_list(value, "regions", path)):
+        place = f"{path}.regions[{k}]"
+        _, exterior = _ring(region, "exterior", place)
+        holes = [hole for _, hole in _rings(region, "holes", place)]
+        try:
+            regions.append(Region(exterior, holes))
+        except PolygonError as error:
+            raise CaseError(f"{place}: {error}") from None
+    return tuple(regions)
+
+
+def _fits(value: object, path: str) -> tuple[tuple[Point, Point], ...]:
+    fits = []
+    for k, fit in enumerate(_list(value, "exact_fits", path)):
+        ends = read_vertices(fit, f"{path}.exact_fits[{k}]")
+        if len(ends) != 2:
+            raise CaseError(f"{path}.exact_fits[{k}] has {len(ends)} ends, not 2")
+        fits.append((ends[0], ends[1]))
+    return tuple(fits)
 
 
 def _require_same(right: Any, found: object, path: str) -> None:
@@ -151,12 +202,22 @@ def _point(point: Point) -> list[str]:
     return [format_fraction(c) for c in point]
 
 
-def _member(value: object, name: str, path: str) -> object:
+def _region(region: Region) -> dict[str, Any]:
+    exterior, *holes = map(_points, region.rings)
+    return {"exterior": exterior, "holes": holes}
+
+
+def _object(value: object, path: str) -> dict[str, object]:
     if not isinstance(value, dict):
         raise CaseError(f"{path} is {described(value)}, not an object")
-    if name not in value:
+    return value
+
+
+def _member(value: object, name: str, path: str) -> object:
+    found = _object(value, path)
+    if name not in found:
         raise CaseError(f"{path} has no {name!r}")
-    return value[name]
+    return found[name]
 
 
 def _list(value: object, name: str, path: str) -> list[object]:
@@ -172,12 +233,56 @@ def _text(value: object, path: str) -> str:
     return value
 
 
-def _ring(value: object, name: str, path: str) -> tuple[tuple[Point, ...], Polygon]:
-    points = read_vertices(_member(value, name, path), f"{path}.{name}")
+def _ring(value: object, name: str, path: str) -> Loop:
+    return _loop(_member(value, name, path), f"{path}.{name}")
+
+
+def _rings(value: object, name: str, path: str) -> tuple[Loop, ...]:
+    found = enumerate(_list(value, name, path))
+    return tuple(_loop(ring, f"{path}.{name}[{k}]") for k, ring in found)
+
+
+def _loop(value: object, path: str) -> Loop:
+    """Read a ring as it is given, and as a Polygon."""
+    points = read_vertices(value, path)
     try:
         return tuple(points), Polygon(points)
     except PolygonError as error:
-        raise CaseError(f"{path}.{name}: {error}") from None
+        raise CaseError(f"{path}: {error}") from None
+
+
+FITS = {"exact_fits": "no_fit", "inner_exact_fits": "inner_fit"}
+"""Parts of an answer that are segments, each with the part on whose rings they may hang."""
+OF_POSITIONS = ("trajectory", "no_fit", "inner_fit", *FITS)
+"""Parts of an answer that are positions of the reference point."""
+
+
+def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
+    """Return the rings, or the segments, of a part of the answer, as a case has them as JSON.
+
+    Args:
+        data: as by `case_to_json`.
+        name: "trajectory", "inner", "outer", "no_fit", "inner_fit", or a key of FITS.
+
+    Example:
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
+        >>> expected_rings(data, "no_fit")
+        [[['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]]
+    """
+    expected = data["expected"]
+    inside = expected.get("inner_fit", {"regions": [], "exact_fits": []})
+    if name == "inner_fit":
+        return [ring for r in inside["regions"] for ring in (r["exterior"], *r["holes"])]
+    parts: dict[str, list[Any]] = {
+        "trajectory": [expected["trajectory"]],
+        "inner": [expected["inner"], *expected.get("unswept", ())],
+        "outer": [expected["outer"]],
+        "no_fit": [expected["trajectory"], *expected.get("holes", ())],
+        "exact_fits": expected["exact_fits"],
+        "inner_exact_fits": inside["exact_fits"],
+    }
+    return parts[name]
 
 
 def case_to_line(case: Case) -> str:

@@ -3,13 +3,14 @@
 from collections.abc import Iterator, Sequence
 from textwrap import fill
 
-from exactsweep.corpus.case import Case
+from exactsweep.corpus.case import Case, Fit
 from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import known
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import case_ids, find_case, notes
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
+from exactsweep.geometry.region import Region
 from exactsweep.words import CLASSES
 
 _WIDTH = 100
@@ -52,18 +53,41 @@ def _case(case: Case) -> Iterator[str]:
     yield f"integer scale  {case.integer_scale}\n"
     yield f"input fits     {_types(case.representable)}\n"
     yield f"answer fits    {_types(case.answer_representable)}\n\n"
-    yield _points("directrix", case.directrix_ring)
-    yield _points("generatrix", case.generatrix_ring)
+    for name, rings in (
+        ("directrix", case.directrix_rings),
+        ("generatrix", case.generatrix_rings),
+    ):
+        yield _points(name, rings[0])
+        for hole in rings[1:]:
+            yield _points("  hole", hole)
     yield _points("reference", [case.reference])
     yield "\n"
     yield _points("trajectory", case.trajectory.vertices)
-    yield _points("inner loop", case.inner.vertices)
-    yield _points("outer loop", case.outer.vertices)
+    for loop in case.holes:
+        yield _points("  hole", loop.vertices)
     for fit in case.exact_fits:
         yield _points("exact fit", fit)
+    yield _points("inner loop", case.inner.vertices)
+    yield _points("outer loop", case.outer.vertices)
+    for loop in case.unswept:
+        yield _points("unswept", loop.vertices)
     yield f"swept area  {format_fraction(case.area)}\n"
+    if case.inner_regions is not None:
+        yield from _inside(case.inner_regions, case.inner_exact_fits)
+    if case.note:
+        yield f"\n{fill(case.note, _WIDTH)}\n"
     for flag in case.flags:
         yield f"\n{flag}\n{_note(flag, '  ')}"
+
+
+def _inside(regions: Sequence[Region], fits: Sequence[Fit]) -> Iterator[str]:
+    yield "\nG inside D\n" if regions or fits else "\nG inside D: it does not fit\n"
+    for region in regions:
+        yield _points("region", region.exterior.vertices)
+        for hole in region.holes:
+            yield _points("  hole", hole.vertices)
+    for fit in fits:
+        yield _points("exact fit", fit)
 
 
 def _note(flag: str, indent: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from html import escape
 from io import StringIO
+from itertools import chain
 from math import isqrt
 from typing import Any, NamedTuple
 
@@ -19,47 +20,57 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.writing import wkt_points, wkt_polygon
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
-from exactsweep.sweep import sweep
 
 # A little more than a picture is wide and high, and two lines under it.
 _WIDTH, _HEIGHT = 440, 370
 
 
 class Figure(NamedTuple):
-    """A ring or a segment of a case.
+    """A polygon of a case, or a segment of positions.
 
     Attributes:
-        name: "directrix", "generatrix", "trajectory", "inner", "outer" or "exact fit".
-        closed: whether it is a ring; a segment has two points.
-        points: tuple of Point, a ring's first one not repeated.
+        name: "directrix", "generatrix", "trajectory", "inner", "outer", "exact fit"; "hole" of the
+            no-fit polygon, "unswept"; "inner fit", "exact fit inside".
+        closed: whether it is a polygon.
+        rings: its exterior and its holes, the first point of a ring not repeated; or one ring of
+            two points, the ends of a segment, or of one, a single position.
     """
 
     name: str
     closed: bool
-    points: Sequence[Point]
+    rings: Sequence[Sequence[Point]]
 
 
 def figures(case: Case) -> Iterator[Figure]:
-    """Yield the rings and segments of a case: its input, and the expected answer."""
-    yield Figure("directrix", True, case.directrix_ring)
-    yield Figure("generatrix", True, case.generatrix_ring)
-    yield Figure("trajectory", True, case.trajectory.vertices)
-    yield Figure("inner", True, case.inner.vertices)
-    yield Figure("outer", True, case.outer.vertices)
-    for fit in case.exact_fits:
-        yield Figure("exact fit", False, fit)
+    """Yield the polygons and segments of a case: its input, and the expected answer."""
+    yield Figure("directrix", True, case.directrix_rings)
+    yield Figure("generatrix", True, case.generatrix_rings)
+    yield Figure("trajectory", True, case.trajectory.rings)
+    yield Figure("inner", True, case.inner.rings)
+    yield Figure("outer", True, case.outer.rings)
+    for name, shapes in (
+        ("hole", case.holes),
+        ("unswept", case.unswept),
+        ("inner fit", case.inner_regions or ()),
+    ):
+        yield from (Figure(name, True, shape.rings) for shape in shapes)
+    for name, fits in (
+        ("exact fit", case.exact_fits),
+        ("exact fit inside", case.inner_exact_fits),
+    ):
+        yield from (Figure(name, False, [tuple(dict.fromkeys(fit))]) for fit in fits)
 
 
 def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
-    """Write cases as a table of comma-separated values, a ring or segment a row.
+    """Write cases as a table of comma-separated values, a polygon or segment a row.
 
     Args:
         cases: the cases.
 
     Returns:
         An iterator of lines: the names of the columns, then for each figure the case's id, the
-        figure's name, POLYGON or LINESTRING, and why that is missing: WKT has decimals only, and
-        with 1/3 rounded the figure would be another one.
+        figure's name, POLYGON, LINESTRING or POINT, and why that is missing: WKT has decimals only,
+        and with 1/3 rounded the figure would be another one.
 
     Cost: linear in the length of the result, times that of dividing numbers of its length.
 
@@ -71,12 +82,19 @@ def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
     """
     yield _row("case", "figure", "wkt", "missing because")
     for case in cases:
-        for name, closed, points in figures(case):
+        for figure in figures(case):
             try:
-                ring = wkt_polygon({name: points}).rstrip() if closed else ""
-                yield _row(case.id, name, ring or f"LINESTRING {wkt_points(name, points)}", "")
+                yield _row(case.id, figure.name, _wkt(figure), "")
             except FormatError as error:
-                yield _row(case.id, name, "", str(error))
+                yield _row(case.id, figure.name, "", str(error))
+
+
+def _wkt(figure: Figure) -> str:
+    name, closed, (exterior, *holes) = figure
+    if closed:
+        inner = {f"{name}, hole {k}": hole for k, hole in enumerate(holes)}
+        return wkt_polygon({name: exterior, **inner}).rstrip()
+    return f"{'POINT' if len(exterior) == 1 else 'LINESTRING'} {wkt_points(name, exterior)}"
 
 
 def _row(*fields: str) -> str:
@@ -86,16 +104,17 @@ def _row(*fields: str) -> str:
 
 
 def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
-    """Write cases as one FeatureCollection (RFC 7946), a ring or segment a feature.
+    """Write cases as one FeatureCollection (RFC 7946), a polygon or segment a feature.
 
     Args:
         cases: the cases.
 
     Returns:
-        An iterator of lines, a feature a line. Polygons are counter-clockwise and closed, as RFC
-        7946 wants them; apart from that the rings of D and G are as given. Readers take numbers for
-        doubles: where some coordinate is none, "exact" is false, the geometry has the nearest
-        doubles, or is null beyond their range, and "vertices" are the exact ones, as strings.
+        An iterator of lines, a feature a line. Rings are closed, exteriors counter-clockwise and
+        holes clockwise, as RFC 7946 wants them; apart from that those of D and G are as given.
+        Readers take numbers for doubles: where some coordinate is none, "exact" is false, the
+        geometry has the nearest doubles, or is null beyond their range, and "vertices" are the
+        exact ones, as strings, a list of rings where there are holes.
 
     Cost: linear in the length of the result.
 
@@ -115,24 +134,34 @@ def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
 
 
 def _feature(case: Case, figure: Figure) -> dict[str, Any]:
-    name, closed, points = figure
+    name, closed, rings = figure
     properties: dict[str, Any] = {
         "case": case.id,
         "figure": name,
         "class": case.kind,
         "flags": case.flags,
     }
-    properties["exact"] = "binary64" in types_holding([c for point in points for c in point], 1)
+    properties["exact"] = "binary64" in types_holding(list(chain(*chain(*rings))), 1)
     if not properties["exact"]:
-        properties["vertices"] = [[format_fraction(c) for c in point] for point in points]
+        exact = [[[format_fraction(c) for c in point] for point in ring] for ring in rings]
+        properties["vertices"] = exact[0] if len(exact) == 1 else exact
     geometry: dict[str, Any] | None = None
     with suppress(OverflowError):
-        places = [[float(c) for c in point] for point in points]
-        geometry = {"type": "LineString", "coordinates": places}
-        if closed:
-            ring = places[::-1] if is_clockwise(points) else places
-            geometry = {"type": "Polygon", "coordinates": [[*ring, ring[0]]]}
+        geometry = _geometry(closed, rings)
     return {"type": "Feature", "properties": properties, "geometry": geometry}
+
+
+def _geometry(closed: bool, rings: Sequence[Sequence[Point]]) -> dict[str, Any]:
+    places = [[[float(c) for c in point] for point in ring] for ring in rings]
+    if not closed:
+        if len(places[0]) == 1:
+            return {"type": "Point", "coordinates": places[0][0]}
+        return {"type": "LineString", "coordinates": places[0]}
+    for k, ring in enumerate(rings):
+        # Exteriors run counter-clockwise there, and holes clockwise.
+        if is_clockwise(ring) != (k > 0):
+            places[k].reverse()
+    return {"type": "Polygon", "coordinates": [[*ring, ring[0]] for ring in places]}
 
 
 def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
@@ -160,7 +189,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
     )
     for k, case in enumerate(drawn):
         x, y = k % columns * _WIDTH, k // columns * _HEIGHT
-        s = sweep(case.generatrix, case.directrix, reference=case.reference)
+        s = case.sweep()
         note = f"{case.kind}, {case.size} vertices"
         if not Scale.of(s.outer.vertices, path(s).vertices).is_true:
             note += ", axes scaled apart"

@@ -2,29 +2,36 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from itertools import chain
 from math import lcm
 
 from exactsweep.check import classify
 from exactsweep.corpus.representable import INTEGER_BITS, in_range, types_holding
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.sweep import Sweep
+from exactsweep.geometry.region import Region
+from exactsweep.sweep import InnerFit, Sweep
 
 Ring = Sequence[Point]
+Rings = Sequence[Ring]
 Vector = tuple[int, int]
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
 TINY = Fraction(1, 2**30)
+MANY = 256
 
 
-def facts(directrix: Ring, generatrix: Ring, s: Sweep) -> set[str]:
+def facts(
+    directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None = None
+) -> set[str]:
     """Find the flags of a pair that can be seen.
 
     Args:
-        directrix: D as given, not closed.
-        generatrix: G as given, not closed.
+        directrix: the exterior and the holes of D as given, not closed.
+        generatrix: those of G.
         s: the sweep of the two.
+        inside: the positions of G inside D, where they are asked for.
 
     Returns:
         Names of flags; `exactsweep.corpus.notes` says what each means.
@@ -34,13 +41,14 @@ def facts(directrix: Ring, generatrix: Ring, s: Sweep) -> set[str]:
     Example:
         >>> from exactsweep import sweep
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        >>> sorted(facts(square, square, sweep(square, square)))
+        >>> sorted(facts([square], [square], sweep(square, square)))
         ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
     return {
         *(name for name, holds in _SPELLING.items() if holds(directrix) or holds(generatrix)),
         *(name for name, holds in _ANSWER.items() if holds(s)),
-        *_sizes(directrix, generatrix, s),
+        *(name for name, holds in _INSIDE.items() if inside is not None and holds(inside)),
+        *_sizes(directrix, generatrix, s, inside),
         *_slopes(s),
     }
 
@@ -50,19 +58,19 @@ def is_clockwise(ring: Ring) -> bool:
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
-def _repeated(ring: Ring) -> bool:
-    return any(p == q for p, q in _edges(ring))
+def _repeated(rings: Rings) -> bool:
+    return any(p == q for ring in rings for p, q in _edges(ring))
 
 
-def _collinear(ring: Ring) -> bool:
-    distinct = [p for p, q in _edges(ring) if p != q]
-    return len(Polygon(ring)) < len(distinct)
+def _collinear(rings: Rings) -> bool:
+    return any(len(Polygon(ring)) < sum(p != q for p, q in _edges(ring)) for ring in rings)
 
 
-_SPELLING: dict[str, Callable[[Ring], bool]] = {
-    "clockwise": is_clockwise,
+_SPELLING: dict[str, Callable[[Rings], bool]] = {
+    "clockwise": lambda rings: is_clockwise(rings[0]),
     "repeated-vertex": _repeated,
     "collinear-vertex": _collinear,
+    "hole": lambda rings: len(rings) > 1,
 }
 
 
@@ -74,9 +82,18 @@ def _inverse(s: Sweep) -> bool:
     return _at_origin(s.generatrix.reflected()) == _at_origin(s.directrix)
 
 
-def _at_origin(polygon: Polygon) -> Polygon:
-    x, y = polygon.vertices[0]
-    return polygon.translated((-x, -y))
+def _at_origin(shape: Polygon | Region) -> Polygon | Region:
+    x, y = shape.vertices[0]
+    return shape.translated((-x, -y))
+
+
+def _is_point(fit: tuple[Point, Point]) -> bool:
+    return fit[0] == fit[1]
+
+
+def _is_long(s: Sweep) -> bool:
+    loops = (polygon.vertices for polygon in (s.trajectory, s.inner, s.outer))
+    return any(len(ring) > MANY for ring in (*loops, *s.directrix.rings, *s.generatrix.rings))
 
 
 def _touching(s: Sweep) -> bool:
@@ -88,16 +105,28 @@ _ANSWER: dict[str, Callable[[Sweep], bool]] = {
     "inverse": _inverse,
     "touching": _touching,
     "reference-point": lambda s: any(s.reference),
-    "turned": lambda s: s.direction != (1, 0),
+    "turned": lambda s: s.kind != "SS" and s.direction != (1, 0),
     "exact-fit": lambda s: bool(s.exact_fits),
-    "undercut": lambda s: s.inner != s.directrix,
+    "single-position": lambda s: any(map(_is_point, s.exact_fits)),
+    "undercut": lambda s: s.inner.vertices != s.directrix.rings[0],
+    "no-fit-hole": lambda s: bool(s.no_fit_holes),
+    "unswept": lambda s: bool(s.unswept),
+    "many-vertices": _is_long,
+}
+
+_INSIDE: dict[str, Callable[[InnerFit], bool]] = {
+    "room-inside": lambda inside: bool(inside.regions),
+    "several-rooms": lambda inside: len(inside.regions) > 1,
+    "exact-fit-inside": lambda inside: bool(inside.exact_fits),
+    "does-not-fit": lambda inside: not inside.regions and not inside.exact_fits,
 }
 
 
-def _sizes(directrix: Ring, generatrix: Ring, s: Sweep) -> Iterator[str]:
-    given = [c for ring in (directrix, generatrix, [s.reference]) for point in ring for c in point]
+def _sizes(directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None) -> Iterator[str]:
+    rings = [*directrix, *generatrix, [s.reference]]
+    given = [c for ring in rings for point in ring for c in point]
     scale = lcm(*(c.denominator for c in given))
-    answer = [c * scale for c in _answer(s)]
+    answer = [c * scale for c in _answer(s, inside)]
     given = [c * scale for c in given]
     if scale > 1:
         yield "fractional-input"
@@ -117,10 +146,16 @@ def _sizes(directrix: Ring, generatrix: Ring, s: Sweep) -> Iterator[str]:
         yield "tiny"
 
 
-def _answer(s: Sweep) -> Iterator[Fraction]:
-    points = [*s.trajectory.vertices, *s.inner.vertices, *s.outer.vertices]
-    for point in [*points, *(end for fit in s.exact_fits for end in fit)]:
-        yield from point
+def _answer(s: Sweep, inside: InnerFit | None) -> Iterator[Fraction]:
+    shapes = [s.trajectory, s.inner, s.outer, *s.no_fit_holes, *s.unswept]
+    rings = [shape.vertices for shape in shapes]
+    fits = [*s.exact_fits]
+    if inside is not None:
+        rings += [region.vertices for region in inside.regions]
+        fits += inside.exact_fits
+    for points in (*rings, *fits):
+        for point in points:
+            yield from point
 
 
 def _greatest_product(s: Sweep, scale: int) -> Fraction:
@@ -131,8 +166,8 @@ def _greatest_product(s: Sweep, scale: int) -> Fraction:
 
 
 def _rounds_products(s: Sweep) -> bool:
-    for polygon in s.directrix, s.generatrix:
-        widths, heights = ([q[i] - p[i] for p, q in _edges(polygon.vertices)] for i in (0, 1))
+    for ring in (*s.directrix.rings, *s.generatrix.rings):
+        widths, heights = ([q[i] - p[i] for p, q in _edges(ring)] for i in (0, 1))
         next_widths, next_heights = widths[1:] + widths[:1], heights[1:] + heights[:1]
         for first, second in (widths, next_heights), (heights, next_widths):
             products = [a * b for a, b in zip(first, second, strict=True)]
@@ -142,7 +177,7 @@ def _rounds_products(s: Sweep) -> bool:
 
 
 def _slopes(s: Sweep) -> Iterator[str]:
-    d, g = (_directions(polygon) for polygon in (s.directrix, s.generatrix))
+    d, g = (_directions(shape.rings) for shape in (s.directrix, s.generatrix))
     if any(x == 0 for x, _ in d | g):
         yield "vertical-edge"
     if d & g:
@@ -152,10 +187,10 @@ def _slopes(s: Sweep) -> Iterator[str]:
         yield "near-parallel"
 
 
-def _directions(polygon: Polygon) -> set[Vector]:
+def _directions(rings: Rings) -> set[Vector]:
     """The primitive vectors along the edges, in the right half plane."""
     found = set()
-    for p, q in _edges(polygon.vertices):
+    for p, q in chain.from_iterable(map(_edges, rings)):
         dx, dy = q.x - p.x, q.y - p.y
         slope = Fraction(dy, dx) if dx else None
         found.add((0, 1) if slope is None else (slope.denominator, slope.numerator))
@@ -174,8 +209,7 @@ def _near(u: Vector, v: Vector) -> bool:
 
 
 def _all_edges(s: Sweep) -> Iterator[tuple[Point, Point]]:
-    yield from _edges(s.directrix.vertices)
-    yield from _edges(s.generatrix.vertices)
+    return chain.from_iterable(map(_edges, (*s.directrix.rings, *s.generatrix.rings)))
 
 
 def _edges(ring: Ring) -> Iterator[tuple[Point, Point]]:

@@ -1,9 +1,11 @@
 """The cases that come with the package, a file a theme, read when they are asked for."""
 
 import json
+import lzma
 from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import KINDS, Case
@@ -36,7 +38,7 @@ def cases(
     Args:
         prefix: how the id starts; the name of a theme and a hyphen give that theme.
         flags: flags that the case must all have.
-        kind: "CC", "CM" or "MM".
+        kind: "CC", "CM", "MM" or "SS".
         max_size: the most vertices of D and G together.
 
     Returns:
@@ -96,7 +98,8 @@ def _matching(
 
 
 def _size(data: dict[str, Any]) -> int:
-    return len(data["directrix"]) + len(data["generatrix"])
+    holes = [*data.get("directrix_holes", ()), *data.get("generatrix_holes", ())]
+    return sum(map(len, (data["directrix"], data["generatrix"], *holes)))
 
 
 def shipped_case(id: str) -> Case:
@@ -133,13 +136,20 @@ def _entries(prefix: str) -> Iterator[dict[str, Any]]:
 @cache
 def _names() -> tuple[str, ...]:
     listed = (file.name for file in files("exactsweep.corpus").joinpath("data").iterdir())
-    return tuple(sorted(name.removesuffix(".json") for name in listed if name.endswith(".json")))
+    return tuple(sorted(name.partition(".json")[0] for name in listed if ".json" in name))
 
 
 @cache
 def _theme(name: str) -> Any:
-    text = files("exactsweep.corpus").joinpath("data", f"{name}.json").read_text(encoding="utf-8")
-    return json.loads(text)
+    return json.loads(theme_text(files("exactsweep.corpus").joinpath("data"), name))
+
+
+def theme_text(folder: Traversable, name: str) -> str:
+    """Read the file of a theme: NAME.json, or NAME.json.xz where it would be large."""
+    plain = folder.joinpath(f"{name}.json")
+    if plain.is_file():
+        return plain.read_text(encoding="utf-8")
+    return lzma.decompress(folder.joinpath(f"{name}.json.xz").read_bytes()).decode("utf-8")
 
 
 def find_case(id: str) -> Case:

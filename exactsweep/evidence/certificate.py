@@ -23,7 +23,7 @@ VERSION = 1
 _DIGITS_OF_AN_INT = 4300
 
 
-class Answer(NamedTuple):
+class Statement(NamedTuple):
     """What a certificate says of a sweep, and its reasons, features numbered in canonical order.
 
     Attributes:
@@ -54,11 +54,11 @@ class Answer(NamedTuple):
     outer_drawn: Sequence[Sequence[Trace]]
 
 
-def write_certificate(answer: Answer) -> dict[str, Any]:
+def write_certificate(statement: Statement) -> dict[str, Any]:
     """Write the certificate of a sweep.
 
     Args:
-        answer: the sweep and its reasons.
+        statement: the sweep and its reasons.
 
     Returns:
         A dict ready for `json.dump`: the input (`generatrix`, `directrix`, `reference`,
@@ -68,7 +68,7 @@ def write_certificate(answer: Answer) -> dict[str, Any]:
         `outer_drawn`, for each edge of the loop what draws it as [[where on the trajectory],
         [feature of G]].
 
-    Cost: linear in the size of the answer.
+    Cost: linear in the size of the statement.
 
     Example:
         >>> from exactsweep import sweep
@@ -80,19 +80,19 @@ def write_certificate(answer: Answer) -> dict[str, Any]:
     return {
         "format": FORMAT,
         "version": VERSION,
-        "generatrix": _points(answer.generatrix.vertices),
-        "directrix": _points(answer.directrix.vertices),
-        "kind": answer.kind,
-        "direction": list(map(_written_int, answer.direction)),
-        "reference": _point(answer.reference),
-        "trajectory": _points(answer.trajectory.vertices),
-        "inner": _points(answer.inner.vertices),
-        "outer": _points(answer.outer.vertices),
-        "area": format_fraction(answer.area),
-        "exact_fits": [_points(fit) for fit in answer.exact_fits],
-        "contacts": [[list(c) for c in found] for found in answer.contacts],
-        "inner_drawn": _drawn(answer.inner_drawn),
-        "outer_drawn": _drawn(answer.outer_drawn),
+        "generatrix": _points(statement.generatrix.vertices),
+        "directrix": _points(statement.directrix.vertices),
+        "kind": statement.kind,
+        "direction": list(map(_written_int, statement.direction)),
+        "reference": _point(statement.reference),
+        "trajectory": _points(statement.trajectory.vertices),
+        "inner": _points(statement.inner.vertices),
+        "outer": _points(statement.outer.vertices),
+        "area": format_fraction(statement.area),
+        "exact_fits": [_points(fit) for fit in statement.exact_fits],
+        "contacts": [[list(c) for c in found] for found in statement.contacts],
+        "inner_drawn": _drawn(statement.inner_drawn),
+        "outer_drawn": _drawn(statement.outer_drawn),
     }
 
 

@@ -127,7 +127,7 @@ def minus(p: Vertex, q: Vertex) -> Vertex:
     return p[0] - q[0], p[1] - q[1]
 
 
-class Boundary(Outline):
+class MonotoneOutline(Outline):
     """The outline of an X-monotone polygon, for finding quickly what lies at a point.
 
     Args:
@@ -143,9 +143,9 @@ class Boundary(Outline):
             numbers = [k % size for k in range(start, start + (end - start) % size + 1)]
             self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
 
-    def scaled(self, factor: int) -> Boundary:
+    def scaled(self, factor: int) -> MonotoneOutline:
         """The boundary, enlarged by a positive factor. Cost: O(n)."""
-        return Boundary([(factor * x, factor * y) for x, y in self.vertices])
+        return MonotoneOutline([(factor * x, factor * y) for x, y in self.vertices])
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(log n)."""
@@ -173,7 +173,7 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         Sorted contacts: VV of equal vertices; EV and VE of a vertex inside an edge; EE of edges
         that overlap in positive length.
 
-    Cost: O((m + n) log(m + n)) for two Boundaries, O(m n) for others.
+    Cost: O((m + n) log(m + n)) for two MonotoneOutlines, O(m n) for others.
     """
     scale = lcm(t[0].denominator, t[1].denominator)
     if scale > 1:

@@ -18,7 +18,7 @@ from exactsweep.procedures.free_positions import Fit
 from exactsweep.words import pair
 
 
-class Pair:
+class LatticePair:
     """Two shapes on their common integer lattice, and the way back from it.
 
     Args:
@@ -89,9 +89,9 @@ class NoFitPolygon:
         self._swept = swept
 
     @cached_property
-    def pair(self) -> Pair:
+    def pair(self) -> LatticePair:
         """The two shapes on their common lattice."""
-        return Pair(self.stationary, self.orbiting, self.reference)
+        return LatticePair(self.stationary, self.orbiting, self.reference)
 
     @cached_property
     def _found(self) -> ss.NoFit:
@@ -167,8 +167,8 @@ class InnerFit:
         self.reference = reference
 
     @cached_property
-    def _pair(self) -> Pair:
-        return Pair(self.container, self.part, self.reference)
+    def _pair(self) -> LatticePair:
+        return LatticePair(self.container, self.part, self.reference)
 
     @cached_property
     def _found(self) -> ss.InnerFit:

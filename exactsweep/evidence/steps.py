@@ -1,4 +1,4 @@
-"""The sweep as a story: step by step in the order of travel, what touches and why it ends.
+"""The sweep step by step: in the order of travel, what touches and why it ends.
 
 A step is an edge of the trajectory, walked counter-clockwise, so that D is on the left. At its end
 G turns left or right, and the turn tells the reason:

@@ -11,10 +11,10 @@ from itertools import chain
 from math import lcm
 from typing import Any
 
-from exactsweep.evidence.certificate import Answer, write_certificate
+from exactsweep.evidence.certificate import Statement, write_certificate
 from exactsweep.evidence.contact import (
-    Boundary,
     Contact,
+    MonotoneOutline,
     find_contacts,
     find_edge_contacts,
     list_edges,
@@ -144,12 +144,12 @@ class Swept:
     def _boundaries(self) -> tuple[Outline, Outline]:
         """The features of G and of D in the frame."""
         generatrix, directrix = self._polygons
-        return Boundary(generatrix), Boundary(directrix)
+        return MonotoneOutline(generatrix), MonotoneOutline(directrix)
 
     @cached_property
     def _route(self) -> Outline:
         """The trajectory of G's origin in the frame, for finding what lies on it."""
-        return Boundary(self._trajectory[0])
+        return MonotoneOutline(self._trajectory[0])
 
     @cached_property
     def _numbered_contacts(self) -> list[list[Contact]]:
@@ -264,7 +264,7 @@ class Swept:
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the sweep: see `evidence.certificate`."""
         return write_certificate(
-            Answer(
+            Statement(
                 generatrix=self.generatrix,
                 directrix=self.directrix,
                 kind=self.kind,

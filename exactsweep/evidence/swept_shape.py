@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import NoFitPolygon, Pair
+from exactsweep.evidence.no_fit import LatticePair, NoFitPolygon
 from exactsweep.evidence.shape_certificate import write_points
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.swept import Swept
@@ -66,11 +66,11 @@ class SweptShape(Swept):
         return self._no_fit.holes
 
     @cached_property
-    def _path(self) -> Pair:
+    def _path(self) -> LatticePair:
         """T's inside, and I(G), which misses T where a point is not swept."""
         x, y = self.reference
         path = Region(self.trajectory.translated((-x, -y)))
-        return Pair(path, self.generatrix.reflected(), ORIGIN)
+        return LatticePair(path, self.generatrix.reflected(), ORIGIN)
 
     @cached_property
     def _outside(self) -> tuple[Polygon, tuple[Polygon, ...]]:

@@ -45,11 +45,6 @@ class Listing(NamedTuple):
     parts: list[ListedPart]
     left_out: list[str]
 
-    def first_reason(self) -> str:
-        """The first reason, and how many more there are."""
-        more = len(self.left_out) - 1
-        return self.left_out[0] + (f"; and {more} more" if more else "")
-
 
 def find_files(path: str) -> list[str]:
     """Find the files that a path stands for.

@@ -19,7 +19,7 @@ from exactsweep.formats.exact_json import parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, file_name, read_text
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.reading import Options, Reading
+from exactsweep.formats.reading import MAX_VERTICES, Options, Reading
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -266,6 +266,10 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return parse_dxf(text, reading)
     # No other format says in which unit its numbers are.
     reading.scale(None)
+    # Of a vertex there is one of these in each of them, but for what JSON has around.
+    marks = {"[": "[{", "{": "[{"}.get(first, "\n" if is_csv(text) else ",")
+    if sum(map(text.count, marks)) > MAX_VERTICES:
+        raise FormatError(f"more than {MAX_VERTICES:,} vertices")
     if is_csv(text):
         return parse_csv(text)
     if first.isalpha():

@@ -38,6 +38,18 @@ _Ring = Sequence[Point]
 _REACH = 3
 
 
+class Rounding(NamedTuple):
+    """How results are rounded.
+
+    Attributes:
+        places: how many decimal places.
+        outward: whether what is forbidden may only grow, and what is free only shrink.
+    """
+
+    places: int
+    outward: bool = False
+
+
 class Rounded(NamedTuple):
     """What rounding made of a region.
 

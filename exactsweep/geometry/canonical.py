@@ -17,12 +17,14 @@ class PolygonError(ExactSweepError):
 class Ring(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
-    `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input.
+    `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
+    `convex` says whether all turns are to the left.
     """
 
     points: tuple[LatticePoint, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
+    convex: bool
 
 
 def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
@@ -42,8 +44,9 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
     Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
 
     Example:
-        >>> canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
-        Ring(points=((0, 0), (2, 0), (2, 2)), vertex_index=(3, 1, 0), edge_index=(1, 0, 3))
+        >>> ring = canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
+        >>> ring.points, ring.vertex_index, ring.edge_index
+        (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     ring, vertices, edges = _join_equal(points)
     turns = turn_products(ring) if len(ring) > 2 else []
@@ -71,7 +74,7 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
-    return Ring(tuple(found), tuple(corners), tuple(starts))
+    return Ring(tuple(found), tuple(corners), tuple(starts), convex)
 
 
 def _join_equal(

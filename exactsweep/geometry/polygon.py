@@ -41,8 +41,9 @@ class Polygon(PointSet):
         Polygon([(0, 0), ('1/2', 1), (0, 2)])
     """
 
-    __slots__ = ("_edge_index", "_lattice", "_vertex_index", "_vertices")
+    __slots__ = ("_convex", "_edge_index", "_lattice", "_vertex_index", "_vertices")
 
+    _convex: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[LatticePoint, ...]] | None
     _vertex_index: Sequence[int]
@@ -51,6 +52,7 @@ class Polygon(PointSet):
     def __init__(self, vertices: "Polygon | Iterable[Iterable[object]]") -> None:
         if isinstance(vertices, Polygon):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
+            self._convex = vertices._convex
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
         scale, points = _read(vertices)
@@ -58,12 +60,13 @@ class Polygon(PointSet):
         self._vertices = None
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
+        self._convex = ring.convex
 
     @classmethod
     def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
         """Trust that the vertices are canonical."""
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice = tuple(vertices), None
+        polygon._vertices, polygon._lattice, polygon._convex = tuple(vertices), None, None
         polygon._vertex_index = polygon._edge_index = range(len(vertices))
         return polygon
 
@@ -72,6 +75,7 @@ class Polygon(PointSet):
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
+        polygon._convex = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 
@@ -135,8 +139,10 @@ class Polygon(PointSet):
     @property
     def is_convex(self) -> bool:
         """Whether all turns are to the left."""
-        points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
-        return min(turn_products(points)) > 0
+        if self._convex is None:
+            points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
+            self._convex = min(turn_products(points)) > 0
+        return self._convex
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:

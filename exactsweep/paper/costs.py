@@ -29,7 +29,7 @@ from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
-DOUBLINGS, QUICK = 5, 3
+DOUBLINGS, QUICK, AGAIN = 5, 3, 3
 UNITS = ("operations", "seconds", "bytes")
 
 STEPS = 0.2
@@ -87,9 +87,15 @@ class Cost:
         return grow_bytes(self.procedure, self.run, self.family, self.bound, sizes)
 
     def time(self) -> Growth:
-        """Measure seconds."""
+        """Measure seconds; again, if they are beyond the bound, since a processor may be busy."""
         sizes = self.sizes(self.timed, DOUBLINGS)
-        return grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
+        series = grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
+        for _ in range(AGAIN):
+            if series.is_flat:
+                break
+            once_more = grow_seconds(self.procedure, self.run, self.family, self.bound, sizes)
+            series = series.least(once_more)
+        return series
 
     def measure(self, effort: Effort) -> Iterator[Growth]:
         """All of these; seconds only where it has not to be quick."""

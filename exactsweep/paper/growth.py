@@ -8,8 +8,9 @@ where their exponent over the last sizes is not above that of the bound.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import log, log2
+from operator import attrgetter
 
 Bound = tuple[str, Callable[[int, int], float]]
 
@@ -99,6 +100,14 @@ class Growth:
 
     def _exponent(self, values: Sequence[float], last: int) -> float:
         return fit_exponent(self.sizes[-last:], values[-last:])
+
+    def least(self, other: Growth) -> Growth:
+        """The lesser count at each size, of two series over the same sizes."""
+        points = (
+            min(p, q, key=attrgetter("count"))
+            for p, q in zip(self.points, other.points, strict=True)
+        )
+        return replace(self, points=tuple(points))
 
     @property
     def is_flat(self) -> bool:

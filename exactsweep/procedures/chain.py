@@ -176,6 +176,8 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
 
 def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
     """Whether three points lie on one line: a difference of Fractions would first be reduced."""
+    if all(type(c) is int for c in (*p, *q, *r)):
+        return (q[0] - p[0]) * (r[1] - q[1]) == (q[1] - p[1]) * (r[0] - q[0])
     (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))
     (py, pe), (qy, qe), (ry, re) = (y.as_integer_ratio() for _, y in (p, q, r))
     first, second = (
@@ -204,14 +206,16 @@ def split(loop: Sequence[Vertex]) -> tuple[list[Vertex], list[Vertex]]:
     >>> split([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
     ([(0, 0), (2, 0)], [(2, 1), (1, 2), (0, 1)])
     """
-    start = min(range(len(loop)), key=loop.__getitem__)
+    start, highest = loop.index(min(loop)), max(loop)
     ring = [*loop[start:], *loop[:start]]
-    rightmost = max(x for x, _ in ring)
-    right = next(i for i, (x, _) in enumerate(ring) if x == rightmost)
-    bottom = ring[: right + 1]
-    top = ring[right + 1 :] if ring[(right + 1) % len(ring)][0] == rightmost else ring[right:]
+    end = ring.index(highest)
+    # Up to its greatest vertex, the upper end of a vertical edge on the right, if there is one.
+    bottom, top = ring[: end + 1], ring[end:]
+    while bottom[-2][0] == highest[0]:
+        bottom.pop()
     if top[-1][0] != bottom[0][0]:
         top.append(ring[0])
-    if any(p[0] > q[0] for p, q in pairwise(bottom)) or any(p[0] < q[0] for p, q in pairwise(top)):
+    forth, back = [x for x, _ in bottom], [x for x, _ in top]
+    if forth != sorted(forth) or back != sorted(back, reverse=True):
         raise ChainError("the polygon is not monotone to the X axis")
     return bottom, top

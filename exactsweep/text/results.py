@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
@@ -125,7 +126,7 @@ def certificate_to_json(result: Swept | NoFitPolygon | InnerFit) -> str:
     return _object({name: json.dumps(value) for name, value in result.certificate().items()})
 
 
-def story_to_json(sweep: Swept) -> str:
+def explanation_to_json(sweep: Swept) -> str:
     """Write the steps of a sweep, as `exactsweep.evidence.steps` finds them, as JSON.
 
     Args:
@@ -136,7 +137,8 @@ def story_to_json(sweep: Swept) -> str:
         a line. Names are those of `Undercut` and `Step`. All numbers but the shared direction
         and the numbers of features, undercuts and exact fits are strings. Features are numbered
         as the caller gave them; "features" says which number each vertex listed, and the edge from
-        it to the next, has there.
+        it to the next, has there. "holes" are those of the no-fit polygon, each with its "loop" and
+        with "contacts", a list for each edge; "exact_fit_contacts" has a list for each exact fit.
 
     Cost: that of `exactsweep.evidence.steps`.
     """
@@ -152,9 +154,24 @@ def story_to_json(sweep: Swept) -> str:
             ),
             "undercuts": _written([_undercut(undercut) for undercut in sweep.undercuts]),
             "exact_fits": _written(sweep.exact_fits),
+            "exact_fit_contacts": _written(_fit_contacts(sweep)),
+            "holes": _written(_holes(sweep)),
             "steps": "[\n    " + ",\n    ".join(steps) + "\n  ]",
         }
     )
+
+
+def _holes(sweep: Swept) -> list[dict[str, object]]:
+    loops = [hole.vertices for hole in sweep.no_fit_holes]
+    along = sweep.contacts_along(loops)
+    return [{"loop": loop, "contacts": found} for loop, found in zip(loops, along, strict=True)]
+
+
+def _fit_contacts(sweep: Swept) -> list[Sequence[Contact]]:
+    ways = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
+    return [
+        sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(ways)[0] for fit in sweep.exact_fits
+    ]
 
 
 def verification_to_json(verification: Verification) -> str:

@@ -197,6 +197,7 @@ def test_a_pair_that_kills_its_process_is_an_error_record(tmp_path: Path) -> Non
     assert bad == {
         "index": 21,
         "error": "the process that computed it was killed each time",
-        "generatrix": "s",
-        "directrix": "s",
+        # Equal names get a number.
+        "generatrix": "s-5",
+        "directrix": "s-2",
     }

@@ -1,8 +1,8 @@
 """Add to the shipped corpus what the builders have more: `python -m tests.builders`.
 
 Nothing that is shipped is changed: where a builder says something else of an id, or no longer has
-it, nothing is written. With --renew the answers, flags and titles are worked out anew, and the
-inputs stay.
+it, nothing is written; nor where a certificate of a new case is not proved. With --renew the
+answers, flags and titles are worked out anew, and the inputs stay.
 """
 
 import json
@@ -13,7 +13,8 @@ import click
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
-from builders.theme import THEMES, BuilderError, built, digest, with_answers, written
+from builders.theme import THEMES, BuilderError, built, digest, encoded, with_answers, written
+from exactsweep.corpus.shipped import theme_text
 
 DATA = Path(__file__).parent.parent.parent / "exactsweep" / "corpus" / "data"
 DIGESTS = Path(__file__).parent / "digests.json"
@@ -23,20 +24,26 @@ DIGESTS = Path(__file__).parent / "digests.json"
 @click.option("--renew", is_flag=True, help="Work out answers, flags and titles anew.")
 def main(renew: bool) -> None:
     """Write the themes to the package."""
-    texts = {}
+    files = {}
     digests: dict[str, str] = {}
     for name in THEMES:
-        path = DATA / f"{name}.json"
-        old = path.read_text(encoding="utf-8") if path.exists() else ""
+        try:
+            old = theme_text(DATA, name)
+        except FileNotFoundError:
+            old = ""
         try:
             cases = with_answers(built(name), old, renew)
         except BuilderError as error:
             raise click.ClickException(str(error)) from None
-        texts[path] = written(name, cases)
+        text = written(name, cases)
         digests |= {case.id: digest(case) for case in cases}
-    texts[DIGESTS] = json.dumps(digests, indent=1) + "\n"
-    for path, text in texts.items():
-        path.write_text(text, encoding="utf-8", newline="\n")
+        # Compressed anew, the same text may have other bytes.
+        if text != old:
+            file, data = encoded(name, text)
+            files[DATA / file] = data
+    files[DIGESTS] = (json.dumps(digests, indent=1) + "\n").encode()
+    for path, data in files.items():
+        path.write_bytes(data)
     click.echo(f"{len(digests)} cases")
 
 

@@ -1,8 +1,11 @@
 """What a builder says of a case: the input alone, never an answer."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
+
+from exactsweep import Region
+from exactsweep.corpus.generator.cells import Matrix, map_region
 
 Ring = Sequence[tuple[Any, Any]]
 UNIT: Ring = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -13,10 +16,29 @@ class Entry(NamedTuple):
 
     slug: str
     title: str
-    d: Ring
-    g: Ring
+    d: Ring | Region
+    g: Ring | Region
     flags: tuple[str, ...] = ()
     reference: tuple[Any, Any] = (0, 0)
+    inside: bool = False  # whether G is to be put inside D, too; of any shapes it is anyway
+    note: str = ""
+    d_holes: tuple[Ring, ...] = ()
+    g_holes: tuple[Ring, ...] = ()
+
+
+SLANTED: Matrix = ((3, -4), (4, 3))
+SHEARED: Matrix = ((1, 2), (0, 1))
+
+
+def in_places(slug: str, title: str, d: Region, g: Region) -> Iterator[Entry]:
+    """A pair as drawn, and slanted, sheared and scaled, and with another reference point."""
+    yield Entry(slug, title, d, g, inside=True)
+    slanted_d, slanted_g = (map_region(shape, SLANTED) for shape in (d, g))
+    yield Entry(f"{slug}-slanted", f"{title}, slanted 3 in 4", slanted_d, slanted_g, inside=True)
+    third = Fraction(1, 3)
+    d, g = (map_region(shape, SHEARED, third, (5, -2)) for shape in (d, g))
+    title = f"{title}, sheared, on thirds"
+    yield Entry(f"{slug}-thirds", title, d, g, reference=g.vertices[-1], inside=True)
 
 
 def box(width: Any, height: Any, x: Any = 0, y: Any = 0) -> Ring:

@@ -9,6 +9,11 @@ from builders.entry import UNIT, Entry, Ring, box, columns, mapped, moved, scale
 TITLE = "Slots that the generatrix fits exactly, and nearly"
 
 NEAR = 10**15
+# The first columns of the matrices by which slots are turned, in all quarters.
+DIRECTIONS = [
+    *[(0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1), (2, 1), (1, 3), (-1, 2)],
+    *[(-3, 1), (-2, -1), (-1, -4), (1, -2), (4, -1), (1000, 1), (-1, 999)],
+]
 HORN: Ring = [(0, 0), (3, 0), (3, 1), (2, 1), (2, 2), (1, 2), (1, 1), (0, 1)]
 TWO_HORNS: Ring = [(0, 0), (5, 0), (5, 3), (4, 3), (4, 1), (1, 1), (1, 2), (0, 2)]
 HOUSE: Ring = [(0, 0), (2, 0), (2, 2), (1, 3), (0, 2)]
@@ -200,6 +205,35 @@ def entries() -> Iterator[Entry]:
         scaled(slot(1, 2), Fraction(1, 10**30)),
         scaled(UNIT, Fraction(1, 10**30)),
     )
+    for a, b in DIRECTIONS:
+        turn = (a, -b, b, a)
+        slug = f"along-{a}-{b}".replace("--", "-minus-")
+        title = f"G slides in the direction of ({-b}, {a})"
+        yield Entry(slug, title, mapped(slot(1, 2), turn), mapped(UNIT, turn))
+        if (a + b) % 2:
+            yield Entry(
+                f"{slug}-gable",
+                f"{title}, a gable into a slot with a flat end",
+                mapped(slot(2, 4), turn),
+                mapped(HOUSE, turn),
+                reference=(Fraction(a, 3), Fraction(b, 7)),
+            )
+    for slug, title, factor in [
+        ("beyond-binary64", "A fit at 10^320", Fraction(10**320)),
+        ("below-binary64", "A fit at 10^-340", Fraction(1, 10**340)),
+        ("25-digits", "A slot whose width has 25 digits", Fraction(10**24 + 7)),
+        ("prime", "A slot whose width has a prime denominator", Fraction(10**20, 10**9 + 7)),
+    ]:
+        yield Entry(slug, title, scaled(slot(1, 2), factor), scaled(UNIT, factor))
+        turn = (3, -4, 4, 3)
+        d, g = (mapped(scaled(ring, factor), turn) for ring in (slot(1, 2), UNIT))
+        yield Entry(f"{slug}-slanted", f"{title}, slanted", d, g)
+    digits = 10**24
+    for slug, title, width in [
+        ("25-digits-too-narrow", "A slot too narrow by one part in 10^24", digits - 1),
+        ("25-digits-too-wide", "A slot wider by one part in 10^24", digits + 1),
+    ]:
+        yield Entry(slug, title, slot(width, digits, digits), box(digits, 5), near)
 
 
 THREE: Ring = under(columns([1, 3, 1, 2, 1, 1, 1], [0, 2, 0, 2, 0, 2, 0]), 4)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from builders.entry import UNIT, Entry, Ring, columns, moved, under
+from builders.entry import UNIT, Entry, Ring, columns, mapped, moved, under
 
 TITLE = "Reference points inside, on, outside and far away from the generatrix"
 
@@ -42,3 +42,16 @@ def entries() -> Iterator[Entry]:
         UNIT,
         reference=(Fraction(1, 7), 3),
     )
+    for slug, title, point in [
+        ("halves", "In the middle of G, on halves", (Fraction(1, 2), Fraction(3, 2))),
+        ("sevenths", "On sevenths and elevenths", (Fraction(5, 7), Fraction(-9, 11))),
+        ("tenths", "On tenths, which doubles do not hold", (Fraction(1, 10), Fraction(7, 10))),
+        ("far-half", "Half a unit beside a point 10^18 away", (10**18 + Fraction(1, 2), 1)),
+        ("long", "With a denominator of 40 digits", (Fraction(1, 10**40 + 1), Fraction(2, 3))),
+        ("tiny", "A point 10^-400 beside the origin", (Fraction(1, 10**400), 0)),
+    ]:
+        yield Entry(f"fraction-{slug}", title, LEAF, HOUSE, reference=point)
+        yield Entry(f"fraction-{slug}-fit", f"{title}, and a fit", SLOT, UNIT, reference=point)
+        d, g = (mapped(ring, (3, -4, 4, 3)) for ring in (SLOT, HOUSE))
+        title = f"{title}, a slanted pair"
+        yield Entry(f"fraction-{slug}-slanted", title, d, g, reference=point)

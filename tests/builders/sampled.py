@@ -26,4 +26,7 @@ def entries() -> Iterator[Entry]:
                 case.generatrix_ring,
                 family.flags,
                 case.reference,
+                inside=case.inner_regions is not None,
+                d_holes=case.directrix_holes,
+                g_holes=case.generatrix_holes,
             )

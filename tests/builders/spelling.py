@@ -61,9 +61,40 @@ def entries() -> Iterator[Entry]:
         [(0, 0), (3, 0), (3, 1), (3, 2), (0, 2), (0, 1)],
         [(0, 0), (1, 0), (1, Fraction(1, 2)), (1, 1), (0, 1)],
     )
+    slot: Ring = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0), (3, 3), (0, 3)]
+    dart: Ring = [(0, 0), (4, 3), (0, 6), (1, 3)]
+    for slug, title, d, g in [
+        ("house", "A house around a notched block", BLOCK, HOUSE),
+        ("convex", "A triangle around a diamond", DIAMOND, HOUSE[1:4]),
+        ("notched", "A notched block around itself", BLOCK, BLOCK),
+        ("fit", "A square into a slot that fits", slot, UNIT),
+        ("dart", "A dart around a dart", dart, [(-x, y + 1) for x, y in dart[::-1]]),
+    ]:
+        yield Entry(f"both-clockwise-{slug}", f"{title}, both clockwise", d[::-1], g[::-1])
+        for name, k in (("first", 0), ("last", -1)):
+            yield Entry(
+                f"{name}-twice-{slug}",
+                f"{title}, the {name} vertices twice",
+                with_twice(d, k),
+                with_twice(g, k),
+            )
+            yield Entry(
+                f"{name}-twice-clockwise-{slug}",
+                f"{title}, both clockwise and the {name} vertices twice",
+                with_twice(d[::-1], k),
+                with_twice(g[::-1], k),
+            )
 
 
 MANY: Ring = [*((Fraction(4 * k, 5), 0) for k in range(10)), *BLOCK[1:]]
+
+
+DIAMOND: Ring = [(0, 0), (2, -2), (5, 0), (2, 2)]
+
+
+def with_twice(ring: Ring, k: int) -> Ring:
+    """With the first or the last vertex twice in a row."""
+    return [ring[0], *ring] if k == 0 else [*ring, ring[-1]]
 
 
 def started(ring: Ring, first: int) -> Ring:

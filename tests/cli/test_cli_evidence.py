@@ -15,17 +15,17 @@ from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, PATIENCE, refusal, run
 from linear import require_linear
 
 from exactsweep.formats import MAX_BYTES
-from exactsweep.text.story import story
+from exactsweep.text.explanation import tell
 
 
 def test_the_example_is_told() -> None:
     told = run("explain").stdout
-    assert told == "".join(f"{line}\n" for line in story(EXAMPLE))
+    assert told == "".join(f"{line}\n" for line in tell(EXAMPLE))
     assert run("explain", HOUSE, NOTCH, "-o-").stdout == told
 
 
 def test_a_story_goes_to_a_file(tmp_path: Path) -> None:
-    path = tmp_path / "story"
+    path = tmp_path / "told"
     assert run("explain", "-o", str(path)).output == ""
     assert path.read_text() == run("explain").stdout
 

@@ -123,3 +123,21 @@ def test_options_that_do_not_go_together(options: tuple[str, ...], message: str)
     done = run("sweep", *options)
     assert done.exit_code == 2
     assert message in done.stderr
+
+
+def test_all_pairs_of_several_files_have_no_fit_polygons(files: dict[str, str]) -> None:
+    folder = str(Path(files["part"]).parent)
+    done = run("nfp", files["plate"], f"{folder}/s*.json")
+    head, *rows = done.stdout.splitlines()
+    assert head.split()[:2] == ["stationary", "orbiting"]
+    assert [row.split()[:2] for row in rows] == [
+        ["plate.json", "slot.json"],
+        ["plate.json", "square.json"],
+    ]
+    lines = run("nfp", files["plate"], f"{folder}/s*.json", "--json").stdout.splitlines()
+    assert [json.loads(line)["generatrix"] for line in lines] == ["slot.json", "square.json"]
+    done = run("nfp", folder, folder, "--to", "json", "--round", "1", "--round-outward")
+    found = parse_regions(done.stdout)
+    assert len(found) == 16
+    assert found[1].name == "plate.json around part.json"
+    assert run("nfp", folder, folder, "--certificate").exit_code == 2

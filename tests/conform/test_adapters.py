@@ -10,13 +10,13 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 from command import PATIENCE
 from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
 from exactsweep.conform.adapters.adapter import prepared
-from exactsweep.conform.adapters.table import main
+from exactsweep.conform.adapters.orbit import sort_out
+from exactsweep.conform.adapters.table import Rows, read_journal, write_tables
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import judge_case
@@ -24,8 +24,11 @@ from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.corpus import Case, find_case, generate
 
+BOX = [(0, 0), (4, 0), (4, 4), (0, 4)]
 EXACT = ("pysfcgal", "cgal-reduced")
 ROUNDING = ("shapely", "pyclipper", "clipper2", "klayout")
+SUMS = [name for name in NAMES if name not in ("libnfporb", "libnfporb-rational", "svgnest-orbit")]
+CLIPPERS = {"pyclipper": ("no_fit",), "clipper2": ("no_fit",)}
 COMMAND = [sys.executable, "-m", "exactsweep.conform.adapters"]
 
 
@@ -69,8 +72,8 @@ def test_a_crossing_at_thirds_is_rounded(name: str) -> None:
     assert verdicts(name, iter([case])) == {Verdict.WITHIN}
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_nobody_answers_exact_fits(name: str) -> None:
+@pytest.mark.parametrize("name", SUMS)
+def test_sums_have_no_exact_fits(name: str) -> None:
     assert verdicts(name, iter([find_case("fits-square")])) == {
         Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
     }
@@ -96,7 +99,7 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
     hello = adapter.hello
     adapter.close()
     triangle = [["0", "0"], ["6", "0"], ["0", "6"]]
-    case = {"id": "a", "directrix": triangle, "generatrix": triangle, "reference": ["0", "0"]}
+    case = {"id": "a", "directrix": triangle, "generatrix": triangle, "ask": ["no_fit"]}
     fraction = {**case, "id": "b", "directrix": [["0", "0"], ["1/3", "0"], ["0", "1"]]}
     lines = [case, fraction, {"bye": True}, case]
     said = subprocess.run(
@@ -110,10 +113,10 @@ def test_an_adapter_speaks_the_protocol(name: str) -> None:
     assert json.loads(said[0]) == hello.to_json()
     answers = [json.loads(line) for line in said[1:]]
     assert [answer["id"] for answer in answers] == ["a", "b"]
-    (ring,) = answers[0]["trajectory"]
+    (ring,) = answers[0]["no_fit"]
     found = {(Fraction(x), Fraction(y)) for x, y in ring}
     assert {(-6, 0), (0, -6), (6, -6), (6, 0), (0, 6), (-6, 6)} <= found
-    assert ("trajectory" in answers[1]) == (hello.numbers == "rational")
+    assert ("no_fit" in answers[1]) == (hello.numbers == "rational")
 
 
 def test_programs_are_listed() -> None:
@@ -133,6 +136,110 @@ def test_what_is_not_installed_is_refused_by_name(monkeypatch: pytest.MonkeyPatc
         load("abacus")
 
 
+@pytest.mark.parametrize("name", ["shapely", "klayout", "pysfcgal", "cgal-reduced"])
+def test_a_plate_and_a_bin_are_right_for_who_takes_holes(name: str) -> None:
+    plate = [(0, 0), (9, 0), (9, 9), (0, 9)]
+    hole = [(2, 2), (6, 2), (6, 6), (2, 6)]
+    part = [(0, 0), (3, 0), (3, 3), (0, 3)]
+    around = Case.of("plate", "", plate, part, directrix_holes=[hole])
+    inside = Case.of("bin", "", plate, part, inner_fit=True)
+    assert len(around.holes) == len(inside.inner_regions or ()) == 1
+    adapter = installed(name)
+    for question, case in (("no_fit", around), ("inner_fit", inside)):
+        limited = adapter.limited(question)
+        outcome = judge_case(CallablePeer(limited.answer, limited.hello), case)
+        assert outcome.verdict in (Verdict.EXACT, Verdict.EQUIVALENT), (question, outcome)
+    adapter.close()
+
+
+def test_a_program_is_asked_what_it_claims() -> None:
+    adapter = installed("pyclipper")
+    with pytest.raises(MissingError, match="is not asked for inner_fit, but for no_fit"):
+        adapter.limited("inner_fit")
+    holed = Case.of("holed", "", BOX, BOX, directrix_holes=[[(1, 1), (2, 1), (1, 2)]])
+    outcome = judge_case(CallablePeer(adapter.answer, adapter.hello), holed)
+    assert outcome.verdict is Verdict.UNSUPPORTED
+    assert outcome.reason == "not asked: it takes simple pairs, not any ones"
+
+
+def test_a_sum_of_boundaries_is_filled_where_the_polygons_fill_it() -> None:
+    """A square in the middle of a large one does not touch its boundary."""
+    for name in CLIPPERS:
+        for case in (
+            Case.of("large", "", [(10 * x, 10 * y) for x, y in BOX], BOX),
+            find_case("caves-open"),
+        ):
+            assert verdicts(name, iter([case])) <= {Verdict.EXACT, Verdict.EQUIVALENT}, case.id
+
+
+def test_orbits_become_rings_segments_and_points() -> None:
+    a, b, c = points((0, 0), (4, 0), (0, 4))
+    rings, fits = sort_out([[a, b, c, a], [c, c], [a, b, a], []])
+    assert rings == [[a, b, c, a]]
+    assert fits == [(c, c), (a, b)]
+
+
+def test_the_source_of_nesting_programs_is_the_user_s(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    for name in ("svgnest-orbit", "svgnest-clipper", "deepnest-clipper"):
+        variable = f"EXACTSWEEP_{name.partition('-')[0].upper()}"
+        monkeypatch.setenv(variable, str(tmp_path))
+        with pytest.raises(MissingError, match=f"needs node, and {variable} for the folder"):
+            load(name)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(MissingError, match="no program exactsweep-nfporb-rational"):
+        load("libnfporb-rational")
+
+
+def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A stand-in for the user's source, of the same functions."""
+    if shutil.which("node") is None:
+        pytest.skip("node is not installed")
+    (tmp_path / "util").mkdir()
+    (tmp_path / "util" / "clipper.js").write_text("var ClipperLib = {};")
+    (tmp_path / "util" / "geometryutil.js").write_text(
+        "(function (root) { root.GeometryUtil = {"
+        "isRectangle: () => true,"
+        "noFitPolygonRectangle: (A, B) => [[{x: 7, y: 0}, {x: 7, y: 0}]],"
+        "noFitPolygon: (A, B, inside) => inside ? null : [[...A], [{x: B[0].x, y: B[0].y}]],"
+        "}; })(this);"
+    )
+    (tmp_path / "svgnest.js").write_text(
+        "function toClipperCoordinates() { throw 1; }\n"
+        "p.map(function(pair) {\n"
+        "  function toClipperCoordinates(p) { return p; }\n"
+        "  function toNestCoordinates(p) { return p; }\n"
+        "  function minkowskiDifference(A, B) {"
+        " return [toNestCoordinates(toClipperCoordinates(B))]; }\n"
+        "});\n"
+    )
+    monkeypatch.setenv("EXACTSWEEP_SVGNEST", str(tmp_path))
+    d, g = [(0.5, 0.0), (4.0, 0.0), (0.0, 4.0)], [(1.0, 1.0), (3.0, 1.0), (1.0, 3.0)]
+    clipper, orbit = load("svgnest-clipper"), load("svgnest-orbit")
+    try:
+        (ring,) = clipper.answer(d, g).values()
+        # It says where G's first vertex is; told of the origin, that is a corner less.
+        assert ring == [(0, 0), (2, 0), (0, 2)]
+        (ring,) = clipper.answer(d, g[::-1]).values()
+        assert ring[0] == (0, 0)
+        assert clipper.hello.shapes == "simple"
+        found = {
+            **orbit.answer([d, d], [g], parts=["no_fit"]),
+            **orbit.answer([d], [g], parts=["inner_fit"]),
+        }
+        # Told of G's origin: its least corner is (1, 1). The hole has no answer.
+        assert found["no_fit"] == [[(x - 1, y - 1) for x, y in d]]
+        assert found["exact_fits"] == [((0, 0), (0, 0))]
+        assert found["inner_exact_fits"] == [((6, -1), (6, -1))]
+        for shapes, message in (([d], [g, g]), "holes of G"), (([d, d], [g]), "a container with"):
+            with pytest.raises(NotImplementedError, match=message):
+                orbit.answer(*shapes, parts=["inner_fit"])
+    finally:
+        clipper.close()
+        orbit.close()
+
+
 def test_journals_become_a_table(tmp_path: Path) -> None:
     square = [(0, 0), (8, 0), (8, 8), (0, 8)]
     case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -146,9 +253,12 @@ def test_journals_become_a_table(tmp_path: Path) -> None:
         with Journal(path, command=[], hello=hello, seconds=1) as journal:
             for _ in range(3):
                 journal.add(judge_case(peer, case))
-        table = CliRunner().invoke(main, [str(path)]).stdout.splitlines()
-        assert table[0].startswith("| program | cases | exact or equivalent | but for exact fits |")
-        assert table[2] == f"| a program | 2 | 1 |  |  | 1 {expected} |  |  |  |  |  |"
+        rows: Rows = {}
+        read_journal(path, rows)
+        title, _, head, _, row = write_tables(rows).splitlines()
+        assert title == "**No-fit polygons of pairs that share a direction**"
+        assert head == "| program | cases | exact or equivalent | conservative |"
+        assert row == f"| a program | 2 | 1 | 1 {expected} |"
 
 
 def test_a_ring_is_prepared_exactly() -> None:
@@ -163,4 +273,6 @@ def test_the_peers_of_the_test_environment_are_there() -> None:
     modules = ("shapely", "pyclipper", "clipper2", "klayout", "pysfcgal")
     if not all(map(find_spec, modules)):
         pytest.skip("the extra 'peers' is not installed")
-    assert [load(name).hello.loops for name in (*ROUNDING, "pysfcgal")] == [("trajectory",)] * 5
+    questions = {name: load(name).hello.questions for name in (*ROUNDING, "pysfcgal")}
+    both = ("no_fit", "inner_fit")
+    assert questions == {**dict.fromkeys((*ROUNDING, "pysfcgal"), both), **CLIPPERS}

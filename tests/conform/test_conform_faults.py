@@ -1,14 +1,15 @@
 """Implementations with one known fault each get the verdict that belongs to it."""
 
 import subprocess
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterable, Iterator
 
 import pytest
 from judged import CORRECT, FAULTY, SLOT, SQUARE
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
-from exactsweep.conform.run.outcome import judge_case
+from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.process import ProcessPeer
 from exactsweep.corpus import Case, cases
 
@@ -118,12 +119,28 @@ def test_a_polite_refusal_is_quoted(peer: ProcessPeer) -> None:
     assert judge_case(peer, CASES["notch"]).reason == "says: too hard"
 
 
-def test_the_correct_one_is_exact_everywhere() -> None:
-    peer = ProcessPeer(CORRECT)
+def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
+    peer = ProcessPeer(command)
     try:
-        outcomes = [judge_case(peer, case) for case in [*CASES.values(), *cases()]]
+        outcomes = [judge_case(peer, case) for case in chosen]
         assert peer.close() is None
     finally:
         peer.kill()
-    assert len(outcomes) >= 300
+    return outcomes
+
+
+def test_the_correct_one_is_exact_where_it_is_asked() -> None:
+    """It speaks the old protocol: it is not asked of pairs that share no direction."""
+    chosen = [*CASES.values(), *cases()]
+    outcomes = outcomes_of(CORRECT, chosen)
+    for case, outcome in zip(chosen, outcomes, strict=True):
+        expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
+        assert outcome.verdict is expected, outcome
+        if case.kind == "SS":
+            assert outcome.reason.startswith("not asked: it takes monotone pairs")
+
+
+def test_the_correct_one_of_any_shape_is_exact_everywhere() -> None:
+    chosen = [*CASES.values(), *cases()]
+    outcomes = outcomes_of([sys.executable, "-m", "exactsweep.conform.examples.shapes"], chosen)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

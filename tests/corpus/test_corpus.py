@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
 from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
+from exactsweep.corpus.case import KINDS
 from exactsweep.corpus.generator.growing import bumps
 from exactsweep.corpus.representable import types_holding
-from exactsweep.corpus.shipped import schema_text
+from exactsweep.corpus.shipped import schema_text, theme_text
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
@@ -30,14 +31,13 @@ def shipped() -> list[Case]:
 
 
 def theme_file(name: str) -> Any:
-    path = files("exactsweep.corpus").joinpath("data", f"{name}.json")
-    return json.loads(path.read_text(encoding="utf-8"))
+    return json.loads(theme_text(files("exactsweep.corpus").joinpath("data"), name))
 
 
 def test_there_are_enough_cases_of_each_class(shipped: list[Case]) -> None:
     kinds = Counter(case.kind for case in shipped)
     assert len(shipped) >= 300
-    assert min(kinds[kind] for kind in ("CC", "CM", "MM")) >= 100
+    assert min(kinds[kind] for kind in KINDS) >= 100
 
 
 def test_ids_are_unique_and_begin_with_their_theme(shipped: list[Case]) -> None:
@@ -114,13 +114,16 @@ def test_figure_10_s_family_has_its_number_of_outer_edges(sizes: tuple[int, int,
 
 
 def input_of(case: Case) -> list[Fraction]:
-    rings = case.directrix_ring, case.generatrix_ring, (case.reference,)
+    rings = *case.directrix_rings, *case.generatrix_rings, (case.reference,)
     return [c for ring in rings for point in ring for c in point]
 
 
 def answer_of(case: Case) -> list[Fraction]:
-    loops = [loop.vertices for loop in (case.trajectory, case.inner, case.outer)]
-    return [c for points in (*loops, *case.exact_fits) for point in points for c in point]
+    loops = (case.trajectory, case.inner, case.outer, *case.holes, *case.unswept)
+    rings = [loop.vertices for loop in loops]
+    rings += [region.vertices for region in case.inner_regions or ()]
+    fits = *case.exact_fits, *case.inner_exact_fits
+    return [c for points in (*rings, *fits) for point in points for c in point]
 
 
 def fits_binary64(value: Fraction) -> bool:

@@ -11,10 +11,11 @@ from builders.theme import THEMES, BuilderError, built, digest, with_answers, wr
 from click.testing import CliRunner
 
 from exactsweep.corpus import cases, themes
+from exactsweep.corpus.shipped import theme_text
 
 
 def text_of(theme: str) -> str:
-    return (command.DATA / f"{theme}.json").read_text(encoding="utf-8")
+    return theme_text(command.DATA, theme)
 
 
 def test_there_is_a_builder_for_every_theme() -> None:

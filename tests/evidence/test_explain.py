@@ -1,4 +1,4 @@
-"""What the story of a sweep says, held against the definition."""
+"""What the steps of a sweep say, held against the definition."""
 
 from fractions import Fraction
 from itertools import pairwise
@@ -13,7 +13,7 @@ from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
 from exactsweep.geometry.point import ORIGIN
-from exactsweep.text.story import story
+from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -254,7 +254,7 @@ def test_features_are_numbered_as_in_the_input(
 @patient
 @given(any_sweeps())
 def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
-    lines = list(story(s))
+    lines = list(tell(s))
     text = "\n".join(lines)
     assert text.isascii()
     assert "\n\n\n" not in text

@@ -7,6 +7,7 @@ import pytest
 from linear import require_linear
 
 from exactsweep.formats import FormatError, parse_polygon, read_polygon
+from exactsweep.formats.reading import MAX_VERTICES
 
 TEXTS: dict[str, Callable[[int], str]] = {
     "wkt word": lambda n: "P" * n,
@@ -51,6 +52,38 @@ def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> No
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
+
+
+MANY = MAX_VERTICES + 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        lambda: "POLYGON ((" + "0 0," * MANY + "0 0))",
+        lambda: "[" + "[0,0]," * MANY + "[0,0]]",
+        lambda: '[{"x":0,"y":0}' + ',{"x":0,"y":0}' * MANY + "]",
+        lambda: "0,0\n" * (MANY + 1),
+        lambda: f'<svg><polygon points="{"0 0 " * MANY}"/></svg>',
+    ],
+    ids=["wkt", "json", "objects", "csv", "points"],
+)
+def test_more_vertices_than_memory_is_for_are_refused_unread(text: Callable[[], str]) -> None:
+    with pytest.raises(FormatError, match=r"more than [14],000,000 (vertices|characters)"):
+        parse_polygon(text())
+
+
+def test_entities_beyond_counting_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.formats.curved.dxf_entity.MAX_ENTITIES", 1000)
+    with pytest.raises(FormatError, match=r"^more than 1,000 entities$"):
+        parse_polygon("0\nSECTION\n2\nENTITIES\n" + "0\nLINE\n" * 2000)
+
+
+def test_a_path_stops_at_the_vertex_that_is_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.formats.curved.svg_path.MAX_VERTICES", 1000)
+    data = "M0 0" + "h1" * 5000
+    with pytest.raises(FormatError, match=r"path data, character 2003: more than 1,000 vertices"):
+        parse_polygon(f'<svg><path d="{data}"/></svg>')
 
 
 def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) -> None:

@@ -124,6 +124,7 @@ def test_nested_outlines_are_read_by_commands(tmp_path: Path) -> None:
     assert done.stderr == "1 hole written as closed polylines, which --nested reads as holes\n"
     assert run("convert", drawing, "--to", "wkt").stdout.count("POLYGON") == 2
     assert run("convert", drawing, "--to", "wkt", "--nested").output == WKT
-    assert "holds 2 polygons" in refusal(run("nfp", drawing, unit))
+    assert "holds 2 polygons" in refusal(run("ifp", drawing, unit))
+    assert len(run("nfp", drawing, unit).stdout.splitlines()) == 3
     assert run("nfp", drawing, unit, "--nested").output == run("nfp", source, unit).output
     assert run("sweep", unit, drawing, "--nested").output == run("sweep", unit, source).output

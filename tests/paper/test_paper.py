@@ -2,12 +2,15 @@
 
 import re
 from itertools import pairwise, product
+from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 from command import ROOT
 
+from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.paper.claim import (
     KINDS,
@@ -19,6 +22,7 @@ from exactsweep.paper.claim import (
     Finding,
     reproduce,
 )
+from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import Trial, break_law, shrink
 from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
@@ -66,10 +70,16 @@ def test_what_does_not_hold_as_printed_is_corrected(claim: Claim) -> None:
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=ORDER)
-def test_the_evidence_bears_out_the_status(claim: Claim) -> None:
+def test_the_evidence_bears_out_the_status(claim: Claim, tmp_path: Path) -> None:
     (row,) = reproduce([claim], Effort(seed=2, quick=True))
     assert row.disagreement == ""
     assert row.evidence.tried
+    write_data(tmp_path, [row], Effort(seed=2, quick=True))
+    files = sorted((tmp_path / "counterexamples").iterdir())
+    assert len(files) == sum(bool(case.generatrix) for case in row.evidence.cases)
+    for file in files:
+        result = CliRunner().invoke(main, ["sweep", f"{file}#G", f"{file}#D", "--json"])
+        assert result.exit_code == 0, result.output
 
 
 def test_the_readme_names_all_errata_by_weight() -> None:
@@ -235,6 +245,12 @@ def test_measured_growth_is_judged_by_its_exponent() -> None:
     assert not series(2, "bytes of f").is_flat
     assert series(1.15, limit=0.2).is_flat
     assert not series(1.25, limit=0.2).is_flat
+
+
+def test_of_seconds_that_are_measured_again_the_least_count() -> None:
+    slow, fast = series(2, "seconds of f"), series(1, "seconds of f")
+    assert slow.least(fast).points == fast.least(slow).points == fast.points
+    assert not slow.least(slow).is_flat
 
 
 def test_all_laws_and_checks_of_the_ledger_say_what_holds() -> None:

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from exactsweep import Polygon, sweep
 from exactsweep.check.definition import reference_loops
 from exactsweep.geometry.point import Vertex
+from exactsweep.procedures import part_pairs
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import complement, convex_parts, inverse, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -45,6 +46,17 @@ def test_of_a_convex_generatrix_it_is_the_cm_sweep(pair: Pair) -> None:
 
 @given(own.pairs("MM"))
 @usually
+def test_pairs_under_a_ceiling_are_all_that_matters(pair: Pair) -> None:
+    """Swept in batches of as few pairs as there are, or all at once."""
+    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
+    whole = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(part_pairs, "FEW_PAIRS", 0)
+        assert (list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)) == whole
+
+
+@given(own.pairs("MM"))
+@usually
 def test_halves_are_those_of_the_whole_sweep(pair: Pair) -> None:
     (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     s = sweep(*pair, direction=(1, 0))
@@ -63,9 +75,13 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
     return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
 
 
-@pytest.mark.parametrize("first", range(0, 60, 20))
-def test_no_pair_of_convex_parts_is_missed(first: int) -> None:
+@pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
+@pytest.mark.parametrize("first", range(0, 40, 20))
+def test_no_pair_of_convex_parts_is_missed(
+    first: int, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Lemma 5.1, thrice: pairs that are not swept would not have reached the envelope."""
+    monkeypatch.setattr(part_pairs, "FEW_PAIRS", few)
     for number in range(first, first + 20):
         rng = random.Random(f"all pairs:{number}")
         (g_bottom, g_top), (bottom, _) = (

@@ -151,12 +151,14 @@ def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> 
     assert (n.exterior, n.holes, n.exact_fits) == (s.trajectory, (), s.exact_fits)
 
 
-def test_the_paper_s_procedures_give_the_same_on_the_corpus() -> None:
-    for case in cases():
+def test_it_gives_what_the_corpus_has() -> None:
+    for case in cases(max_size=150):
         n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), case.reference, None)
-        assert (n.exterior, n.holes, n.exact_fits) == (case.trajectory, (), case.exact_fits), (
-            case.id
-        )
+        assert (n.exterior, n.holes, n.exact_fits) == (
+            case.trajectory,
+            case.holes,
+            case.exact_fits,
+        ), case.id
 
 
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0), (3, -2, 1, 5), (1, 0, 0, -1)]

@@ -1,55 +1,110 @@
-"""Sweeps by an independent exact program: Minkowski sums of SFCGAL, that is of CGAL.
+"""Answers by an independent exact program: Minkowski sums of SFCGAL, that is of CGAL.
 
-The trajectory is the boundary of P = D + I(G), the outer loop that of P + G; the inner loop bounds
-the hole of (a large box without P) + G.
+The no-fit polygon is P = D + I(G), with all its holes. Of the area swept along its exterior T the
+outer loop is that of T + G, T filled, and holes of it are left out; the inner loop and what else is
+left out inside are the holes of (a large box without T's inside) + G. (The positions inside a
+container could be found likewise; but there the program crashes often.)
+
+The program takes holes of one polygon only. Where both have some, G lies in a hole of D, or D in
+one of G: so the holes are those of both sums, each with the holes of the other polygon filled.
 
 `exactsweep corpus export | python tests/support/sfcgal_sweep.py` answers each case, a line each,
 with its id, and "differs" behind it where the loops do. It is a process of its own because it may
-crash.
+crash. It says nothing of exact fits, nor of positions inside.
 """
 
 import json
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from exactsweep import Point, Polygon
-from exactsweep.corpus import case_from_json
+from exactsweep import Point, Polygon, Region
+from exactsweep.check import classify
+from exactsweep.check.location import locate
+from exactsweep.corpus import Case, case_from_json
+from exactsweep.geometry.canonical import doubled_area
 
 Ring = Sequence[tuple[Fraction, Fraction]]
+Rings = Sequence[Ring]
 _RING = re.compile(r"\(([^()]*)\)")
 
 
-def loops(directrix: Polygon, generatrix: Polygon, reference: Point) -> tuple[Polygon, ...]:
-    """The trajectory, the inner and the outer loop."""
+def differs(case: Case) -> list[str]:
+    """What the program answers otherwise."""
     # Both come to the origin and to a size of one: the program checks its input with doubles.
-    at_d, at_g = directrix.vertices[0], generatrix.vertices[0]
-    d, g = directrix.translated((-at_d.x, -at_d.y)), generatrix.translated((-at_g.x, -at_g.y))
-    unit = max(abs(c) for polygon in (d, g) for vertex in polygon.vertices for c in vertex)
-    around_d, moving = ([(x / unit, y / unit) for x, y in p.vertices] for p in (d, g))
+    (at_dx, at_dy), (at_gx, at_gy) = case.directrix.vertices[0], case.generatrix.vertices[0]
+    d = [[(x - at_dx, y - at_dy) for x, y in ring] for ring in case.directrix.rings]
+    g = [[(x - at_gx, y - at_gy) for x, y in ring] for ring in case.generatrix.rings]
+    unit = max(abs(c) for ring in (*d, *g) for point in ring for c in point)
+    d, g = ([[(x / unit, y / unit) for x, y in ring] for ring in rings] for rings in (d, g))
+    inverse = [[(-x, -y) for x, y in ring] for ring in g]
+    on_d = at_dx, at_dy
+    at_t = at_dx - at_gx + case.reference.x, at_dy - at_gy + case.reference.y
 
-    def back(ring: Ring, x: Fraction, y: Fraction) -> Polygon:
-        return Polygon([(unit * px + x, unit * py + y) for px, py in ring])
+    def back(rings: Iterable[Ring], by: tuple[Fraction, Fraction]) -> list[Polygon]:
+        found = [Polygon([(unit * x + by[0], unit * y + by[1]) for x, y in ring]) for ring in rings]
+        return sorted(found, key=lambda polygon: polygon.vertices)
 
-    (found,) = _sum([around_d], [(-x, -y) for x, y in moving])
+    exterior, *holes = _sum(d, inverse[:1])
+    if len(inverse) > 1:
+        holes += _sum(inverse, d[:1])[1:]
+    # Where one polygon is all inside the other, it sees a hole, too.
+    holes = [hole for hole in holes if _is_free(d, g, _point_inside(hole))]
     # Its own collinear vertices, given back to it, crash the program.
-    no_fit = Polygon(found)
-    positions = no_fit.vertices
-    (outer,) = _sum([positions], moving)
-    (low_x, low_y), (high_x, high_y) = no_fit.bounding_box
-    left, bottom, right, top = low_x - 9, low_y - 9, high_x + 9, high_y + 9
-    box = [(left, bottom), (right, bottom), (right, top), (left, top)]
-    _, inner = _sum([box, positions[::-1]], moving)
-    by = at_d.x - at_g.x + reference.x, at_d.y - at_g.y + reference.y
-    return back(positions, *by), back(inner, *at_d), back(outer, *at_d)
+    path = Polygon(exterior).vertices
+    outer, *beside = _sum([path], g) if len(g) == 1 else _sum(g, [path])
+    inside = _inside(path, g[0])
+    found = {
+        "trajectory": (back([exterior], at_t), [case.trajectory]),
+        "holes": (list(dict.fromkeys(back(holes, at_t))), list(case.holes)),
+        "outer": (back([outer], on_d), [case.outer]),
+        "unswept": (
+            back([*beside, *inside], on_d),
+            sorted((case.inner, *case.unswept), key=lambda polygon: polygon.vertices),
+        ),
+    }
+    return [name for name, (theirs, ours) in found.items() if theirs != ours]
 
 
-def _sum(rings: Sequence[Ring], other: Ring) -> list[list[tuple[Fraction, Fraction]]]:
+def _inside(ring: Ring, moving: Ring) -> list[Ring]:
+    """The points p with p - MOVING inside a ring: the holes of the sum of a frame and MOVING.
+
+    Where p - MOVING is all inside the frame, the program takes p for a point of a hole, too.
+    """
+    reach = 9 * max(abs(c) for points in (ring, moving) for point in points for c in point)
+    box = [(-reach, -reach), (reach, -reach), (reach, reach), (-reach, reach)]
+    _, *holes = _sum([box, ring], [moving])
+    x, y = moving[0]
+    found: list[Ring] = []
+    for hole in holes:
+        p = _point_inside(hole)
+        if locate(Point(p.x - x, p.y - y), [Point(*q) for q in ring]) > 0:
+            found.append(hole)
+    return found
+
+
+def _is_free(d: Rings, g: Rings, t: Point) -> bool:
+    return classify(Region(d[0], d[1:]), Region(g[0], g[1:]), t).verdict == "FREE"
+
+
+def _point_inside(ring: Ring) -> Point:
+    """A point inside a ring, near its least vertex."""
+    k = min(range(len(ring)), key=lambda k: ring[k])
+    (ax, ay), (x, y), (bx, by) = ring[k - 1], ring[k], ring[(k + 1) % len(ring)]
+    share = Fraction(1, 3)
+    while True:
+        p = Point(x + share * (ax + bx - 2 * x), y + share * (ay + by - 2 * y))
+        if locate(p, [Point(*q) for q in ring]) > 0:
+            return p
+        share /= 4
+
+
+def _sum(rings: Rings, others: Rings) -> list[list[tuple[Fraction, Fraction]]]:
     from pysfcgal.geometry import Geometry
 
-    both: list[Any] = [Geometry.from_wkt(_polygon(shape)) for shape in (rings, [other])]
+    both: list[Any] = [Geometry.from_wkt(_polygon(shape)) for shape in (rings, others)]
     found = _RING.findall(both[0].minkowski_sum(both[1]).to_wkt())
     return [
         [(Fraction(x), Fraction(y)) for x, y in map(str.split, ring.split(",")[:-1])]
@@ -57,20 +112,19 @@ def _sum(rings: Sequence[Ring], other: Ring) -> list[list[tuple[Fraction, Fracti
     ]
 
 
-def _polygon(rings: Sequence[Ring]) -> str:
-    texts = (", ".join(f"{x} {y}" for x, y in [*ring, ring[0]]) for ring in rings)
+def _polygon(rings: Rings) -> str:
+    exterior, *holes = rings
+    # It wants holes clockwise.
+    turned = (ring[::-1] if doubled_area([Point(*p) for p in ring]) > 0 else ring for ring in holes)
+    texts = (", ".join(f"{x} {y}" for x, y in [*ring, ring[0]]) for ring in (exterior, *turned))
     return f"POLYGON ({', '.join(f'({text})' for text in texts)})"
 
 
 def main() -> None:
     for line in sys.stdin:
         case = case_from_json(json.loads(line))
-        same = loops(case.directrix, case.generatrix, case.reference) == (
-            case.trajectory,
-            case.inner,
-            case.outer,
-        )
-        print(case.id if same else f"{case.id} differs", flush=True)
+        wrong = differs(case)
+        print(" ".join([case.id, *(["differs:", ", ".join(wrong)] if wrong else [])]), flush=True)
 
 
 if __name__ == "__main__":

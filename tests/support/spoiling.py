@@ -247,3 +247,58 @@ class Stale:
     def __call__(self, case: Case, answer: Answer) -> Answer:
         last, self.last = self.last, answer
         return last or answer
+
+
+REFERENCE: dict[str, tuple[str, Callable[[Case], Sequence[Any]]]] = {
+    "G's origin": ("G's origin as reference", lambda c: ORIGIN),
+    "G's first vertex": ("G's first vertex as reference", lambda c: c.generatrix_ring[0]),
+    "G's last vertex": ("G's last vertex as reference", lambda c: c.generatrix_ring[-1]),
+    "a corner of G's box": (
+        "lower left corner of G's box as reference",
+        lambda c: c.generatrix.bounding_box[0],
+    ),
+    "the centre of G's box": (
+        "centre of G's box as reference",
+        lambda c: [sum(side) / 2 for side in zip(*c.generatrix.bounding_box, strict=True)],
+    ),
+    "the mean of G's vertices": (
+        "mean of G's vertices as reference",
+        lambda c: [
+            sum(side) / len(c.generatrix_ring) for side in zip(*c.generatrix_ring, strict=True)
+        ],
+    ),
+    "G's leftmost vertex": ("G's leftmost vertex as ref", lambda c: min(c.generatrix_ring)),
+    "G's rightmost vertex": ("G's rightmost vertex as ref", lambda c: max(c.generatrix_ring)),
+    "G's lowest vertex": (
+        "G's lowest vertex as reference",
+        lambda c: min(c.generatrix_ring, key=lambda p: (p.y, p.x)),
+    ),
+    "G's highest vertex": (
+        "G's highest vertex as reference",
+        lambda c: max(c.generatrix_ring, key=lambda p: (p.y, p.x)),
+    ),
+    "the reference point negated": (
+        "the reference point negated",
+        lambda c: (-c.reference.x, -c.reference.y),
+    ),
+    "D's first vertex": (
+        "relative to D's first vertex",
+        lambda c: [r - b for r, b in zip(c.reference, c.directrix_ring[0], strict=True)],
+    ),
+    "both first vertices": (
+        "G's first vertex as reference, relative to D's first",
+        lambda c: [g - d for g, d in zip(c.generatrix_ring[0], c.directrix_ring[0], strict=True)],
+    ),
+    "the corners of both boxes": (
+        "relative to the lower left corner of D's box",
+        lambda c: [
+            g - d
+            for g, d in zip(c.generatrix.bounding_box[0], c.directrix.bounding_box[0], strict=True)
+        ],
+    ),
+    "a point far away": (
+        r"another reference point: all is moved by \(1001,-777\)",
+        lambda c: (c.reference.x + 1001, c.reference.y - 777),
+    ),
+}
+"""Points that are taken for the reference point, with what is said then."""

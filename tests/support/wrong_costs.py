@@ -10,11 +10,6 @@ from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner
 from exactsweep.procedures.envelope import Envelope, precedes
 
 
-def keep_pairs(first: Any, second: Any) -> list[tuple[int, int]]:
-    """A table of all pairs of two lists, which takes time and room."""
-    return [(i, j) for i in range(len(first)) for j in range(len(second))]
-
-
 @sabotage("Trajectory_CC: right, but in quadratic time", cc.merge_by_slope, "Corollary 3.4")
 def compare_all_edges(right: Procedure) -> Procedure:
     def merge_by_slope(first: Any, second: Any) -> Any:
@@ -141,40 +136,24 @@ def sweep_all_again(right: Procedure) -> Procedure:
     return inner_mm
 
 
-@sabotage("Trajectory_CC: right, but a table of mn is made", cc.trajectory_cc, "Corollary 3.4")
-def make_table(right: Procedure) -> Procedure:
-    def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
-        kept = keep_pairs(generatrix, directrix)
-        return right(generatrix, directrix) if kept else []
+def keep_table(right: Procedure) -> Procedure:
+    """A table of all pairs of vertices of D_b is kept while the procedure runs."""
 
-    return trajectory_cc
+    def large(*arguments: Any) -> Any:
+        directrix = list(arguments[-1])
+        kept = [(p, q) for p in range(len(directrix)) for q in range(len(directrix))]
+        return right(*arguments) if kept else []
 
-
-@sabotage("SweepI_CM: right, but a table of m² is made", cm.sweep_inner_cm, "Corollary 4.6")
-def make_square_table(right: Procedure) -> Procedure:
-    def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
-        kept = keep_pairs(directrix, directrix)
-        return right(generatrix, directrix, trajectory) if kept else []
-
-    return sweep_inner_cm
+    return large
 
 
-@sabotage("Trajectory_MM: right, but a table of m² is made", mm.trajectory_mm, "Corollary 5.7")
-def make_table_of_parts(right: Procedure) -> Procedure:
-    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
-        kept = keep_pairs(directrix, directrix)
-        return right(generatrix, directrix) if kept else []
-
-    return trajectory_mm
-
-
-@sabotage("Sweep_MM: right, but a table of m² is made", mm.sweep_mm, "Corollary 5.8")
-def make_table_of_loops(right: Procedure) -> Procedure:
-    def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
-        kept = keep_pairs(directrix, directrix)
-        return right(top, bottom, directrix) if kept else []
-
-    return sweep_mm
+for fault, procedure, row in (
+    ("Trajectory_CC", cc.trajectory_cc, "Corollary 3.4"),
+    ("SweepI_CM", cm.sweep_inner_cm, "Corollary 4.6"),
+    ("Trajectory_MM", mm.trajectory_mm, "Corollary 5.7"),
+    ("Sweep_MM", mm.sweep_mm, "Corollary 5.8"),
+):
+    sabotage(f"{fault}: right, but a table of m² is kept", procedure, row)(keep_table)
 
 
 @sabotage(
@@ -206,14 +185,21 @@ def compare_with_all(right: Procedure) -> Procedure:
     return sweep_inner_cm
 
 
-@sabotage("Sweep_MM: right, but run log n times", mm.sweep_mm, "Corollary 5.8")
-def sweep_log_times(right: Procedure) -> Procedure:
-    def sweep_mm(top: Any, bottom: Any, directrix: Any) -> Any:
-        for _ in range(len(top).bit_length() - 1):
-            right(top, bottom, directrix)
-        return right(top, bottom, directrix)
+@sabotage(
+    "Sweep_MM, outer loop: right, but every vertex of it compared with every one of T",
+    mm.outer_mm,
+    "Corollary 5.8",
+)
+def compare_outer_with_all(right: Procedure) -> Procedure:
+    def outer_mm(bottom: Any, trajectory: Any) -> Any:
+        found = right(bottom, trajectory)
+        path = list(trajectory)
+        for x, _ in found:
+            for other, _ in path:
+                x < other  # noqa: B015
+        return found
 
-    return sweep_mm
+    return outer_mm
 
 
 @sabotage(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from typing import Any
 
@@ -10,13 +11,14 @@ import click
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
 from exactsweep.conform.adapters.names import NAMES, load
-from exactsweep.conform.run.protocol import read_object
+from exactsweep.conform.run.protocol import QUESTIONS, read_object
 from exactsweep.geometry.number import format_fraction, quoted, to_fraction
 
 
 @click.command()
 @click.argument("name", required=False, type=click.Choice(NAMES))
-def main(name: str | None) -> None:
+@click.option("--ask", "question", type=click.Choice(QUESTIONS), help="One question, not all.")
+def main(name: str | None, question: str | None) -> None:
     """Answer cases on standard input, one a line, by the program NAME.
 
     The protocol is that of 'exactsweep conform'. Without a name, the programs are listed, and
@@ -28,15 +30,20 @@ def main(name: str | None) -> None:
         return
     try:
         adapter = load(name)
+        if question is not None:
+            adapter = adapter.limited(question)
     except MissingError as error:
         raise click.ClickException(str(error)) from None
-    print(json.dumps(adapter.hello.to_json()), flush=True)
+    # Libraries complain on standard output, which is for answers: it goes to standard error.
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    print(json.dumps(adapter.hello.to_json()), file=answers, flush=True)
     for line in sys.stdin:
         case = read_object(line)
         if "bye" in case:
             break
         answer = {"id": case["id"], **_answer(adapter, case)}
-        print(json.dumps(answer, default=_write), flush=True)
+        print(json.dumps(answer, default=_write), file=answers, flush=True)
 
 
 def _state(name: str) -> str:
@@ -50,10 +57,16 @@ def _answer(adapter: Adapter, case: dict[str, Any]) -> dict[str, Any]:
     try:
         numbers = adapter.hello.numbers
         d, g = (
-            [(_number(x, numbers), _number(y, numbers)) for x, y in case[name]]
+            [
+                [(_number(x, numbers), _number(y, numbers)) for x, y in ring]
+                for ring in (case[name], *case.get(f"{name}_holes", ()))
+            ]
             for name in ("directrix", "generatrix")
         )
-        return adapter.answer(d, g, None)
+        shapes: tuple[list[Any], list[Any]] = (d, g)
+        if adapter.hello.shapes != "any":
+            shapes = (d[0], g[0])
+        return adapter.answer(*shapes, parts=case.get("ask", ()))
     except NotImplementedError as error:
         return {"unsupported": str(error)}
     except Exception as error:  # the program may fail in any way, and that is its answer

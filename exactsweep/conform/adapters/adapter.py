@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, NamedTuple, cast
 
-from exactsweep.conform.run.protocol import Hello, Numbers
+from exactsweep.conform.run.protocol import Hello, Numbers, Question
+from exactsweep.corpus.case import Shapes
 from exactsweep.geometry.canonical import doubled_area
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
 Number = Any
+Position = tuple[Fraction, Fraction]
 Ring = list[tuple[Number, Number]]
+Shape = list[Ring]
+Rings = Sequence[Sequence[Sequence[Number]]]
 
 
 class MissingError(ExactSweepError):
@@ -28,36 +34,117 @@ class Adapter(NamedTuple):
 
     Attributes:
         hello: its name and version, and what it can do.
-        rings: of D and of G turned by half a turn, two rings: the rings of their Minkowski sum.
-            Numbers are of the type that the hello asks for.
+        ask: of a part, such as "trajectory", "no_fit" or "inner_fit", of D and of G, each a list of
+            rings, the exterior counter-clockwise and the holes clockwise: what the answer holds of
+            that part. Numbers are of the type that the hello asks for.
         close: ends what runs for the adapter, if anything does.
     """
 
     hello: Hello
-    rings: Callable[[Ring, Ring], Sequence[Sequence[Sequence[Number]]]]
+    ask: Callable[[str, Shape, Shape], Mapping[str, Any]]
     close: Callable[[], object] = _nothing
 
-    def answer(self, directrix: Ring, generatrix: Ring, reference: object) -> dict[str, Any]:
-        """Answer a case whose reference point is the origin, as `CallablePeer` asks.
+    def answer(
+        self,
+        directrix: Sequence[Any],
+        generatrix: Sequence[Any],
+        reference: object = None,
+        parts: Iterable[str] = (),
+    ) -> dict[str, Any]:
+        """Answer a case, as `CallablePeer` asks.
 
         Args:
-            directrix: D, a list of pairs.
+            directrix: D, a list of pairs, or of rings where the hello takes any shapes.
             generatrix: G, likewise.
-            reference: not looked at: the hello says that it is the origin.
+            reference: not looked at: the hello says which it is.
+            parts: what to answer; if left out, all that the hello promises.
 
         Returns:
-            The rings, as "trajectory".
+            The answer, without the id.
 
         Raises:
-            NotImplementedError: the program does not take such numbers.
+            NotImplementedError: the program does not take such numbers, or such a shape.
         """
-        inverse = [(-x, -y) for x, y in generatrix]
-        return {"trajectory": self.rings(prepared(directrix), prepared(inverse))}
+        if self.hello.shapes != "any":
+            directrix, generatrix = [directrix], [generatrix]
+        d, g = prepared_shape(directrix), prepared_shape(generatrix)
+        fits = [question for question in self.hello.questions if question != "sweep"]
+        found: dict[str, Any] = {}
+        for part in parts or (*self.hello.loops, *fits):
+            found |= self.ask(part, d, g)
+        return found
+
+    def limited(self, question: str) -> Adapter:
+        """Return the adapter for one of its questions.
+
+        Raises:
+            MissingError: it is none of them.
+        """
+        if question not in self.hello.questions:
+            listed = ", ".join(self.hello.questions)
+            raise MissingError(f"{self.hello.name} is not asked for {question}, but for {listed}")
+        loops = self.hello.loops if question == "sweep" else ()
+        chosen = cast(tuple[Question, ...], (question,))
+        return self._replace(hello=replace(self.hello, questions=chosen, loops=loops))
 
 
-def peer_hello(name: str, numbers: Numbers) -> Hello:
-    """Return the hello of a program that computes Minkowski sums."""
-    return Hello(name, ("trajectory",), numbers, "origin")
+def sum_adapter(
+    name: str,
+    numbers: Numbers,
+    add: Callable[[Shape, Shape], Rings],
+    *,
+    shapes: Shapes = "simple",
+    close: Callable[[], object] = _nothing,
+) -> Adapter:
+    """Return the adapter of a program that computes Minkowski sums.
+
+    The no-fit polygon of D and G is the sum of D and of G turned by half a turn. One that takes
+    holes is asked for inner fits, too, as its users do: the holes of the no-fit polygon of a frame
+    around the container.
+
+    Args:
+        name: of the program, with its version.
+        numbers: what it reads.
+        add: of D and of G turned, each a list of rings: the rings of their sum.
+        shapes: what it takes.
+        close: ends what runs for it.
+    """
+
+    def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
+        inverse = [[(-x, -y) for x, y in ring] for ring in generatrix]
+        if part != "inner_fit":
+            return {part: add(directrix, inverse)}
+        if len(directrix) > 1:
+            raise NotImplementedError("a container with holes")
+        return {part: without_outermost(add(frame_around(directrix[0], inverse[0]), inverse))}
+
+    questions: tuple[Question, ...] = ("no_fit", "inner_fit") if shapes == "any" else ("no_fit",)
+    return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
+
+
+def frame_around(container: Ring, inverse: Ring) -> Shape:
+    """Return a frame whose hole is the container, wide enough for what moves inside."""
+    xs, ys = zip(*container, strict=True)
+    us, vs = zip(*inverse, strict=True)
+    x, y = 1 + max(us) - min(us), 1 + max(vs) - min(vs)
+    left, right, low, high = min(xs) - x, max(xs) + x, min(ys) - y, max(ys) + y
+    return [[(left, low), (right, low), (right, high), (left, high)], container[::-1]]
+
+
+def without_outermost(rings: Rings) -> list[Sequence[Sequence[Number]]]:
+    """Return the rings but for the one that reaches farthest to the left."""
+
+    def leftmost(k: int) -> Fraction:
+        return min(to_fraction(x) for x, _ in rings[k])
+
+    outermost = min(range(len(rings)), key=leftmost, default=None)
+    return [ring for k, ring in enumerate(rings) if k != outermost]
+
+
+def prepared_shape(shape: Sequence[Ring]) -> Shape:
+    """Return the exterior counter-clockwise and the holes clockwise; see `prepared`."""
+    exterior, *holes = map(prepared, shape)
+    return [exterior, *(hole[::-1] for hole in holes)]
 
 
 def prepared(ring: Ring) -> Ring:
@@ -73,17 +160,20 @@ def prepared(ring: Ring) -> Ring:
     return distinct if doubled_area(points) > 0 else distinct[::-1]
 
 
-def fillings(rings: Sequence[Ring], directrix: Ring, inverse: Ring) -> list[Ring]:
-    """Return what fills the sum of two boundaries, if a ring of it touches itself, else nothing.
+def fillings(directrix: Ring, inverse: Ring) -> list[Ring]:
+    """Return what fills the sum of two boundaries up to that of the polygons.
 
     A point of the sum of two polygons that is not in the sum of their boundaries has all of the
     one, moved to it, inside the other, or the other way round: so it is in D moved by a vertex of
-    -G, or in -G moved by a vertex of D. Holes of their own are easily left out; holes that touch
-    the outer ring may be part of it.
+    -G, or in -G moved by a vertex of D.
     """
-    if all(len(set(ring)) == len(ring) for ring in rings):
-        return []
     return [_moved(directrix, inverse[0]), _moved(inverse, directrix[0])]
+
+
+def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> list[Position]:
+    """Return positions of G's origin, exactly, for those of one of its corners."""
+    x, y = map(to_fraction, corner)
+    return [(to_fraction(px) - x, to_fraction(py) - y) for px, py in ring]
 
 
 def _moved(ring: Ring, by: tuple[Number, Number]) -> Ring:
@@ -91,12 +181,12 @@ def _moved(ring: Ring, by: tuple[Number, Number]) -> Ring:
     return [(x + by[0], y + by[1]) for x, y in ring]
 
 
-def require_range(first: Ring, second: Ring, most: int) -> None:
+def require_range(first: Shape, second: Shape, most: int) -> None:
     """Refuse rings of ints whose sum may have coordinates beyond a limit.
 
     Raises:
         NotImplementedError: it may; an unsupported case.
     """
-    reach = sum(max(abs(c) for point in ring for c in point) for ring in (first, second))
+    reach = sum(max(abs(c) for ring in shape for p in ring for c in p) for shape in (first, second))
     if reach > most:
         raise NotImplementedError(f"coordinates beyond {most}")

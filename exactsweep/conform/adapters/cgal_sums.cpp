@@ -5,8 +5,8 @@
 //   exactsweep-cgal version
 //   exactsweep-cgal STRATEGY
 //
-// Reads, for each pair, one line: the number of vertices of the one polygon and their coordinates,
-// then the same of the other one. Answers with one line: the number of rings of the sum, then each
+// Reads, for each pair, one line: the number of rings of the one polygon, its exterior and its holes,
+// each as the number of its vertices and their coordinates; then the same of the other one. Answers with one line: the number of rings of the sum, then each
 // ring, as the number of its vertices and their coordinates; or a line that starts with "error".
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,6 +21,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Polygon = CGAL::Polygon_2<Kernel>;
@@ -42,12 +43,29 @@ void write_ring(std::ostream& out, const Polygon& ring) {
     out << " " << CGAL::exact(point.x()) << " " << CGAL::exact(point.y());
 }
 
-template <class Decomposition>
-Region by_pieces(const Polygon& p, const Polygon& q) {
+Region read_region(std::istream& in) {
+  std::size_t size = 0;
+  in >> size;
+  std::vector<Polygon> rings;
+  while (rings.size() < size) rings.push_back(read_polygon(in));
+  if (rings.empty()) throw std::runtime_error("a polygon without rings");
+  return Region(rings[0], rings.begin() + 1, rings.end());
+}
+
+template <class Decomposition, class Shape>
+Region by_pieces(const Shape& p, const Shape& q) {
   return CGAL::minkowski_sum_2(p, q, Decomposition());
 }
 
-Region sum(const std::string& strategy, const Polygon& p, const Polygon& q) {
+Region sum_of_regions(const std::string& strategy, const Region& p, const Region& q) {
+  if (strategy == "reduced") return CGAL::minkowski_sum_2(p, q);
+  if (strategy == "vertical") return by_pieces<CGAL::Polygon_vertical_decomposition_2<Kernel>>(p, q);
+  if (strategy == "triangulation")
+    return by_pieces<CGAL::Polygon_triangulation_decomposition_2<Kernel>>(p, q);
+  throw std::runtime_error(strategy + " takes no holes");
+}
+
+Region sum_of_polygons(const std::string& strategy, const Polygon& p, const Polygon& q) {
   if (strategy == "reduced") return CGAL::minkowski_sum_2(p, q);
   if (strategy == "full") return CGAL::minkowski_sum_by_full_convolution_2(p, q);
   if (strategy == "bisectors")
@@ -65,8 +83,10 @@ Region sum(const std::string& strategy, const Polygon& p, const Polygon& q) {
 
 std::string answer(const std::string& strategy, const std::string& line) try {
   std::istringstream in(line);
-  const Polygon p = read_polygon(in), q = read_polygon(in);
-  const Region region = sum(strategy, p, q);
+  const Region p = read_region(in), q = read_region(in);
+  const bool simple = p.number_of_holes() + q.number_of_holes() == 0;
+  const Region region = simple ? sum_of_polygons(strategy, p.outer_boundary(), q.outer_boundary())
+                               : sum_of_regions(strategy, p, q);
   std::ostringstream out;
   out << 1 + region.number_of_holes();
   write_ring(out, region.outer_boundary());

@@ -5,9 +5,9 @@ integers, so crossings are rounded. `MinkowskiSum` moves a pattern along a path,
 two boundaries.
 
 What they are asked: the sum of -G, as the pattern, and D, as a closed path, times the scale that
-makes the case integer. Rings that run clockwise are holes, which the sum of two boundaries may
-have where that of the polygons has none, and are left out. A ring that touches itself may have
-such a hole, too; it is united with `fillings`, by the rule nonzero.
+makes the case integer. Neither takes holes. The sum of two boundaries may have holes where that of
+the polygons has none, or smaller ones: where there is one, and where a ring touches itself, which
+may hide one, all rings are united with `fillings`, by the rule nonzero.
 """
 
 from __future__ import annotations
@@ -16,7 +16,15 @@ from collections.abc import Callable, Iterable, Sequence
 from importlib.metadata import version
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, Ring, fillings, peer_hello, require_range
+from exactsweep.conform.adapters.adapter import (
+    Adapter,
+    Ring,
+    Rings,
+    Shape,
+    fillings,
+    require_range,
+    sum_adapter,
+)
 
 
 def adapter(name: str) -> Adapter:
@@ -58,13 +66,16 @@ def _adapter(
     is_outer: Callable[[Any], bool],
     unite: Callable[[Sequence[Ring]], Any],
 ) -> Adapter:
-    def rings(directrix: Ring, inverse: Ring) -> Sequence[Ring]:
-        require_range(directrix, inverse, 2**bits - 1)
-        outer = pairs(path for path in add(inverse, directrix, True) if is_outer(path))
-        inside = fillings(outer, directrix, inverse)
-        return pairs(unite([*outer, *inside])) if inside else outer
+    def add_up(first: Shape, second: Shape) -> Rings:
+        require_range(first, second, 2**bits - 1)
+        (directrix,), (inverse,) = first, second
+        paths = list(add(inverse, directrix, True))
+        rings = pairs(paths)
+        if all(map(is_outer, paths)) and all(len(set(ring)) == len(ring) for ring in rings):
+            return rings
+        return pairs(unite([*rings, *fillings(directrix, inverse)]))
 
     def pairs(paths: Iterable[Iterable[Any]]) -> list[Ring]:
         return [[(int(x), int(y)) for x, y in path] for path in paths]
 
-    return Adapter(peer_hello(program, "int64"), rings)
+    return sum_adapter(program, "int64", add_up)

@@ -9,10 +9,10 @@ asked. Polygons are made raw, so that collinear vertices stay.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from importlib.metadata import version
+from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, Ring, peer_hello, require_range
+from exactsweep.conform.adapters.adapter import Adapter, Rings, Shape, require_range, sum_adapter
 
 MOST = 2**30 - 1
 
@@ -25,14 +25,18 @@ def adapter(name: str) -> Adapter:
     """
     import klayout.db as db
 
-    def polygon(ring: Ring) -> object:
-        return db.Polygon([db.Point(x, y) for x, y in ring], True)
+    def polygon(shape: Shape) -> Any:
+        exterior, *holes = ([db.Point(x, y) for x, y in ring] for ring in shape)
+        found = db.Polygon(exterior, True)
+        for hole in holes:
+            found.insert_hole(hole, True)
+        return found
 
-    def rings(directrix: Ring, inverse: Ring) -> Sequence[Ring]:
+    def add(directrix: Shape, inverse: Shape) -> Rings:
         require_range(directrix, inverse, MOST)
-        total = polygon(directrix).minkowski_sum(polygon(inverse), False)  # type: ignore[attr-defined]
+        total = polygon(directrix).minkowski_sum(polygon(inverse), False)
         holes = range(total.holes())
         found = [total.each_point_hull(), *(total.each_point_hole(hole) for hole in holes)]
         return [[(point.x, point.y) for point in ring] for ring in found]
 
-    return Adapter(peer_hello(f"KLayout {version('klayout')}", "int32"), rings)
+    return sum_adapter(f"KLayout {version('klayout')}", "int32", add, shapes="any")

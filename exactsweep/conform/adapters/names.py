@@ -25,6 +25,11 @@ _MODULES = {
     "klayout": "klayout_sum",
     "pysfcgal": "sfcgal_sum",
     **{f"cgal-{strategy}": "cgal_sum" for strategy in CGAL_STRATEGIES},
+    "libnfporb": "orbit",
+    "libnfporb-rational": "orbit",
+    "svgnest-orbit": "orbit",
+    "svgnest-clipper": "nest",
+    "deepnest-clipper": "nest",
 }
 
 NAMES = tuple(_MODULES)
@@ -47,7 +52,8 @@ def load(name: str) -> Adapter:
         Traceback (most recent call last):
         exactsweep.conform.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
 pyclipper, clipper2, klayout, pysfcgal, cgal-reduced, cgal-full, cgal-bisectors, cgal-optimal, \
-cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation
+cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, libnfporb, \
+libnfporb-rational, svgnest-orbit, svgnest-clipper, deepnest-clipper
     """
     if name not in _MODULES:
         raise MissingError(f"no adapter {quoted(name)}; there are {', '.join(NAMES)}")

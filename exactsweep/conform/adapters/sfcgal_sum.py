@@ -1,19 +1,19 @@
 """pysfcgal: the Minkowski sum of SFCGAL, which is CGAL's.
 
-What it promises: numbers are exact rationals (CGAL's kernel with exact constructions).
+What it promises: numbers are exact rationals (CGAL's kernel with exact constructions). The first
+polygon may have holes; those of the second one are not looked at.
 
-What it is asked: `minkowski_sum` of D and -G, read from WKT and written to it, in which SFCGAL has
-fractions; so nothing is rounded on the way.
+What it is asked: `minkowski_sum` of D and -G, or of -G and D if only G has holes, read from WKT and
+written to it, in which SFCGAL has fractions; so nothing is rounded on the way.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from fractions import Fraction
 from importlib.metadata import version
 
-from exactsweep.conform.adapters.adapter import Adapter, Ring, peer_hello
+from exactsweep.conform.adapters.adapter import Adapter, Ring, Rings, Shape, sum_adapter
 from exactsweep.geometry.number import format_fraction
 
 _RING = re.compile(r"\(([^()]+)\)")
@@ -27,13 +27,20 @@ def adapter(name: str) -> Adapter:
     """
     from pysfcgal.geometry import Geometry
 
-    def polygon(ring: Ring) -> Geometry:
+    def written(ring: Ring) -> str:
         closed = [*ring, ring[0]]
         points = (" ".join(format_fraction(Fraction(c)) for c in point) for point in closed)
-        return Geometry.from_wkt(f"POLYGON (({', '.join(points)}))")
+        return f"({', '.join(points)})"
 
-    def rings(directrix: Ring, inverse: Ring) -> Sequence[Sequence[Sequence[str]]]:
+    def polygon(shape: Shape) -> Geometry:
+        return Geometry.from_wkt(f"POLYGON ({', '.join(map(written, shape))})")
+
+    def add(directrix: Shape, inverse: Shape) -> Rings:
+        if len(inverse) > 1:
+            if len(directrix) > 1:
+                raise NotImplementedError("holes in both")
+            directrix, inverse = inverse, directrix
         text = polygon(directrix).minkowski_sum(polygon(inverse)).to_wkt()
         return [[point.split() for point in ring.split(",")] for ring in _RING.findall(text)]
 
-    return Adapter(peer_hello(f"pysfcgal {version('pysfcgal')}", "rational"), rings)
+    return sum_adapter(f"pysfcgal {version('pysfcgal')}", "rational", add, shapes="any")

@@ -12,9 +12,7 @@ two vertices, which are rounded as binary64 rounds them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from exactsweep.conform.adapters.adapter import Adapter, Ring, peer_hello
+from exactsweep.conform.adapters.adapter import Adapter, Rings, Shape, sum_adapter
 
 
 def adapter(name: str) -> Adapter:
@@ -26,11 +24,12 @@ def adapter(name: str) -> Adapter:
     import numpy as np
     import shapely
 
-    def triangles(ring: Ring) -> object:
-        parts = shapely.constrained_delaunay_triangles(shapely.Polygon(ring)).geoms
+    def triangles(shape: Shape) -> object:
+        exterior, *holes = shape
+        parts = shapely.constrained_delaunay_triangles(shapely.Polygon(exterior, holes)).geoms
         return np.array([part.exterior.coords[:3] for part in parts])
 
-    def rings(directrix: Ring, inverse: Ring) -> Sequence[Ring]:
+    def add(directrix: Shape, inverse: Shape) -> Rings:
         first, second = triangles(directrix), triangles(inverse)
         sums = first[:, None, :, None, :] + second[None, :, None, :, :]  # type: ignore[index]
         hulls = shapely.convex_hull(shapely.multipoints(sums.reshape(-1, 9, 2)))
@@ -43,4 +42,4 @@ def adapter(name: str) -> Adapter:
         ]
 
     version = f"shapely {shapely.__version__}, GEOS {shapely.geos_version_string}"
-    return Adapter(peer_hello(version, "binary64"), rings)
+    return sum_adapter(version, "binary64", add, shapes="any")

@@ -11,7 +11,8 @@ from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, quoted, to_fraction
 from exactsweep.geometry.point import Point
 
-LOOPS = ("trajectory", "inner", "outer")
+LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
+"""What an answer may hold: the loops of a sweep, and the rings of the two fits."""
 MAX_VERTICES = 10_000
 
 Ring = tuple[Point, ...]
@@ -40,7 +41,7 @@ class AnsweredLoop(NamedTuple):
         )
 
 
-def read_loop(value: object, path: str) -> AnsweredLoop:
+def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> AnsweredLoop:
     """Read a loop: a list of pairs of numbers, or a list of such lists, its rings.
 
     Args:
@@ -48,6 +49,7 @@ def read_loop(value: object, path: str) -> AnsweredLoop:
             string that `to_fraction` reads; or what else that reads. A ring may be closed (the
             last vertex repeats the first) or not.
         path: where the value stands, for messages.
+        may_be_empty: whether no ring at all is an answer, as that a part does not fit.
 
     Returns:
         The AnsweredLoop. Rings of fewer than three vertices are read, too.
@@ -68,6 +70,8 @@ def read_loop(value: object, path: str) -> AnsweredLoop:
     """
     outermost = _list(value, path, "a list of vertices")
     if not outermost:
+        if may_be_empty:
+            return AnsweredLoop((), False)
         raise AnswerError(f"{path} is empty")
     first = outermost[0]
     rings = [(outermost, path)]

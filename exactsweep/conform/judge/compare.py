@@ -15,7 +15,7 @@ from exactsweep.conform.judge.answer import (
     read_number,
     read_segments,
 )
-from exactsweep.conform.judge.fits import NAME, judge_fits
+from exactsweep.conform.judge.fits import INSIDE, NAME, judge_fits
 from exactsweep.conform.judge.loops import judge_loop
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
@@ -36,10 +36,11 @@ def compare(
 
     Args:
         case: the case.
-        result: the answer, plain data: a mapping with any of "trajectory", "inner" and "outer",
-            each a loop as `read_loop` takes it, and "exact_fits", a list of pairs of points. It
-            may have the "id" of the case, and in "rounding" a claim by how much less a coordinate
-            may be off, of which `limit_claim` says how much is granted.
+        result: the answer, plain data: a mapping with any of "trajectory", "inner", "outer",
+            "no_fit" and "inner_fit", each a loop as `read_loop` takes it, an "inner_fit" perhaps
+            empty; "exact_fits", a list of pairs of points, and "inner_exact_fits". It may have the
+            "id" of the case, and in "rounding" a claim by how much less a coordinate may be off,
+            of which `limit_claim` says how much is granted.
         rounding: the same, without limits, before what the answer says; `grant_rounding` says what
             it is otherwise.
         promised: names of loops that must be there.
@@ -48,8 +49,9 @@ def compare(
 
     Returns:
         A Comparison; `Verdict` defines the verdicts. Parts that are neither there nor promised are
-        left out, and an answer without any part is unsupported. Exact fits are a part where they
-        are answered, and where a trajectory is: without any, that answers that there are none.
+        left out, as is an "inner_fit" that the case does not ask for, and an answer without any
+        part is unsupported. Exact fits are a part where they are answered, and where a trajectory,
+        a "no_fit" or an "inner_fit" is: without any, that answers that there are none.
 
     Raises:
         AnswerError: the answer has the id of another case.
@@ -88,12 +90,14 @@ def compare(
     parts = []
     whiskers: list[Segment] = []
     for name in LOOPS:
+        if name == "inner_fit" and case.inner_regions is None:
+            continue
         if name not in result:
             if name in promised:
                 parts.append(PartComparison(name, Verdict.MALFORMED, f"$.{name} is missing"))
             continue
         try:
-            loop = read_loop(result[name], f"$.{name}")
+            loop = read_loop(result[name], f"$.{name}", may_be_empty=name == "inner_fit")
         except AnswerError as error:
             parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
             continue
@@ -103,13 +107,17 @@ def compare(
         if part.kind == "whisker":
             _, whiskers = strip_whiskers(loop.rings, case.exact_fits)
         parts.append(part)
-    if NAME in result or "trajectory" in result:
+    judged = {part.name for part in parts}
+    for name, loops in ((NAME, {"trajectory", "no_fit"}), (INSIDE, {"inner_fit"})):
+        if not (name == NAME and NAME in result) and not (loops & judged & result.keys()):
+            continue
         try:
-            fits = read_segments(result.get(NAME, []), f"$.{NAME}")
+            fits = read_segments(result.get(name, []), f"$.{name}")
             segments = [(p, q) for p, q in fits.rings]
-            parts.append(judge_fits(case, segments, grant(NAME, fits), whiskers))
+            on_loop = whiskers if name == NAME else ()
+            parts.append(judge_fits(case, segments, grant(name, fits), on_loop, name))
         except AnswerError as error:
-            parts.append(PartComparison(NAME, Verdict.MALFORMED, str(error)))
+            parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
     if not parts:
         return Comparison(case.id, Verdict.UNSUPPORTED, "the answer has no loops")
     worst = max(parts, key=lambda part: part.verdict.severity)

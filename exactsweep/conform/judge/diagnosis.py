@@ -20,12 +20,14 @@ from exactsweep.geometry.canonical import PolygonError, doubled_area
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.sweep import sweep
+from exactsweep.sweep import no_fit_polygon
 from exactsweep.words import pair
 
 Rings = Sequence[Sequence[Point]]
 
 _MOST_ROUNDED = 16
+_POSITIONS = ("trajectory", "no_fit", "inner_fit")
+"""Loops that are told of a reference point."""
 
 
 def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[str, ...]:
@@ -33,7 +35,7 @@ def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[s
 
     Args:
         case: the case.
-        name: "trajectory", "inner" or "outer".
+        name: a key of LOOP_NAMES.
         rings: what was answered.
         rounding: by how much less a coordinate may be off.
 
@@ -53,9 +55,9 @@ def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[s
     if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
         return ("lacks the holes",)
     found = [*_other_loops(case, name, rings, rounding)]
-    if name == "trajectory" and not found:
-        found += _other_positions(case, rings, rounding)
-    if name == "outer" and not found and _is_same([_add(case).vertices], rings, rounding):
+    if name in _POSITIONS and exact and not found:
+        found += _other_positions(case, name, rings, rounding)
+    if name == "outer" and not found and _is_same(_add(case, name), rings, rounding):
         found.append("D + G, without the way there")
     if not found and len(rings) == len(exact) == 1:
         found += _name_vertices(exact[0], rings[0])
@@ -77,30 +79,29 @@ def _name_vertices(exact: Sequence[Point], theirs: Sequence[Point]) -> Iterator[
 
 def _other_loops(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:
     """Loops of the case that are not the one asked for."""
-    exact: Polygon = getattr(case, name)
+    exact = exact_rings(case, name)
     for other, words in LOOP_NAMES.items():
-        if other != name and _is_same(exact_rings(case, other), theirs, rounding):
+        loop = exact_rings(case, other)
+        if loop not in ((), exact) and _is_same(loop, theirs, rounding):
             yield f"exact for the {words} instead"
-    whole = Polygon(hull(exact.vertices))
-    low, high = exact.bounding_box
-    box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
-    named = {
-        "D itself": case.directrix,
-        "G itself": case.generatrix,
-        "the convex hull of the exact one": whole,
-        "the bounding box of the exact one": box,
-    }
-    for words, polygon in named.items():
-        if polygon != exact and _is_same([polygon.vertices], theirs, rounding):
+    named: dict[str, Rings] = {"D itself": case.directrix.rings, "G itself": case.generatrix.rings}
+    if exact:
+        low, high = _box(exact)
+        box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
+        named["the convex hull of the exact one"] = [Polygon(hull(chain(*exact))).vertices]
+        named["the bounding box of the exact one"] = [box.vertices]
+    for words, rings in named.items():
+        if tuple(rings) != exact and _is_same(rings, theirs, rounding):
             yield words
 
 
-def _other_positions(case: Case, theirs: Rings, rounding: Fraction) -> Iterator[str]:
+def _other_positions(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:
     """Mistakes in what is computed, each about any reference point."""
-    rings = exact_rings(case, "trajectory")
+    rings = exact_rings(case, name)
     positions = _map(rings, 1, 0, 0, 1, minus(ORIGIN, case.reference))
     shapes: list[tuple[str, Rings]] = [("", positions)]
-    shapes.append(("D + G, G not reflected", [_add(case).vertices]))
+    if name != "inner_fit":
+        shapes.append(("D + G, G not reflected", _add(case, name)))
     shapes += ((words, _map(positions, *matrix)) for words, matrix in _AXES.items())
     for words, shape in shapes:
         offset = _find_offset(shape, theirs, rounding)
@@ -136,8 +137,10 @@ def _map(rings: Rings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> Ri
     return image if a * d > b * c else [ring[::-1] for ring in image]
 
 
-def _add(case: Case) -> Polygon:
-    return sweep(case.generatrix.reflected(), case.directrix, reference=ORIGIN).trajectory
+def _add(case: Case, name: str) -> Rings:
+    found = no_fit_polygon(case.directrix, case.generatrix.reflected())
+    holes = found.holes if name == "no_fit" else ()
+    return [loop.vertices for loop in (found.exterior, *holes)]
 
 
 def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str]:
@@ -153,7 +156,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "the reference point negated": minus(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
         "the centre of G's box as reference": middle,
-        "G's centroid as reference": _centroid(case.generatrix),
+        "G's centroid as reference": _centroid(Polygon(ring)),
         "the mean of G's vertices as reference": _mean(ring),
         "G's last vertex as reference": ring[-1],
         "G's lowest vertex as reference": min(ring, key=lambda p: (p.y, p.x)),

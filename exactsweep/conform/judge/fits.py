@@ -23,6 +23,7 @@ from exactsweep.geometry.point import Point
 from exactsweep.words import count
 
 NAME = "exact_fits"
+INSIDE = "inner_exact_fits"
 
 
 def judge_fits(
@@ -30,6 +31,7 @@ def judge_fits(
     theirs: Sequence[Segment],
     rounding: Fraction = Fraction(0),
     whiskers: Sequence[Segment] = (),
+    name: str = NAME,
 ) -> PartComparison:
     """Hold answered exact fits against the exact ones.
 
@@ -38,24 +40,26 @@ def judge_fits(
         theirs: segments of positions of the reference point, in any order and direction.
         rounding: by how much less a coordinate may be off.
         whiskers: of the loop, on exact fits.
+        name: NAME, or INSIDE for those of G inside D.
 
     Returns:
-        The part "exact_fits". Its verdict is exact; equivalent, for the same positions given in
+        The part of that name. Its verdict is exact; equivalent, for the same positions given in
         another way; "equivalent but for exact fits" where some are missing, too short, invented
         in free space or rounded; or unsound, with a position that overlaps. Its kind says in
         which of these ways they differ.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
-    exact = {_unordered(fit) for fit in case.exact_fits}
+    fits = exact_fits(case, name)
+    exact = {_unordered(fit) for fit in fits}
     answered = [_unordered(fit) for fit in theirs]
     if set(answered) == exact and len(answered) == len(exact):
-        return PartComparison(NAME, Verdict.EXACT)
-    if unite([*theirs, *whiskers]) == unite(case.exact_fits):
+        return PartComparison(name, Verdict.EXACT)
+    if unite([*theirs, *whiskers]) == unite(fits):
         kind = "whisker" if whiskers else "given twice or in pieces"
         reason = "traced as whiskers of the loop" if whiskers else kind
-        return PartComparison(NAME, Verdict.EQUIVALENT, reason, kind=kind)
-    missing = [f for f in case.exact_fits if _unordered(f) not in answered]
+        return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
+    missing = [f for f in fits if _unordered(f) not in answered]
     others = [f for f in [*theirs, *whiskers] if _unordered(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
     ways = _name_ways(missing, others)
@@ -64,25 +68,30 @@ def judge_fits(
     if rounded:
         ways["rounded"] = rounded
     for fit in others:
-        for position in _places(case, fit):
-            found = at_position(case, position)
+        for position in _places(case, fit, name):
+            found = at_position(case, position, inside=name == INSIDE)
             if found.classified == "OVERLAP":
                 says = f"{found.says}; that is on an exact fit of theirs"
                 return PartComparison(
-                    NAME,
+                    name,
                     Verdict.UNSOUND,
                     f"an exact fit of theirs overlaps: {_list(ways)}",
                     unsound=Witness(says, found.translation, "OVERLAP", found.point),
                     kind=", ".join(ways),
                 )
     return PartComparison(
-        NAME,
+        name,
         Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
         _list(ways),
-        conservative=_find_missed(case, missing[0]) if missing else None,
+        conservative=_find_missed(case, missing[0], name) if missing else None,
         kind=", ".join(ways),
         granted=rounding if rounded else None,
     )
+
+
+def exact_fits(case: Case, name: str) -> Sequence[Segment]:
+    """Return the exact fits of G around D, or inside it, as the name says."""
+    return case.inner_exact_fits if name == INSIDE else case.exact_fits
 
 
 def unite(segments: Iterable[Segment]) -> set[frozenset[Point]]:
@@ -171,17 +180,18 @@ def _list(ways: dict[str, int]) -> str:
     return ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
 
 
-def _find_missed(case: Case, fit: Segment) -> Witness:
+def _find_missed(case: Case, fit: Segment, name: str) -> Witness:
     (p, q) = fit
-    found = at_position(case, Point((p.x + q.x) / 2, (p.y + q.y) / 2))
+    middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+    found = at_position(case, middle, inside=name == INSIDE)
     says = f"{found.says}; that is on an exact fit which is not among theirs"
     return Witness(says, found.translation, found.classified, found.point)
 
 
-def _places(case: Case, segment: Segment) -> Iterator[Point]:
+def _places(case: Case, segment: Segment, name: str) -> Iterator[Point]:
     """Positions on a segment, one of each piece that is all overlap or all free of it.
 
-    Such pieces end on the trajectory or at the end of an exact fit.
+    Such pieces end on a loop of positions or on an exact fit.
     """
     p, q = segment
     d = minus(q, p)
@@ -189,9 +199,10 @@ def _places(case: Case, segment: Segment) -> Iterator[Point]:
     yield from (p, q) if square else (p,)
     if not square:
         return
-    ends = [end for fit in case.exact_fits for end in fit]
+    ends: list[Point] = []
     crossings: list[Point | None] = []
-    for ring in exact_rings(case, "trajectory"):
+    fits = exact_fits(case, name)
+    for ring in (*exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
         ends += ring
         crossings += (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
     on_line = [v for v in ends if d.x * (v.y - p.y) == d.y * (v.x - p.x)]

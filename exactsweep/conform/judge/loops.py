@@ -19,6 +19,8 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
+_POSITIONS = ("trajectory", "no_fit")
+"""Loops on which exact fits of G around D may hang."""
 MOST_MEASURED = 3000
 """Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
 _MOST_SHOWN = 100
@@ -32,7 +34,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
 
     Args:
         case: the case.
-        name: "trajectory", "inner" or "outer".
+        name: a key of LOOP_NAMES.
         loop: what was answered.
         rounding: by how much less a coordinate may be off.
 
@@ -56,7 +58,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         return PartComparison(name, Verdict.UNDECIDED, str(error))
     if fault is None and _canonical(loop.rings) == sorted(exact):
         return _same(name, Verdict.EQUIVALENT)
-    if name == "trajectory" and fault is not None:
+    if name in _POSITIONS and fault is not None:
         rings, whiskers = strip_whiskers(loop.rings, case.exact_fits)
         if whiskers and find_fault(rings, "") is None and _canonical(rings) == sorted(exact):
             reason = "exact fits are traced as whiskers of the loop"
@@ -88,7 +90,7 @@ def _measure(
     kind = ""
     diagnosis: tuple[str, ...] = ()
     rounded = match_rings(exact, rings, rounding)
-    if not rounded and name == "trajectory" and case.exact_fits:
+    if not rounded and name in _POSITIONS and case.exact_fits:
         rounded = match_rings(with_whiskers(exact, case.exact_fits), rings, rounding)
         kind = "whisker" if rounded else ""
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
@@ -104,19 +106,21 @@ def _measure(
         verdict, reason = Verdict.WITHIN, f"rounded{whiskers}"
     else:
         diagnosis = () if fault else diagnose(case, name, rings, rounding)
-        verdict, reason = _judge_difference(LOOP_NAMES[name], fault, lost, extra, is_whole)
+        verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
         if diagnosis:
             reason = f"{diagnosis[0]}; {reason}"
     is_measured = is_small and is_whole
+    # An inner fit tells where G may be, and not where it may not.
+    overlapping, free = (extra, lost) if name == "inner_fit" else (lost, extra)
     return PartComparison(
         name,
         verdict,
         reason,
-        distance_squared(exact, rings) if is_measured else None,
-        area(lost) if is_measured else None,
-        area(extra) if is_measured else None,
-        witness(case, name, rings, lost) if lost else None,
-        witness(case, name, rings, extra) if extra else None,
+        distance_squared(exact, rings) if is_measured and exact and rings else None,
+        area(overlapping) if is_measured else None,
+        area(free) if is_measured else None,
+        witness(case, name, rings, overlapping) if overlapping else None,
+        witness(case, name, rings, free) if free else None,
         rounding,
         kind,
         diagnosis,
@@ -141,12 +145,13 @@ def _find_cells(
 
 
 def _judge_difference(
-    loop_name: str,
+    name: str,
     fault: str | None,
     lost: Sequence[Cell],
     extra: Sequence[Cell],
     is_whole: bool,
 ) -> tuple[Verdict, str]:
+    loop_name = LOOP_NAMES[name]
     if fault is not None:
         return Verdict.MALFORMED, fault
     if lost and extra:
@@ -156,9 +161,11 @@ def _judge_difference(
         if lost or extra:
             return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"
         return Verdict.UNDECIDED, rest
-    if lost:
-        return Verdict.UNSOUND, f"part of the exact {loop_name} is missing"
-    return Verdict.CONSERVATIVE, f"more than the exact {loop_name}"
+    reason = (
+        f"part of the exact {loop_name} is missing" if lost else f"more than the exact {loop_name}"
+    )
+    permits_overlap = bool(lost) != (name == "inner_fit")
+    return Verdict.UNSOUND if permits_overlap else Verdict.CONSERVATIVE, reason
 
 
 def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> PartComparison:
@@ -168,7 +175,11 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
 
 def _are_rotations(rings: Sequence[Ring], exact: Sequence[Ring]) -> bool:
     """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
-    if len(rings) != len(exact) or not _is_rotation(rings[0], exact[0]):
+    if len(rings) != len(exact):
+        return False
+    if not exact:
+        return True
+    if not _is_rotation(rings[0], exact[0]):
         return False
     left = list(exact[1:])
     for ring in rings[1:]:

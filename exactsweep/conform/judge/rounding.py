@@ -7,10 +7,12 @@ from fractions import Fraction
 from itertools import chain
 
 from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
+from exactsweep.conform.judge.fits import INSIDE, NAME, exact_fits
 from exactsweep.conform.judge.witness import exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""
@@ -18,6 +20,7 @@ SHARE = Fraction(1, 2**32)
 """The part of the smaller polygon's size that edges which are nearly parallel may take besides."""
 MOST_CLAIMED = Fraction(1, 100)
 """No answer may claim more for itself than this part of the smaller polygon's size."""
+_NEAREST = Fraction(9, 16)
 _LEAST_UNIT = Fraction(1, 2**1074)
 
 
@@ -26,16 +29,16 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
 
     Args:
         case: as it was put to the implementation.
-        name: of the loop, or "exact_fits".
+        name: of the loop, or of the exact fits.
         loop: what it answered.
         numbers: what its hello says that it reads, or None.
 
     Returns:
         For floats, and for whatever a program answers that reads binary64: 16 units in the last
         place of the largest coordinate of the case, and 2^-32 of the size of the smaller
-        polygon. For integers 1, or that size if it is less, if the exact answer has other numbers,
-        else 0. And 0 for other rationals, and for integers of a program that reads any rationals:
-        these claim to be exact.
+        polygon. For integers 1, or that size if it is less, but 9/16 at least, by which the nearest
+        ones are less off, if the exact answer has other numbers, else 0. And 0 for other rationals,
+        and for integers of a program that reads any rationals: these claim to be exact.
 
     Cost: linear.
     """
@@ -43,7 +46,11 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
         return ULPS * _unit_in_last_place(_largest(case)) + SHARE * smaller_size(case)
     if numbers == "rational" or not loop.is_integer:
         return Fraction(0)
-    return Fraction(0) if _is_integer(case, name) else min(Fraction(1), smaller_size(case))
+    return (
+        Fraction(0)
+        if _is_integer(case, name)
+        else max(_NEAREST, min(Fraction(1), smaller_size(case)))
+    )
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
@@ -56,20 +63,21 @@ def smaller_size(case: Case) -> Fraction:
     return min(_size(case.directrix), _size(case.generatrix))
 
 
-def _size(polygon: Polygon) -> Fraction:
-    low, high = polygon.bounding_box
+def _size(shape: Polygon | Region) -> Fraction:
+    low, high = shape.bounding_box
     return max(high.x - low.x, high.y - low.y)
 
 
 def _find_points(case: Case, name: str) -> Iterator[Point]:
     """The points of the exact answer."""
-    rings = case.exact_fits if name == "exact_fits" else exact_rings(case, name)
-    return chain.from_iterable(rings)
+    if name in (NAME, INSIDE):
+        return chain.from_iterable(exact_fits(case, name))
+    return chain.from_iterable(exact_rings(case, name))
 
 
 def _largest(case: Case) -> Fraction:
     loops = (_find_points(case, name) for name in LOOPS)
-    rings = (case.directrix_ring, case.generatrix_ring, (case.reference,))
+    rings = (*case.directrix_rings, *case.generatrix_rings, (case.reference,))
     return max(abs(c) for point in chain(*rings, *loops) for c in point)
 
 

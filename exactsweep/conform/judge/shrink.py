@@ -11,7 +11,7 @@ vertices and sizes of numbers, so rounds end.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain
 from math import gcd, lcm
@@ -25,6 +25,7 @@ from exactsweep.geometry.polygon import Polygon
 
 Judge = Callable[[Case], str]
 Ring = tuple[Point, ...]
+Rings = tuple[Ring, ...]
 
 
 class ShrinkError(ExactSweepError):
@@ -32,33 +33,46 @@ class ShrinkError(ExactSweepError):
 
 
 class _Pair(NamedTuple):
-    directrix: Ring
-    generatrix: Ring
+    """The exterior and the holes of each polygon, as given, and the reference point."""
+
+    directrix: Rings
+    generatrix: Rings
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
         """What is to become smaller: vertices, then digits, then numbers."""
         numbers = [c for point in self.points() for c in point]
         digits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
-        vertices = len(self.directrix) + len(self.generatrix)
+        vertices = sum(map(len, (*self.directrix, *self.generatrix)))
         return vertices, digits, sum(map(abs, numbers), Fraction(0))
 
     def points(self) -> Iterator[Point]:
-        return chain(self.directrix, self.generatrix, (self.reference,))
+        return chain(*self.directrix, *self.generatrix, (self.reference,))
 
-    def with_ring(self, name: str, ring: Ring) -> _Pair:
-        """The pair with another ring of that name."""
+    def rings(self) -> Iterator[tuple[str, int, Ring]]:
+        """The rings, each with the name of its polygon and its number there."""
+        for name, rings in (("directrix", self.directrix), ("generatrix", self.generatrix)):
+            yield from ((name, k, ring) for k, ring in enumerate(rings))
+
+    def with_ring(self, name: str, k: int, *ring: Ring) -> _Pair:
+        """The pair with another ring in the place of one, or with none."""
+        rings: Rings = getattr(self, name)
+        changed = (*rings[:k], *ring, *rings[k + 1 :])
         if name == "directrix":
-            return self._replace(directrix=ring)
-        return self._replace(generatrix=ring)
+            return self._replace(directrix=changed)
+        return self._replace(generatrix=changed)
+
+    def put(self, function: Callable[[Point], Point]) -> _Pair:
+        """The pair with a function applied to each point."""
+        d, g = (
+            tuple(tuple(map(function, ring)) for ring in rings)
+            for rings in (self.directrix, self.generatrix)
+        )
+        return _Pair(d, g, function(self.reference))
 
     def map(self, function: Callable[[Fraction], Fraction]) -> _Pair:
         """The pair with a function applied to each number."""
-        d, g, (r,) = (
-            tuple(Point(function(x), function(y)) for x, y in ring)
-            for ring in (self.directrix, self.generatrix, (self.reference,))
-        )
-        return _Pair(d, g, r)
+        return self.put(lambda p: Point(function(p.x), function(p.y)))
 
 
 def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0) -> Case:
@@ -105,7 +119,8 @@ class _Search:
         self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
         self._id, self._title = f"{case.id}-shrunk", f"shrunk: {case.title}"
-        self._pair = _Pair(case.directrix_ring, case.generatrix_ring, case.reference)
+        self._pair = _Pair(case.directrix_rings, case.generatrix_rings, case.reference)
+        self._inner_fit = case.inner_regions is not None
         self._size = self._pair.size()
         self._seen: set[_Pair] = set()
         self.best = self._make(self._pair)
@@ -142,29 +157,42 @@ class _Search:
         return True
 
     def _make(self, pair: _Pair) -> Case:
-        return Case.of(self._id, self._title, *pair)
+        (d, *d_holes), (g, *g_holes), reference = pair
+        return Case.of(
+            self._id,
+            self._title,
+            d,
+            g,
+            reference,
+            directrix_holes=d_holes,
+            generatrix_holes=g_holes,
+            inner_fit=self._inner_fit,
+        )
 
 
 def _move(pair: _Pair) -> Iterator[_Pair]:
     """Canonical rings, the reference at the origin, each polygon with its corner there."""
-    yield _Pair(Polygon(pair.directrix).vertices, Polygon(pair.generatrix).vertices, ORIGIN)
+    d, g = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair[:2])
+    yield _Pair(d, g, ORIGIN)
     yield pair._replace(reference=ORIGIN)
-    corners = [Point(*map(min, zip(*ring, strict=True))) for ring in pair[:2]]
-    d, g = (_shift(ring, corner) for ring, corner in zip(pair[:2], corners, strict=True))
+    corners = [Point(*map(min, zip(*rings[0], strict=True))) for rings in pair[:2]]
+    d, g = (_shift(rings, corner) for rings, corner in zip(pair[:2], corners, strict=True))
     yield pair._replace(directrix=d, generatrix=g)
     yield pair._replace(directrix=d)
     yield pair._replace(generatrix=g)
 
 
 def _leave_out(pair: _Pair) -> Iterator[_Pair]:
-    for name in ("directrix", "generatrix"):
-        ring: Ring = getattr(pair, name)
+    """Holes, and vertices."""
+    for name, k, ring in pair.rings():
+        if k > 0:
+            yield pair.with_ring(name, k)
         length = len(ring) // 2
         while length:
             for start in range(0, len(ring), length):
                 rest = ring[:start] + ring[start + length :]
                 if len(rest) > 2:
-                    yield pair.with_ring(name, rest)
+                    yield pair.with_ring(name, k, rest)
             length //= 2
 
 
@@ -186,17 +214,12 @@ def _shorten_all(pair: _Pair) -> Iterator[_Pair]:
 def _rank(pair: _Pair, axis: int) -> _Pair:
     """The pair with the coordinates of one axis numbered by their order."""
     rank = {c: Fraction(k) for k, c in enumerate(sorted({p[axis] for p in pair.points()}))}
-    d, g, (r,) = (
-        tuple(p._replace(**{"xy"[axis]: rank[p[axis]]}) for p in ring)
-        for ring in (pair.directrix, pair.generatrix, (pair.reference,))
-    )
-    return _Pair(d, g, r)
+    return pair.put(lambda p: p._replace(**{"xy"[axis]: rank[p[axis]]}))
 
 
 def _shorten_one(pair: _Pair) -> Iterator[_Pair]:
     """One number at a time, or all numbers of a polygon that are equal to it on its axis."""
-    for name in ("directrix", "generatrix"):
-        ring: Ring = getattr(pair, name)
+    for name, number, ring in pair.rings():
         for axis in "xy":
             for value in sorted({getattr(p, axis) for p in ring}, key=abs, reverse=True):
                 for other in _find_simpler(value):
@@ -205,7 +228,7 @@ def _shorten_one(pair: _Pair) -> Iterator[_Pair]:
                         changed = list(ring)
                         for k in chosen:
                             changed[k] = ring[k]._replace(**{axis: other})
-                        yield pair.with_ring(name, tuple(changed))
+                        yield pair.with_ring(name, number, tuple(changed))
 
 
 def _find_simpler(value: Fraction) -> list[Fraction]:
@@ -217,5 +240,5 @@ def _find_simpler(value: Fraction) -> list[Fraction]:
     return [other for other in dict.fromkeys(found) if other != value]
 
 
-def _shift(ring: Sequence[Point], by: Point) -> Ring:
-    return tuple(Point(p.x - by.x, p.y - by.y) for p in ring)
+def _shift(rings: Rings, by: Point) -> Rings:
+    return tuple(tuple(Point(p.x - by.x, p.y - by.y) for p in ring) for ring in rings)

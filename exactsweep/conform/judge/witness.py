@@ -26,24 +26,48 @@ from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 from exactsweep.words import pair
 
 Rings = Sequence[Sequence[Point]]
 
 
-LOOP_NAMES = {"trajectory": "trajectory", "inner": "inner loop", "outer": "outer loop"}
+LOOP_NAMES = {
+    "trajectory": "trajectory",
+    "inner": "inner loop",
+    "outer": "outer loop",
+    "no_fit": "no-fit polygon",
+    "inner_fit": "inner fit",
+}
 
 _DOES = {
     "FREE": "does not touch D",
     "CONTACT": "touches D and does not overlap it",
     "OVERLAP": "overlaps D",
 }
+_DOES_INSIDE = {
+    "FREE": "lies inside D",
+    "CONTACT": "lies inside D and touches its boundary",
+    "OVERLAP": "reaches out of D",
+}
+_SEVERITY = tuple(_DOES)
 
 
 def exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
-    """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes."""
-    polygon: Polygon = getattr(case, name)
-    return (polygon.vertices,)
+    """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes.
+
+    Of the inner loop of any shapes the one around D comes first, and what else is unswept then;
+    of an inner fit the regions follow each other.
+    """
+    if name == "inner_fit":
+        return tuple(ring for region in case.inner_regions or () for ring in region.rings)
+    loops = {
+        "trajectory": (case.trajectory,),
+        "inner": (case.inner, *case.unswept),
+        "outer": (case.outer,),
+        "no_fit": (case.trajectory, *case.holes),
+    }
+    return tuple(loop.vertices for loop in loops[name])
 
 
 class WitnessError(ExactSweepError):
@@ -55,7 +79,7 @@ def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witn
 
     Args:
         case: the case.
-        name: "trajectory", "inner" or "outer".
+        name: a key of LOOP_NAMES.
         theirs: rings of the loop as answered.
         cells: from `differences` of the exact region and theirs; at least one, and all of them
             in the exact region or all of them in theirs.
@@ -84,22 +108,52 @@ def is_inside(point: Point, rings: Rings) -> bool:
     return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
 
 
-def at_position(case: Case, position: Point) -> Witness:
-    """Say what the definition says of a position of the reference point."""
+def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness:
+    """Say what the definition says of a position of the reference point, around D or inside it."""
     translation = minus(position, case.reference)
-    verdict, point = classify(case.directrix, case.generatrix, translation)
-    return Witness(f"at {pair(position)} G {_DOES[verdict]}", translation, verdict, point)
+    does, obstacles = _DOES, [case.directrix]
+    if inside:
+        does, obstacles = _DOES_INSIDE, _obstacles(case, translation)
+    found = [classify(obstacle, case.generatrix, translation) for obstacle in obstacles]
+    verdict, point = max(found, key=lambda one: _SEVERITY.index(one.verdict))
+    return Witness(f"at {pair(position)} G {does[verdict]}", translation, verdict, point)
+
+
+def _obstacles(case: Case, t: Point) -> list[Polygon | Region]:
+    """What is around D, as far as G + t reaches and farther, and the holes of D."""
+    exterior, *holes = Region(case.directrix).rings
+    corners = [*exterior, *(plus(p, t) for p in case.generatrix_ring)]
+    (left, right), (low, high) = ((min(c) - 1, max(c) + 1) for c in zip(*corners, strict=True))
+    box = [(left, low), (right, low), (right, high), (left, high)]
+    return [Region(box, [exterior]), *map(Polygon, holes)]
 
 
 def _of_trajectory(case: Case, position: Point, permitted: bool) -> Witness | None:
     found = at_position(case, position)
+    if permitted and any(point_in_polygon(position, hole) >= 0 for hole in case.holes):
+        return replace(found, says=f"{found.says}, and cannot get there from outside")
     return found if found.classified == ("OVERLAP" if permitted else "FREE") else None
+
+
+def _of_no_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
+    found = at_position(case, position)
+    return found if found.classified == ("OVERLAP" if permitted else "FREE") else None
+
+
+def _of_inner_fit(case: Case, position: Point, permitted: bool) -> Witness | None:
+    """Of a position inside D, or one that reaches out of it."""
+    found = at_position(case, position, inside=True)
+    return found if found.classified == ("FREE" if permitted else "OVERLAP") else None
 
 
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     """Of a point that G cannot reach, or else can."""
-    onto = _onto(case, point)
-    escapes = [c for c in differences([onto.vertices], [_positions(case).vertices]) if c.first]
+    onto, positions = _onto(case, point), _positions(case)
+    escapes = [c for c in differences(onto.rings, [positions.vertices]) if c.first]
+    if permitted and case.kind == "SS":
+        if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
+            return None
+        return Witness(f"nowhere on its way G covers {pair(point)}", point=point)
     if not permitted:
         if not escapes:
             return None
@@ -108,7 +162,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     if escapes:
         return None
     # No position is better than another one; to show one of them, one well inside.
-    t = next(max(differences([onto.vertices], []), key=lambda cell: cell.area).points())
+    t = next(max(differences(onto.rings, []), key=lambda cell: cell.area).points())
     found = _over(case, point, t)
     return found and replace(found, says=f"{found.says}, as at all positions over that point")
 
@@ -122,25 +176,41 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
         return Witness(f"at all positions over {pair(point)} G {_DOES['FREE']}", point=point)
     for t in _on_boundary(positions, onto):
         return _over(case, point, t)
-    for polygon, name in ((case.directrix, "D"), (case.inner, "the inner loop")):
-        if point_in_polygon(point, polygon) >= 0:
+    for shape, name in (
+        (case.directrix, "D"),
+        (case.inner, "the inner loop"),
+        *((loop, "a loop that is left out inside") for loop in case.unswept),
+    ):
+        if _is_in(point, shape):
             return Witness(f"{pair(point)} is in {name}", point=point)
     return None
 
 
 def _over(case: Case, point: Point, t: Point) -> Witness | None:
     """Say that G + t covers a point, and what it does there."""
-    if point_in_polygon(point, case.generatrix.translated(t)) < 0:
+    if not _is_in(point, case.generatrix.translated(t)):
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
     at = pair(plus(t, case.reference))
     return Witness(f"at {at} G covers {pair(point)} and {_DOES[verdict]}", t, verdict, point)
 
 
-_SHOW = {"trajectory": _of_trajectory, "inner": _of_inner, "outer": _of_outer}
+_SHOW = {
+    "trajectory": _of_trajectory,
+    "inner": _of_inner,
+    "outer": _of_outer,
+    "no_fit": _of_no_fit,
+    "inner_fit": _of_inner_fit,
+}
 
 
-def _onto(case: Case, point: Point) -> Polygon:
+def _is_in(point: Point, shape: Polygon | Region) -> bool:
+    """Whether a point is in a closed shape."""
+    exterior, *holes = shape.rings
+    return locate(point, exterior) >= 0 and all(locate(point, hole) <= 0 for hole in holes)
+
+
+def _onto(case: Case, point: Point) -> Polygon | Region:
     """The translations that put G onto a point."""
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
@@ -150,14 +220,15 @@ def _positions(case: Case) -> Polygon:
     return case.trajectory.translated((-case.reference.x, -case.reference.y))
 
 
-def _on_boundary(positions: Polygon, onto: Polygon) -> Iterator[Point]:
-    """Points of one polygon's boundary in the other polygon: vertices first, then crossings."""
-    vertices, corners = positions.vertices, onto.vertices
-    yield from (vertex for vertex in vertices if point_in_polygon(vertex, onto) >= 0)
+def _on_boundary(positions: Polygon, onto: Polygon | Region) -> Iterator[Point]:
+    """Points of one polygon's boundary in the other shape: vertices first, then crossings."""
+    vertices = positions.vertices
+    yield from (vertex for vertex in vertices if _is_in(vertex, onto))
     for k, b in enumerate(vertices):
-        for j, d in enumerate(corners):
-            if crossing := crossing_of(vertices[k - 1], b, corners[j - 1], d):
-                yield crossing
+        for ring in onto.rings:
+            for j, d in enumerate(ring):
+                if crossing := crossing_of(vertices[k - 1], b, ring[j - 1], d):
+                    yield crossing
 
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:

@@ -24,7 +24,9 @@ from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import root, tell_costs, witness_lines
 from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
-from exactsweep.conform.run.run import SHOWN, Run, fails
+from exactsweep.conform.run.run import SHOWN, Run
+from exactsweep.conform.run.tally import fails
+from exactsweep.corpus.case_json import FITS, OF_POSITIONS, expected_rings
 from exactsweep.geometry.number import NumberError, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.text.report import approximation
@@ -236,23 +238,26 @@ def _scene(
     witness = next(iter(witnesses(part)), {}) if part else {}
     placed = witness.get("translation")
     seen = None
-    layers: list[Layer] = [("directrix", (_ring(case["directrix"]),), True)]
+    d, g = (
+        tuple(map(_ring, (case[polygon], *case.get(f"{polygon}_holes", ()))))
+        for polygon in ("directrix", "generatrix")
+    )
+    layers: list[Layer] = [("directrix", d, True)]
     if placed is not None:
         (t,) = _ring([placed])
         (r,) = _ring([case["reference"]])
-        moved = tuple(Point(x + t.x, y + t.y) for x, y in _ring(case["generatrix"]))
-        layers.append(("generatrix", (moved,), True))
-        if name in ("trajectory", "exact_fits"):
+        moved = tuple([Point(x + t.x, y + t.y) for x, y in ring] for ring in g)
+        layers.append(("generatrix", moved, True))
+        if name in OF_POSITIONS:
             seen = Point(r.x + t.x, r.y + t.y)
     else:
-        layers.append(("generatrix", (_ring(case["generatrix"]),), True))
+        layers.append(("generatrix", g, True))
     if seen is None and witness.get("point") is not None:
         (seen,) = _ring([witness["point"]])
-    closed = name != "exact_fits"
-    exact, theirs = case["expected"][name], result.get(name)
+    closed = name not in FITS
+    exact, theirs = expected_rings(case, name), result.get(name)
     if not closed:
-        loop = _ring(case["expected"]["trajectory"])
-        layers.append(("faint", (loop,), True))
+        layers.append(("faint", tuple(_rings(expected_rings(case, FITS[name]))), True))
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]

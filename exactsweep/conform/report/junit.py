@@ -9,7 +9,8 @@ from xml.etree import ElementTree
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import witness_lines
 from exactsweep.conform.run.outcome import Outcome, witnesses
-from exactsweep.conform.run.run import Run, fails
+from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import fails
 
 _ERRORS = (Verdict.TIMEOUT, Verdict.MEMORY, Verdict.CRASH)
 _SKIPPED = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)

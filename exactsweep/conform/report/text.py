@@ -17,7 +17,8 @@ from exactsweep.conform.judge.verdict import Comparison, PartComparison
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
-from exactsweep.conform.run.run import Run, Tally
+from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import Tally
 from exactsweep.text.report import laid_out
 from exactsweep.words import count
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import BinaryIO, Self
 
 from exactsweep.conform.run.protocol import read_object
+from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases, find_case
 from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
 from exactsweep.formats.exact_json import described, parse_certificate, parse_json, read_vertices
@@ -95,11 +96,10 @@ def distinct(cases: Iterable[Case]) -> Iterator[Case]:
     Raises:
         SelectionError: one does.
     """
-    seen = set()
+    seen = SeenNames()
     for case in cases:
-        if case.id in seen:
+        if not seen.add(case.id):
             raise SelectionError(f"two cases have the id {quoted(case.id)}")
-        seen.add(case.id)
         yield case
 
 

@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
+from os import SEEK_END
 from pathlib import Path
 from typing import Any, BinaryIO, Self
 
@@ -40,9 +41,6 @@ class Journal:
         most: bytes of memory that the program may hold, or None, likewise.
         resume: whether the file may be there and is gone on with.
 
-    Attributes:
-        done: dict from the digest of a case to its outcome: those of before.
-
     Raises:
         JournalError: the file is there and `resume` is false; it is no journal, or one of
             something else; it cannot be read or written.
@@ -61,7 +59,8 @@ class Journal:
     ) -> None:
         self._path = path
         self._file: BinaryIO
-        self.done: dict[str, Outcome] = {}
+        # Where the outcomes of before are, by the digest of their case.
+        self._places: dict[str, tuple[int, int]] = {}
         head = {
             "format": FORMAT,
             "version": VERSION,
@@ -92,6 +91,17 @@ class Journal:
             JournalError: it cannot be written.
         """
         self._write(outcome.to_json())
+
+    def find(self, digest: str) -> Outcome | None:
+        """Return the outcome of before of a case, by its digest, or None if there is none."""
+        place = self._places.get(digest)
+        if place is None:
+            return None
+        start, length = place
+        self._file.seek(start)
+        line = self._file.read(length)
+        self._file.seek(0, SEEK_END)
+        return outcome_from_json(json.loads(line))
 
     def __enter__(self) -> Self:
         return self
@@ -132,8 +142,7 @@ class Journal:
                 if number == 1:
                     self._require_same(data, head)
                 else:
-                    outcome = outcome_from_json(data)
-                    self.done[outcome.digest] = outcome
+                    self._places[outcome_from_json(data).digest] = (whole, len(line))
             except (ValueError, AttributeError) as error:
                 if isinstance(error, JournalError):
                     raise

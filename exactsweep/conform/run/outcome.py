@@ -106,13 +106,15 @@ def judge_case(peer: Peer, case: Case) -> Outcome:
     Returns:
         The Outcome.
     """
-    return judge_answer(case, *ask(peer, case), peer.hello.loops, peer.hello.numbers)
+    hello = peer.hello
+    return judge_answer(case, *ask(peer, case), hello.parts(case), hello.numbers)
 
 
 def judge_in_time(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
     """Judge a case as `judge_case` does, but do not compare for ever; in the main thread only."""
     hello = peer.hello
-    return judge_answer_in_time(case, *ask(peer, case), hello.loops, hello.numbers, rounding)
+    promised = hello.parts(case)
+    return judge_answer_in_time(case, *ask(peer, case), promised, hello.numbers, rounding)
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:

@@ -101,11 +101,17 @@ class CallablePeer:
 
     def ask(self, case: Case) -> Answer:
         """Call the function on a case."""
-        arguments = self._points(case.directrix_ring), self._points(case.generatrix_ring)
+        d, g = (
+            list(map(self._points, rings))
+            for rings in (case.directrix_rings, case.generatrix_rings)
+        )
+        if self.hello.shapes != "any":
+            # Without holes there is one ring.
+            (d,), (g,) = d, g
         (reference,) = self._points([case.reference])
         began = time.monotonic()
         try:
-            result = self._function(*arguments, reference)
+            result = self._function(d, g, reference)
         except NotImplementedError as error:
             return Answer(verdict=Verdict.UNSUPPORTED, reason=cut(str(error)))
         except Exception as error:  # it may fail in any way, and that is its answer

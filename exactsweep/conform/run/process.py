@@ -86,8 +86,7 @@ class ProcessPeer:
             self._channel = None
 
     def _exchange(self, channel: Channel, case: Case) -> Answer:
-        rings = case.directrix_ring, case.generatrix_ring
-        channel.send(case_line(case.id, case.kind, *rings, case.reference, self.hello.numbers))
+        channel.send(case_line(case, self.hello))
         try:
             result = read_object(channel.receive(self._seconds))
             if result.get("id") != case.id:

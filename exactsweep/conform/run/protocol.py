@@ -2,18 +2,25 @@
 
 The implementation speaks first, one line that says what it can do:
 
-    {"hello": "my program 1.0", "loops": ["trajectory"], "numbers": "integer", "reference": "given"}
+    {"hello": "my program 1.0", "questions": ["no_fit", "inner_fit"], "shapes": "any",
+     "numbers": "integer", "reference": "given"}
+
+One that is asked to "sweep" names the loops that it answers, "loops": ["trajectory"]. A hello
+without "questions" and "shapes" is asked for that alone, of pairs that share a direction.
 
 The runner sends a case a line, waits for one line of answer, and at the end sends a last line:
 
     {"id": "...", "class": "CM", "directrix": [["0", "0"], ...], "generatrix": [...],
-     "reference": ["0", "0"]}
+     "reference": ["0", "0"], "directrix_holes": [[["1", "1"], ...]], "ask": ["no_fit"]}
     {"bye": true}
 
-An answer has the id of the case and the loops that the hello promised; or the reason why there is
-none, which is the verdict unsupported or crash:
+Holes are there where a polygon has some, and "ask" if the hello has questions. An answer has the
+id of the case and all that it asks for, the loops that the hello promised, "no_fit" or "inner_fit";
+or the reason why there is none, which is the verdict unsupported or crash:
 
     {"id": "...", "trajectory": [["-1", "0"], ...], "exact_fits": [[["1", "3"], ["1", "1"]]]}
+    {"id": "...", "no_fit": [[["-1", "0"], ...], [["2", "2"], ...]], "exact_fits": []}
+    {"id": "...", "inner_fit": [], "inner_exact_fits": [[["1", "3"], ["1", "1"]]]}
     {"id": "...", "unsupported": "not convex"}
     {"id": "...", "error": "division by zero"}
 
@@ -24,25 +31,29 @@ numbers: an integer is itself, any other is the nearest binary64.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Literal, Self, cast, get_args
 
 from exactsweep.corpus import Case
+from exactsweep.corpus.case import SHAPES, Fit, Ring, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import format_fraction, quoted
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]
+Question = Literal["sweep", "no_fit", "inner_fit"]
 
 LOOPS = ("trajectory", "inner", "outer")
 NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
 REFERENCES: tuple[Reference, ...] = get_args(Reference)
+QUESTIONS: tuple[Question, ...] = get_args(Question)
 BYE = '{"bye": true}'
 MAX_LINE = 4 * 2**20
 """The most bytes of one line from an implementation."""
@@ -59,22 +70,37 @@ class Hello:
 
     Attributes:
         name: its name and version, for the report.
-        loops: what it answers, of "trajectory", "inner", "outer".
+        loops: what it answers of a sweep, of "trajectory", "inner", "outer"; () where it is not
+            asked for one.
         numbers: what it reads. "rational": everything. "integer", "int64", "int32": cases are
             multiplied to integers, and those beyond the type are not asked. "binary64": cases
             that the type holds as they are, or else multiplied to integers.
         reference: the point of G whose path its trajectory is. "given": the case's. "origin": the
             point (0, 0) in the coordinates of G. "first": the first vertex of G. The cases it gets
             have that reference point.
+        questions: what it can be asked, of "sweep"; "no_fit", the no-fit polygon with its holes;
+            and "inner_fit", the positions of G inside D.
+        shapes: the pairs that it takes, each kind with those before it: "convex"; "monotone", to
+            one direction; "simple", without holes; "any".
     """
 
     name: str
     loops: tuple[str, ...] = ("trajectory",)
     numbers: Numbers = "rational"
     reference: Reference = "given"
+    questions: tuple[Question, ...] = ("sweep",)
+    shapes: Shapes = "monotone"
 
     @classmethod
-    def of(cls, name: object, loops: object, numbers: object, reference: object) -> Self:
+    def of(
+        cls,
+        name: object,
+        loops: object,
+        numbers: object,
+        reference: object,
+        questions: object = ("sweep",),
+        shapes: object = "monotone",
+    ) -> Self:
         """Check what an implementation says of itself.
 
         Raises:
@@ -82,28 +108,57 @@ class Hello:
         """
         if not isinstance(name, str) or not 0 < len(name) <= MAX_NAME or not name.isprintable():
             raise ProtocolError(f'"hello" is not a name of 1 to {MAX_NAME} printable characters')
-        listed = list(loops) if isinstance(loops, (list, tuple)) else []
-        if not listed or any(loop not in LOOPS for loop in listed):
-            raise ProtocolError(
-                f'"loops" is {quoted(loops)}, not a list of some of {", ".join(LOOPS)}'
-            )
+        asked = _some("questions", questions, QUESTIONS)
+        answered = _some("loops", loops, LOOPS) if "sweep" in asked else ()
         for key, value, allowed in (
             ("numbers", numbers, NUMBERS),
             ("reference", reference, REFERENCES),
+            ("shapes", shapes, SHAPES),
         ):
             if value not in allowed:
                 raise ProtocolError(f'"{key}" is {quoted(value)}, not one of {", ".join(allowed)}')
-        ordered = tuple(loop for loop in LOOPS if loop in listed)
-        return cls(name, ordered, cast(Numbers, numbers), cast(Reference, reference))
+        return cls(
+            name,
+            answered,
+            cast(Numbers, numbers),
+            cast(Reference, reference),
+            cast(tuple[Question, ...], asked),
+            cast(Shapes, shapes),
+        )
+
+    def parts(self, case: Case) -> tuple[str, ...]:
+        """Return what an answer to a case must hold: loops of a sweep, "no_fit", "inner_fit"."""
+        fits = [name for name in ("no_fit", "inner_fit") if name in self.questions]
+        if case.inner_regions is None:
+            fits = [name for name in fits if name != "inner_fit"]
+        return (*self.loops, *fits)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the line as plain data."""
-        return {
+        """Return the line as plain data; one of the old form stays as it is."""
+        said = {
             "hello": self.name,
             "loops": list(self.loops),
             "numbers": self.numbers,
             "reference": self.reference,
         }
+        if self.is_old:
+            return said
+        return {**said, "questions": list(self.questions), "shapes": self.shapes}
+
+    @property
+    def is_old(self) -> bool:
+        """Whether it says no more than a hello without "questions" and "shapes"."""
+        return (self.questions, self.shapes) == (("sweep",), "monotone")
+
+
+def _some(key: str, found: object, allowed: tuple[str, ...]) -> tuple[str, ...]:
+    """Read a list of some names, in their order."""
+    listed = list(found) if isinstance(found, (list, tuple)) else []
+    if not listed or any(name not in allowed for name in listed):
+        raise ProtocolError(
+            f'"{key}" is {quoted(found)}, not a list of some of {", ".join(allowed)}'
+        )
+    return tuple(name for name in allowed if name in listed)
 
 
 def read_hello(line: str) -> Hello:
@@ -123,37 +178,47 @@ def read_hello(line: str) -> Hello:
         raise ProtocolError(f"the first line is no hello: {error}") from None
     if "hello" not in found:
         raise ProtocolError('the first line is no hello: it has no "hello"')
-    for name in ("loops", "numbers", "reference"):
+    questions = found.get("questions", ["sweep"])
+    sweeps = not isinstance(questions, list) or "sweep" in questions
+    for name in ("loops", "numbers", "reference") if sweeps else ("numbers", "reference"):
         if name not in found:
             raise ProtocolError(f'the hello has no "{name}"')
-    return Hello.of(found["hello"], found["loops"], found["numbers"], found["reference"])
+    return Hello.of(
+        found["hello"],
+        found.get("loops"),
+        found["numbers"],
+        found["reference"],
+        questions,
+        found.get("shapes", "monotone"),
+    )
 
 
-def case_line(
-    id: str,
-    kind: str,
-    directrix: Iterable[Point],
-    generatrix: Iterable[Point],
-    reference: Point,
-    numbers: Numbers,
-) -> str:
-    """Write the line of a case, without its end.
+def case_line(case: Case, hello: Hello) -> str:
+    """Write the line of a case, without its end, to an implementation that said this hello.
 
     Example:
-        >>> triangle = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (0, 1))]
-        >>> case_line("a", "CC", triangle, triangle[:1], triangle[0], "binary64")[:50]
+        >>> triangle = [(0, 0), (1, 0), (0, 1)]
+        >>> case_line(Case.of("a", "", triangle, triangle), Hello("b", numbers="binary64"))[:50]
         '{"id": "a", "class": "CC", "directrix": [["0.0", "'
     """
-    write = _binary64 if numbers == "binary64" else format_fraction
-    return json.dumps(
-        {
-            "id": id,
-            "class": kind,
-            "directrix": [[write(c) for c in point] for point in directrix],
-            "generatrix": [[write(c) for c in point] for point in generatrix],
-            "reference": [write(c) for c in reference],
-        }
-    )
+    write = _binary64 if hello.numbers == "binary64" else format_fraction
+
+    def ring(points: Iterable[Point]) -> list[list[str]]:
+        return [[write(c) for c in point] for point in points]
+
+    line: dict[str, Any] = {
+        "id": case.id,
+        "class": case.kind,
+        "directrix": ring(case.directrix_ring),
+        "generatrix": ring(case.generatrix_ring),
+        "reference": [write(c) for c in case.reference],
+    }
+    for name in ("directrix_holes", "generatrix_holes"):
+        if holes := getattr(case, name):
+            line[name] = [ring(hole) for hole in holes]
+    if not hello.is_old:
+        line["ask"] = list(hello.parts(case))
+    return json.dumps(line)
 
 
 def read_object(line: str) -> dict[str, Any]:
@@ -180,7 +245,7 @@ def _binary64(value: Fraction) -> str:
 
 
 class UnsupportedError(ExactSweepError):
-    """A case that the numbers of an implementation do not hold."""
+    """A case that an implementation is not asked, as it says in its hello."""
 
 
 def adapt(case: Case, hello: Hello) -> Case:
@@ -195,7 +260,8 @@ def adapt(case: Case, hello: Hello) -> Case:
         `integer_scale` where its numbers need that.
 
     Raises:
-        UnsupportedError: its numbers do not hold the case, multiplied or not.
+        UnsupportedError: it does not take such shapes, or can be asked nothing of the case; or its
+            numbers do not hold the case, multiplied or not.
 
     Cost: linear, and that of `Polygon` where it is multiplied.
 
@@ -205,6 +271,10 @@ def adapt(case: Case, hello: Hello) -> Case:
         >>> print(whole.directrix, "from", whole.trajectory.vertices[0])
         (0, 0) (1, 0) (0, 2) from Point(x=Fraction(-2, 1), y=Fraction(0, 1))
     """
+    if SHAPES.index(case.shapes) > SHAPES.index(hello.shapes):
+        raise UnsupportedError(f"not asked: it takes {hello.shapes} pairs, not {case.shapes} ones")
+    if not hello.parts(case):
+        raise UnsupportedError("not asked: the case is not one of an inner fit")
     if hello.reference != "given":
         case = _referred(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
     if hello.numbers == "rational":
@@ -223,42 +293,56 @@ def scaled(case: Case) -> Case:
     k = case.integer_scale
     if k == 1:
         return case
+
+    def point(p: Point) -> Point:
+        return Point(p.x * k, p.y * k)
+
+    def ring(points: Ring) -> Ring:
+        return tuple(map(point, points))
+
     return replace(
-        case,
-        directrix_ring=_multiplied(case.directrix_ring, k),
-        generatrix_ring=_multiplied(case.generatrix_ring, k),
-        reference=_times(case.reference, k),
-        trajectory=Polygon(_multiplied(case.trajectory.vertices, k)),
-        inner=Polygon(_multiplied(case.inner.vertices, k)),
-        outer=Polygon(_multiplied(case.outer.vertices, k)),
-        exact_fits=tuple((_times(p, k), _times(q, k)) for p, q in case.exact_fits),
+        _with_positions(case, ring),
+        directrix_ring=ring(case.directrix_ring),
+        generatrix_ring=ring(case.generatrix_ring),
+        directrix_holes=tuple(map(ring, case.directrix_holes)),
+        generatrix_holes=tuple(map(ring, case.generatrix_holes)),
+        reference=point(case.reference),
+        inner=Polygon(ring(case.inner.vertices)),
+        outer=Polygon(ring(case.outer.vertices)),
+        unswept=tuple(Polygon(ring(loop.vertices)) for loop in case.unswept),
         area=case.area * k * k,
     )
 
 
 def _referred(case: Case, reference: Point) -> Case:
     """Return the case with another reference point."""
-    by = Point(reference.x - case.reference.x, reference.y - case.reference.y)
-    if by == ORIGIN:
+    dx, dy = reference.x - case.reference.x, reference.y - case.reference.y
+    if (dx, dy) == ORIGIN:
         return case
+    moved = _with_positions(case, lambda ring: tuple(Point(x + dx, y + dy) for x, y in ring))
+    return replace(moved, reference=reference)
+
+
+def _with_positions(case: Case, put: Callable[[Ring], Ring]) -> Case:
+    """Return the case with all that is told of the reference point put elsewhere."""
+
+    def loop(polygon: Polygon) -> Polygon:
+        return Polygon(put(polygon.vertices))
+
+    def region(shape: Region) -> Region:
+        return Region(loop(shape.exterior), map(loop, shape.holes))
+
+    def fits(found: Iterable[Fit]) -> tuple[Fit, ...]:
+        return tuple((p, q) for p, q in map(put, found))
+
     return replace(
         case,
-        reference=reference,
-        trajectory=case.trajectory.translated(by),
-        exact_fits=tuple((_plus(p, by), _plus(q, by)) for p, q in case.exact_fits),
+        trajectory=loop(case.trajectory),
+        holes=tuple(map(loop, case.holes)),
+        exact_fits=fits(case.exact_fits),
+        inner_regions=case.inner_regions and tuple(map(region, case.inner_regions)),
+        inner_exact_fits=fits(case.inner_exact_fits),
     )
-
-
-def _multiplied(points: Iterable[Point], k: int) -> tuple[Point, ...]:
-    return tuple(_times(point, k) for point in points)
-
-
-def _times(point: Point, k: int) -> Point:
-    return Point(point.x * k, point.y * k)
-
-
-def _plus(point: Point, by: Point) -> Point:
-    return Point(point.x + by.x, point.y + by.y)
 
 
 def as_numbers(value: Fraction, numbers: str) -> object:

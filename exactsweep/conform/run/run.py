@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from bisect import insort
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, read_exact
+from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.spool import Spool
-from exactsweep.corpus.case import KINDS
+from exactsweep.conform.run.tally import ACCEPTED, Tally, Worst, fails
 from exactsweep.geometry.number import format_fraction
 from exactsweep.words import count
 
@@ -22,127 +21,6 @@ SHOWN = 5
 """How many failures of each fault are kept with all that belongs to them, the smallest."""
 MOST_FAULTS = 40
 """More faults than that are not told apart; the rest of them are, by verdict."""
-_MOST_DIAGNOSES = 1000
-
-
-ALL = "all"
-
-
-ACCEPTED = Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
-"""The worst verdict that passes, unless the caller says otherwise."""
-
-
-class Worst(NamedTuple):
-    """The outcomes in which one kind of loop is furthest off.
-
-    Attributes:
-        distance_squared: the greatest squared Hausdorff distance, from below, and its case's id.
-        area: the greatest area of the symmetric difference, and its case's id.
-    """
-
-    distance_squared: tuple[Fraction, str]
-    area: tuple[Fraction, str]
-
-
-_DIFFERENT = (Verdict.CONSERVATIVE, Verdict.UNSOUND, Verdict.WRONG)
-
-
-class Tally:
-    """Counts of verdicts, and what goes with them.
-
-    Args:
-        outcomes: the outcomes to begin with.
-
-    Attributes:
-        counts: Counter of (group, verdict); a group is "all", a class or a flag.
-        worst: dict from the name of a loop to its Worst, where there was anything to measure.
-        seconds: that all answers took together.
-        slowest: the longest time of one answer, and the id of its case.
-        largest: the most bytes that the program held for one answer, likewise; 0 if unknown.
-        granted: the greatest rounding with which a loop is within, and the id of its case.
-        different: how many trajectories are conservative, unsound or wrong.
-        diagnoses: Counter of what these are exact for.
-
-    Example:
-        >>> summary = Tally([Outcome("a", "CC", ("parallel-edges",), Verdict.EXACT)])
-        >>> summary.groups(), summary.verdicts(), summary.counts["CC", Verdict.EXACT]
-        (['all', 'CC', 'parallel-edges'], [<Verdict.EXACT: 'exact'>], 1)
-    """
-
-    def __init__(self, outcomes: Iterable[Outcome] = ()) -> None:
-        self.counts: Counter[tuple[str, Verdict]] = Counter()
-        self.worst: dict[str, Worst] = {}
-        self.seconds = 0.0
-        self.slowest = (0.0, "")
-        self.largest = (0, "")
-        self.granted = (Fraction(0), "")
-        self.different = 0
-        self.diagnoses: Counter[str] = Counter()
-        for outcome in outcomes:
-            self.add(outcome)
-
-    def add(self, outcome: Outcome) -> None:
-        """Count an outcome."""
-        for group in (ALL, outcome.kind, *outcome.flags):
-            self.counts[group, outcome.verdict] += 1
-        self.seconds += outcome.seconds
-        self.slowest = max(self.slowest, (outcome.seconds, outcome.id))
-        self.largest = max(self.largest, (outcome.memory or 0, outcome.id))
-        for part in outcome.parts:
-            if part["name"] == "trajectory" and Verdict(part["verdict"]) in _DIFFERENT:
-                self.different += 1
-                for words in part["diagnosis"]:
-                    # Of a reference point that moves, each case has an offset of its own.
-                    if words in self.diagnoses or len(self.diagnoses) < _MOST_DIAGNOSES:
-                        self.diagnoses[words] += 1
-            if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
-                self.granted = max(self.granted, (read_exact(part["granted"]), outcome.id))
-            if part["distance_squared"] is not None and part["area"] is not None:
-                distance = read_exact(part["distance_squared"][0]), outcome.id
-                area = read_exact(part["area"]), outcome.id
-                old = self.worst.get(part["name"], Worst(distance, area))
-                self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
-
-    def diagnosis(self) -> str | None:
-        """Say what all trajectories that differ are exact for, or None."""
-        for words, number in self.diagnoses.most_common(1):
-            if number == self.different > 1:
-                return f"all {number} trajectories that differ: {words}"
-        return None
-
-    def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
-        """Return how many cases there are, in a group, with a verdict or with any."""
-        verdicts = Verdict if verdict is None else (verdict,)
-        return sum(self.counts[group, one] for one in verdicts)
-
-    @property
-    def judged(self) -> int:
-        """How many cases the implementation could do and we could judge."""
-        return self.total() - self.total(Verdict.UNSUPPORTED) - self.total(Verdict.UNDECIDED)
-
-    def failures(self, accepted: Verdict) -> int:
-        """Return how many verdicts are worse than an accepted one, as `fails` has it."""
-        return sum(self.total(verdict) for verdict in Verdict if fails(verdict, accepted))
-
-    def groups(self) -> list[str]:
-        """Return the groups that have cases: all, the classes, the flags by name."""
-        found = {group for group, _ in self.counts}
-        first = [group for group in (ALL, *KINDS) if group in found]
-        return first + sorted(found.difference(first))
-
-    def verdicts(self) -> list[Verdict]:
-        """Return the verdicts that were given, from best to worst."""
-        return [verdict for verdict in Verdict if self.total(verdict)]
-
-
-def fails(verdict: Verdict, accepted: Verdict) -> bool:
-    """Whether a verdict is worse than an accepted one; what was not judged is no failure.
-
-    >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
-    (True, False)
-    """
-    judged = verdict not in (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
-    return judged and verdict.severity > accepted.severity
 
 
 class Fault:

@@ -11,7 +11,8 @@ from exactsweep.conform.run.outcome import Outcome, digest, judge_case, shrink_o
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.conform.run.run import ACCEPTED, Run
+from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
 
 TO_MAKE_SMALLER = 20.0
@@ -45,7 +46,7 @@ def conduct(
 
     def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
-            old = journal and journal.done.get(digest(case))
+            old = journal and journal.find(digest(case))
             if old:
                 run.add(old)
                 tell(old)
@@ -83,6 +84,8 @@ def conform(
     loops: Iterable[str] = ("trajectory",),
     numbers: str = "rational",
     reference: str = "given",
+    questions: Iterable[str] = ("sweep",),
+    shapes: str = "monotone",
     seconds: float = SECONDS,
     accepted: Verdict = ACCEPTED,
     made_smaller: int = 0,
@@ -91,7 +94,8 @@ def conform(
 
     Args:
         function: of directrix, generatrix and reference: lists of (x, y), and (x, y); int for the
-            integer numbers, float for "binary64", else Fraction. It returns what an answer of the
+            integer numbers, float for "binary64", else Fraction; polygons as lists of rings, the
+            exterior first, where `shapes` is "any". It returns what an answer of the
             protocol holds, without the id; coordinates may be any numbers that `to_fraction`
             reads. What it raises is a crash, and NotImplementedError is unsupported.
         cases: the cases.
@@ -99,6 +103,8 @@ def conform(
         loops: what it answers, of "trajectory", "inner", "outer".
         numbers: "rational", "integer", "int64", "int32" or "binary64", as for `Hello`.
         reference: "given", "origin" or "first", as for `Hello`.
+        questions: what it can be asked, of "sweep", "no_fit", "inner_fit".
+        shapes: the pairs that it takes: "convex", "monotone", "simple" or "any".
         seconds: that an answer may take. A function cannot be stopped: an answer that comes too
             late is a timeout when it comes.
         accepted: the worst verdict that passes; Verdict.EQUIVALENT makes exact fits count, too.
@@ -125,7 +131,8 @@ def conform(
         >>> run.passed, run.outcomes[0].verdict.value, run.shrunk["t"].case["reference"]
         (False, 'wrong', ['1', '0'])
     """
-    peer = CallablePeer(function, Hello.of(name, loops, numbers, reference), seconds)
+    hello = Hello.of(name, loops, numbers, reference, tuple(questions), shapes)
+    peer = CallablePeer(function, hello, seconds)
     run = Run(peer.hello, accepted=accepted)
     for case in distinct(cases):
         run.add(judge_case(peer, case))

@@ -1,8 +1,9 @@
-"""Outcomes in the order in which they came, on disk once there are many."""
+"""What grows with a run, on disk once there is much: outcomes in order, and names once seen."""
 
 from __future__ import annotations
 
 import json
+import sqlite3
 from array import array
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -75,6 +76,37 @@ class Spool(Sequence[Outcome]):
     def _read(self, start: int) -> Outcome:
         self._file.seek(start)
         return outcome_from_json(json.loads(self._file.readline()))
+
+
+class SeenNames:
+    """A set of names that grows, in a file that nobody else sees; memory is bounded.
+
+    Example:
+        >>> seen = SeenNames()
+        >>> [seen.add(name) for name in ("a", "b", "a")]
+        [True, True, False]
+    """
+
+    def __init__(self) -> None:
+        self._table = sqlite3.connect("")
+        finalize(self, self._table.close)
+        self._table.execute("CREATE TABLE seen (name BLOB PRIMARY KEY) WITHOUT ROWID")
+
+    def add(self, name: str) -> bool:
+        """Take in a name; return whether it is new.
+
+        Raises:
+            SpoolError: there is no room for it.
+        """
+        try:
+            self._table.execute(
+                "INSERT INTO seen VALUES (?)", (name.encode(errors="surrogatepass"),)
+            )
+        except sqlite3.IntegrityError:
+            return False
+        except sqlite3.OperationalError as error:
+            raise SpoolError(f"temporary files: {error}") from None
+        return True
 
 
 def _close(file: SpooledTemporaryFile[bytes]) -> None:

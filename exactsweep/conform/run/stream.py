@@ -14,6 +14,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_answer, judge_answer_in_time
 from exactsweep.conform.run.peer import Answer, read_answer
 from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, adapt, read_hello, read_object
+from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, UnknownNameError
 from exactsweep.formats.exact_json import described
 from exactsweep.geometry.number import quoted
@@ -44,7 +45,7 @@ class Stream:
         except StopIteration:
             raise ProtocolError("no hello: the input is empty") from None
         self.hello = read_hello(line)
-        self._seen: set[str] = set()
+        self._seen = SeenNames()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
         """Judge the answers as they come; in the main thread only.
@@ -62,7 +63,7 @@ class Stream:
                 case = self._case(result.get("id"), find)
                 put = adapt(case, terms)
                 outcome = judge_answer_in_time(
-                    case, put, read_answer(result), self.hello.loops, self.hello.numbers
+                    case, put, read_answer(result), self.hello.parts(case), self.hello.numbers
                 )
             except ValueError as error:
                 if len(self.complaints) < _MOST_COMPLAINTS:
@@ -74,16 +75,15 @@ class Stream:
         """Yield an outcome for each case that has no answer, once all answers have been read."""
         answer = Answer(verdict=Verdict.CRASH, reason="no answer")
         for case in cases:
-            if case.id not in self._seen:
+            if self._seen.add(case.id):
                 yield judge_answer(case, case, answer, ())
 
     def _case(self, id: object, find: Callable[[str], Case]) -> Case:
         if not isinstance(id, str):
             raise ProtocolError(f'"id" is {described(id)}, not the id of a case')
-        if id in self._seen:
-            raise ProtocolError(f"answers {quoted(id)} a second time")
         case = find(id)
-        self._seen.add(id)
+        if not self._seen.add(id):
+            raise ProtocolError(f"answers {quoted(id)} a second time")
         return case
 
 

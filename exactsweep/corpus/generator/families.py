@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
+from functools import partial
 from inspect import cleandoc
 from itertools import count as count_from
 from itertools import islice
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import Case
-from exactsweep.corpus.generator import large, numeric, plain
+from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, known
 from exactsweep.geometry.error import ExactSweepError
@@ -25,15 +26,16 @@ class Family(NamedTuple):
 
     Attributes:
         name: as on the command line.
-        level: "easy", "degenerate", "numeric" or "large": what it takes to get it right.
-        make: draws generatrix and directrix, as lists of pairs of numbers.
+        level: "easy", "degenerate", "numeric", "large" or "any shape": what it takes to get it
+            right.
+        make: draws generatrix and directrix, as lists of pairs of numbers or as Regions.
         flags: flags of all its cases that cannot be seen from the pair.
         respelled: whether the vertices are given as drawn, and not in canonical form.
     """
 
     name: str
     level: str
-    make: Callable[[Prng], tuple[Sequence[Any], Sequence[Any]]]
+    make: Callable[[Prng], tuple[Any, Any]]
     flags: tuple[str, ...] = ()
     respelled: bool = False
 
@@ -74,6 +76,7 @@ FAMILIES: dict[str, Family] = {
         Family("unequal", "large", large.unequal_pair),
         Family("lower-bound", "large", large.lower_bound_pair, ("lower-bound",)),
         Family("long", "large", large.long_pair),
+        *(Family(name, "any shape", draw) for name, draw in any_shape.SHAPES.items()),
     ]
 }
 
@@ -135,13 +138,20 @@ def generated_case(id: str) -> Case:
 
 def _make(family: Family, seed: int, number: int) -> Case:
     random = Prng(f"{family.name}:{seed}:{number}")
-    generatrix, directrix = family.make(random)
-    reference = random.choice([(0, 0), (0, 0), generatrix[-1]])
+    of_any_shape = family.name in any_shape.SHAPES
+    make: Callable[[Prng], tuple[Any, Any]] = family.make
+    if of_any_shape:
+        make = partial(any_shape.place, draw=family.make)
+    generatrix, directrix = make(random)
+    corner = generatrix.vertices[0] if of_any_shape else generatrix[-1]
+    if not (family.respelled or of_any_shape):
+        generatrix, directrix = Polygon(generatrix), Polygon(directrix)
     return Case.of(
         f"gen-{family.name}-{seed}-{number}",
         f"Family {family.name}, seed {seed}, number {number}",
-        directrix if family.respelled else Polygon(directrix),
-        generatrix if family.respelled else Polygon(generatrix),
-        reference,
+        directrix,
+        generatrix,
+        random.choice([(0, 0), (0, 0), corner]),
         ("generated", *family.flags),
+        inner_fit=of_any_shape,
     )

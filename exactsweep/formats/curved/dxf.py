@@ -21,7 +21,7 @@ from exactsweep.formats.curved.curves import (
     flatten_arc,
     place_points,
 )
-from exactsweep.formats.curved.dxf_block import Blocks, Placed
+from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
@@ -95,7 +95,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
 
 
-def _read(placed: Placed, reading: Reading) -> _Drawn:
+def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
     if placed.fault:
         raise FormatError(placed.fault)
     reader = _READERS.get(placed.entity.kind)

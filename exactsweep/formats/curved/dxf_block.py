@@ -19,7 +19,7 @@ MAX_PLACED = 20_000
 """How many entities blocks may draw, lest a small file keep its reader busy."""
 
 
-class Placed(NamedTuple):
+class PlacedEntity(NamedTuple):
     """An entity where it is drawn.
 
     Attributes:
@@ -51,11 +51,11 @@ class Blocks:
         # What each INSERT does to its block, found once, by its line.
         self._maps: dict[int, list[Affine]] = {}
 
-    def place(self, entity: Entity, image: Affine) -> Iterator[Placed]:
+    def place(self, entity: Entity, image: Affine) -> Iterator[PlacedEntity]:
         """Yield an entity, or what it draws if it is an INSERT, each with its own fault."""
-        return self._place(Placed(entity, image, entity.layer, entity.place), ())
+        return self._place(PlacedEntity(entity, image, entity.layer, entity.place), ())
 
-    def _place(self, placed: Placed, around: tuple[str, ...]) -> Iterator[Placed]:
+    def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
             self.placed += 1
             if self.placed > MAX_PLACED:
@@ -74,9 +74,9 @@ class Blocks:
             for entity in members:
                 layer = placed.layer if entity.layer == "0" else entity.layer
                 place = f"{placed.place}: {entity.place}"
-                yield from self._place(Placed(entity, image, layer, place), (*around, name))
+                yield from self._place(PlacedEntity(entity, image, layer, place), (*around, name))
 
-    def _images(self, placed: Placed, name: str, around: tuple[str, ...]) -> list[Affine]:
+    def _images(self, placed: PlacedEntity, name: str, around: tuple[str, ...]) -> list[Affine]:
         """The maps of a block: as many as there are rows and columns of it."""
         insert = placed.entity
         if name not in self.blocks:

@@ -18,6 +18,9 @@ from exactsweep.geometry.point import Point
 if TYPE_CHECKING:
     from ezdxf.lldxf.types import DXFTag
 
+MAX_ENTITIES = 250_000
+"""The most entities of a file, vertices of old polylines among them: each takes some 3 kB."""
+
 _LAYER, _FLAGS, _PAPER, _NAME = 8, 70, 67, 2
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: 0, 220: 0, 230: 1}
@@ -30,6 +33,7 @@ _INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
 class _Text(str):
     """A value and the line of the file on which it is."""
 
+    __slots__ = ("line",)
     line: int
 
 
@@ -213,9 +217,17 @@ def _tags(text: str) -> Iterator[DXFTag]:
 
     lines = StringIO(text, newline=None)
     opens_section = seen = False
+    count = 0
     for k, tag in enumerate(ascii_tags_loader(lines, skip_comments=False)):
         if tag.code == 999:
             continue
+        if tag.code not in (0, _NAME):
+            yield DXFTag(tag.code, tag.value)
+            continue
+        count += tag.code == 0
+        if count > MAX_ENTITIES:
+            raise FormatError(f"more than {MAX_ENTITIES:,} entities")
+        # Of kinds and names it is told where they are.
         value = _Text(tag.value)
         value.line = 2 * k + 2
         if opens_section and value == "ENTITIES":

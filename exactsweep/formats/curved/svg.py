@@ -13,12 +13,12 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.svg_path import elliptic_arc, read_path
-from exactsweep.formats.curved.svg_placed import Placed, kind
+from exactsweep.formats.curved.svg_placed import PlacedElement, kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
-from exactsweep.formats.reading import Reading
+from exactsweep.formats.reading import MAX_VERTICES, Reading
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -64,7 +64,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     if kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quoted(root.tag)}, not svg")
     document = _Document(root, reading)
-    placed = Placed(root, None, reading)
+    placed = PlacedElement(root, None, reading)
     if reading.unit is not None:
         # That there is no unit concerns all of the file.
         _ = placed.matrix
@@ -89,12 +89,12 @@ class _Document:
         self.by_id = {e.attrib["id"]: e for e in reversed(list(root.iter())) if "id" in e.attrib}
         self.used = 0
 
-    def shapes(self, placed: Placed, depth: int) -> Iterator[Placed]:
+    def shapes(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         """Find the shapes inside an element; a fault of a `use` is that of the one returned."""
         for child in placed.element:
-            yield from self._drawn(Placed(child, placed, self.reading), depth)
+            yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
-    def _drawn(self, placed: Placed, depth: int) -> Iterator[Placed]:
+    def _drawn(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         element, name = placed.element, kind(placed.element)
         style = element.get("style", "").replace(" ", "")
         if element.get("display") == "none" or "display:none" in style:
@@ -109,27 +109,27 @@ class _Document:
             plain = (e for e in element if kind(e) and _CONDITIONS.isdisjoint(e.attrib))
             for child in (next(plain, None),):
                 if child is not None:
-                    yield from self._drawn(Placed(child, placed, self.reading), depth)
+                    yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
         elif name == "use":
             yield from self._used(placed, depth + 1)
         elif name in _SHAPES:
             yield placed
 
-    def _used(self, placed: Placed, depth: int) -> Iterator[Placed]:
+    def _used(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
             # It draws nothing that could be found; this is told where shapes are read.
             yield placed
             return
-        drawn = Placed(target, placed, self.reading, used=placed)
+        drawn = PlacedElement(target, placed, self.reading, used=placed)
         if kind(target) == "symbol":
             yield from self.shapes(drawn, depth)
         else:
             yield from self._drawn(drawn, depth)
 
 
-def _read(shape: Placed, order: int, reading: Reading) -> list[Candidate | OpenLine]:
+def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate | OpenLine]:
     """Read what a shape draws: regions, and open lines."""
     name, layer = _name(shape), shape.layer
     try:
@@ -165,10 +165,10 @@ def _read(shape: Placed, order: int, reading: Reading) -> list[Candidate | OpenL
     return drawn or [Candidate.refused(f"{shape.place}: fewer than three vertices", name, layer)]
 
 
-def _name(shape: Placed) -> str | None:
+def _name(shape: PlacedElement) -> str | None:
     """The id of a shape, or that of the outermost `use` that draws it."""
     name = shape.element.get("id")
-    placed: Placed | None = shape
+    placed: PlacedElement | None = shape
     while placed is not None:
         if placed.used is not None:
             name = placed.used.element.get("id", name)
@@ -176,8 +176,11 @@ def _name(shape: Placed) -> str | None:
     return name
 
 
-def _polygon(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    numbers = read_decimals(shape.element.get("points", ""))
+def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
+    text = shape.element.get("points", "")
+    if len(text) > 4 * MAX_VERTICES:
+        raise FormatError(f"points: more than {4 * MAX_VERTICES:,} characters")
+    numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")
     points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
@@ -188,12 +191,12 @@ def _polygon(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point
     return [place_points(points, matrix, reading)]
 
 
-def _line(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _line(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     ends = [Point(shape.length(f"x{k}"), shape.length(f"y{k}")) for k in (1, 2)]
     return [place_points(ends, matrix, reading)]
 
 
-def _rectangle(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     x, y = shape.length("x"), shape.length("y")
     width, height = shape.size("width"), shape.size("height")
     u, v = x + width, y + height
@@ -226,7 +229,7 @@ def _round_rectangle(
     return [*found, found[0]]
 
 
-def _ellipse(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     names = ("r", "r") if kind(shape.element) == "circle" else ("rx", "ry")
     rx, ry = (shape.size(name) for name in names)
     zero = Fraction(0)
@@ -235,15 +238,15 @@ def _ellipse(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point
     return [flatten_arc(ORIGIN, start, start, True, image, reading)]
 
 
-def _path(shape: Placed, matrix: Affine, reading: Reading) -> list[list[Point]]:
+def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     return read_path(shape.element.get("d", ""), matrix, reading)
 
 
-def _nothing(shape: Placed, matrix: Affine, reading: Reading) -> NoReturn:
+def _nothing(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
 
-_SHAPES: dict[str, Callable[[Placed, Affine, Reading], Sequence[list[Point]]]] = {
+_SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Point]]]] = {
     "polygon": _polygon,
     "polyline": _polygon,
     "rect": _rectangle,

@@ -128,7 +128,10 @@ class _Path:
 
     def _line(self, end: Point) -> None:
         self.current = end
-        self.points += place_points([end], self.matrix, self.reading)
+        if self.matrix.off:
+            self.points += place_points([end], self.matrix, self.reading)
+        else:
+            self.points.append(self.matrix.point(*end))
 
     def _curve(self, end: Point, flat: Callable[[], list[Point]], start: int) -> None:
         try:

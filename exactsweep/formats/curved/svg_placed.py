@@ -22,7 +22,7 @@ _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _VIEWS = {"svg", "symbol"}
 
 
-class Placed:
+class PlacedElement:
     """An element among its ancestors; its transformation is read when it is wanted.
 
     Args:
@@ -35,9 +35,9 @@ class Placed:
     def __init__(
         self,
         element: Element,
-        parent: Placed | None,
+        parent: PlacedElement | None,
         reading: Reading,
-        used: Placed | None = None,
+        used: PlacedElement | None = None,
     ) -> None:
         self.element, self.parent, self.reading, self.used = element, parent, reading, used
 

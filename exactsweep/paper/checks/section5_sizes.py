@@ -160,6 +160,7 @@ def beyond_mn2() -> tuple[str, Counterexample, Table]:
         f"boundary in {full} full windows, {rate} for each segment, peak and tip, which rises with "
         "the envelopes of segments (see Lemma 5.2)",
         "the segments of Lemma 5.2, laid over one another twice",
+        *windows_of_windows(BEST[len(results) - 1]),
     )
     table = Table(
         "Outer boundaries of s segments in D_b, s peaks in G_t and s tips in G_b that hold "

@@ -18,6 +18,7 @@ from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import PAGE, Extent, Sheet
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures import cc, cm, lower_envelope, mm, mm_inner, part_pairs
+from exactsweep.procedures.convex_part import ConvexPart
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,15 +54,16 @@ KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     "trajectory_mm": (mm.trajectory_mm, (92, 76)),
     "sweep_pairs": (part_pairs.sweep_pairs, (55, 38)),
     "lower_envelope_mm": (lower_envelope.lower_envelope_mm, (40, 0)),
-    "lower_envelope_cm": (lower_envelope.lower_envelope_cm, (165, 0)),
-    "merge_by_slope": (cc.merge_by_slope, (285, 0)),
+    "lower_envelope_cm": (lower_envelope.lower_envelope_cm, (150, 0)),
+    "ConvexPart.sweep": (ConvexPart.sweep, (250, 0)),
+    "merge_by_slope": (cc.merge_by_slope, (350, 0)),
     "sweep_inner_cm": (cm.sweep_inner_cm, (225, 150)),
     "trajectory_cm": (cm.trajectory_cm, (225, 104)),
     "sweep_parts": (cm.sweep_parts, (240, 52)),
     "sweep_outer_cm": (cm.sweep_outer_cm, (318, 104)),
     "sweep_inner_cc": (cc.sweep_inner_cc, (395, 150)),
-    "sweep_outer_cc": (cc.sweep_outer_cc, (410, 104)),
-    "trajectory_cc": (cc.trajectory_cc, (390, 45)),
+    "sweep_outer_cc": (cc.sweep_outer_cc, (402, 104)),
+    "trajectory_cc": (cc.trajectory_cc, (420, 45)),
 }
 """Functions of the kernel by their names, and the middles of their boxes."""
 MADE = (
@@ -71,13 +73,13 @@ MADE = (
     ("trajectory_mm", "sweep_pairs"),
     ("sweep_pairs", "lower_envelope_mm"),
     ("sweep_pairs", "lower_envelope_cm"),
-    ("sweep_pairs", "merge_by_slope"),
+    ("sweep_pairs", "ConvexPart.sweep"),
     ("sweep_inner_cm", "trajectory_cm"),
     ("trajectory_cm", "sweep_parts"),
     ("sweep_outer_cm", "sweep_parts"),
     ("sweep_outer_cm", "merge_by_slope"),
     ("sweep_parts", "lower_envelope_cm"),
-    ("sweep_parts", "merge_by_slope"),
+    ("sweep_parts", "ConvexPart.sweep"),
     ("sweep_outer_cc", "trajectory_cc"),
     ("sweep_outer_cc", "merge_by_slope"),
     ("trajectory_cc", "merge_by_slope"),

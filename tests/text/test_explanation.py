@@ -1,4 +1,4 @@
-"""Stories of sweeps that were worked by hand, and how they are told."""
+"""Sweeps that were worked by hand, and how they are told."""
 
 from fractions import Fraction
 
@@ -9,7 +9,7 @@ from exactsweep import Point, sweep
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Landmark, Step, Touch, explain
-from exactsweep.text.story import story
+from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
@@ -64,7 +64,7 @@ def test_a_contact_may_end_on_the_way() -> None:
         Touch(Contact("EE", 0, 0), start, left_off),
         Touch(Contact("EE", 4, 0), right_on, end),
     )
-    told = "\n".join(story(s))
+    told = "\n".join(tell(s))
     assert "slides along edge 0 of D, (8,0)-(0,0), until (-1,0)" in told
     assert "slides along edge 0 of D, (8,0)-(0,0), from (6,0) on" in told
 
@@ -158,17 +158,17 @@ TWO_NOTCHES = [(0, 0), (10, 0), (10, 4), (8, 4), (7, 1), (6, 3), (5, 1), (3, 4),
 def test_the_story_says(
     generatrix: list[tuple[int, int]], directrix: list[tuple[int, int]], expected: str
 ) -> None:
-    lines = list(story(sweep(generatrix, directrix)))
+    lines = list(tell(sweep(generatrix, directrix)))
     assert expected in lines, "\n".join(lines)
 
 
-def test_the_story_of_many_steps_is_short_of_time() -> None:
+def test_many_steps_take_linear_time() -> None:
     # A parabola of 100 edges between teeth so deep that it turns wholly about each of them.
     parabola = [(x, x * x) for x in range(100)]
 
-    def tell(teeth: int) -> None:
+    def explain_teeth(teeth: int) -> None:
         top = [(100 * k, 10**7 * (k % 2)) for k in range(teeth, -1, -1)]
         s = sweep(parabola, [(0, -1), (100 * teeth, -1), *top])
-        assert sum(line.startswith("Step") for line in story(s)) == len(s.trajectory) > 50 * teeth
+        assert sum(line.startswith("Step") for line in tell(s)) == len(s.trajectory) > 50 * teeth
 
-    require_linear(tell, 12)
+    require_linear(explain_teeth, 12)

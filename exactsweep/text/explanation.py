@@ -1,4 +1,4 @@
-"""The steps of a sweep, told in words."""
+"""A sweep explained in words: its steps, the holes of the no-fit polygon, and exact fits."""
 
 from __future__ import annotations
 
@@ -22,11 +22,12 @@ _HALVES: dict[Half, str] = {
 }
 
 
-def story(s: Swept) -> Iterator[str]:
-    r"""Tell a sweep step by step, as `explain` finds it.
+def tell(s: Swept) -> Iterator[str]:
+    r"""Explain a sweep in words, step by step, as `explain` finds it.
 
-    Features have the index and the coordinates of the caller's input; positions are those of the
-    reference point.
+    After the way around D come the holes of the no-fit polygon, in which G can be as well, and the
+    exact fits, each with what touches. Features have the index and the coordinates of the caller's
+    input; positions are those of the reference point.
 
     Returns:
         Lines of text, of ASCII characters only, one after the other.
@@ -34,7 +35,7 @@ def story(s: Swept) -> Iterator[str]:
     Example:
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> lines = list(story(sweep(square, [(0, 0), (3, 0), (0, 3)])))
+        >>> lines = list(tell(sweep(square, [(0, 0), (3, 0), (0, 3)])))
         >>> print(*lines[7:9], sep="\n")
         Step 0: right, along (1,0), from (-1,-1) to (3,-1)
           EE: edge 2 of G, (1,1)-(0,1), slides along edge 0 of D, (0,0)-(3,0)
@@ -56,6 +57,8 @@ def story(s: Swept) -> Iterator[str]:
             yield f"  {line}"
         yield ""
     yield f"G is back at {pair(steps[0].start)}."
+    yield from teller.holes()
+    yield from teller.fits()
 
 
 class _Features:
@@ -103,9 +106,10 @@ class _Teller:
             "and D are those of the input."
         )
         if s.kind == "SS":
+            rest = count(len(s.no_fit_holes), "hole")
             yield (
-                "G does not reach what lies inside of its way: "
-                f"{count(len(s.no_fit_holes), 'hole')} of the no-fit polygon."
+                "Inside of its way, where it cannot slide to, there is room for it in "
+                f"{rest} of the no-fit polygon."
             )
         elif s.direction != (1, 0):
             yield (
@@ -130,11 +134,47 @@ class _Teller:
             if mark.position == step.end:
                 yield f"Here {self._landmark(mark)}"
 
-    def _touch(self, touch: Touch, step: Step) -> str:
-        event, i, j = touch.contact
+    def holes(self) -> Iterator[str]:
+        """Tell the holes of the no-fit polygon, an edge a line."""
+        s = self.sweep
+        loops = [hole.vertices for hole in s.no_fit_holes]
+        for k, along in enumerate(s.contacts_along(loops)):
+            loop = loops[k]
+            yield ""
+            yield (
+                f"-- Hole {k} of the no-fit polygon, of area {abridged(s.no_fit_holes[k].area)}: "
+                "G is free inside --"
+            )
+            for start, end, contacts in zip(loop, (*loop[1:], loop[0]), along, strict=True):
+                way = heading((end.x - start.x, end.y - start.y))
+                yield f"{way[0].upper()}{way[1:]}, from {pair(start)} to {pair(end)}"
+                yield from (f"  {self._slide(contact)}" for contact in contacts)
+
+    def fits(self) -> Iterator[str]:
+        """Tell the exact fits, each with what touches all along."""
+        s = self.sweep
+        ways = iter(s.contacts_along([fit for fit in s.exact_fits if fit[0] != fit[1]]))
+        for k, (start, end) in enumerate(s.exact_fits):
+            yield ""
+            if start == end:
+                yield f"-- Exact fit {k}: G fits at {pair(start)} and cannot move --"
+                for event, i, j in self._telling(s.contacts_at(start)):
+                    g = self.g.edges[i] if event[0] == "E" else self.g.vertices[i]
+                    d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
+                    yield f"  {event}: {g}, is on {d}"
+            else:
+                way = heading((end.x - start.x, end.y - start.y))
+                yield f"-- Exact fit {k}: G could go {way}, from {pair(start)} to {pair(end)} --"
+                yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
+
+    def _slide(self, contact: Contact) -> str:
+        event, i, j = contact
         mover = self.g.vertices[i] if event == "VE" else self.g.edges[i]
         below = f"over {self.d.vertices[j]}" if event == "EV" else f"along {self.d.edges[j]}"
-        text = f"{event}: {mover}, slides {below}"
+        return f"{event}: {mover}, slides {below}"
+
+    def _touch(self, touch: Touch, step: Step) -> str:
+        text = self._slide(touch.contact)
         if touch.start != step.start:
             text += f", from {pair(touch.start)} on"
         if touch.end != step.end:

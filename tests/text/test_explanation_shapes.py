@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from strategies import simple_polygons
 
 from exactsweep import Polygon, Region, sweep
+from exactsweep.text.explanation import tell
 from exactsweep.text.report import report
-from exactsweep.text.results import story_to_json
-from exactsweep.text.story import story
+from exactsweep.text.results import explanation_to_json
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 HOLLOW = Region([(0, 0), (8, 0), (8, 6), (0, 6)], [[(1, 1), (5, 1), (5, 4), (1, 4)]])
@@ -56,35 +56,80 @@ def test_unswept_holes_are_reported() -> None:
 
 
 def test_a_sweep_around_a_hollow_block_is_told() -> None:
-    lines = list(story(sweep(SQUARE, HOLLOW)))
+    lines = list(tell(sweep(SQUARE, HOLLOW)))
     assert lines[0] == "Class SS, polygons of any shape, of 4 and 8 vertices."
-    assert "G does not reach what lies inside of its way: 1 hole of the no-fit polygon." in lines
-    assert not any(line.startswith("-- ") for line in lines)
+    rest = "there is room for it in 1 hole of the no-fit polygon."
+    assert f"Inside of its way, where it cannot slide to, {rest}" in lines
     start = lines.index("Step 0: right, along (1,0), from (-2,-2) to (8,-2)")
     assert lines[start + 1] == (
         "  EE: edge 2 of G, (2,2)-(0,2), slides along edge 0 of D, (0,0)-(8,0)"
     )
-    assert lines[-1] == "G is back at (-2,-2)."
+    back = lines.index("G is back at (-2,-2).")
+    assert lines[back + 1 :] == [
+        "",
+        "-- Hole 0 of the no-fit polygon, of area 2: G is free inside --",
+        "Right, from (1,1) to (3,1)",
+        "  EE: edge 0 of G, (0,0)-(2,0), slides along edge 4 of D, (1,1)-(5,1)",
+        "Up, from (3,1) to (3,2)",
+        "  EE: edge 1 of G, (2,0)-(2,2), slides along edge 5 of D, (5,1)-(5,4)",
+        "Left, from (3,2) to (1,2)",
+        "  EE: edge 2 of G, (2,2)-(0,2), slides along edge 6 of D, (5,4)-(1,4)",
+        "Down, from (1,2) to (1,1)",
+        "  EE: edge 3 of G, (0,2)-(0,0), slides along edge 7 of D, (1,4)-(1,1)",
+    ]
 
 
 def test_a_door_exactly_as_wide_hangs_where_g_passes() -> None:
     s = sweep(SQUARE, CHAMBER)
     # Its inner end hangs on the hole, its outer end on the trajectory.
-    told = [line for line in story(s) if "exact fit 0 hangs" in line]
+    told = [line for line in tell(s) if "exact fit 0 hangs" in line]
     (line,) = told
     assert line.endswith("exact fit 0 hangs: G could go down to (3,4), touching D on both sides")
     assert "at (3,8)" in line
-    document = json.loads(story_to_json(s))
+    document = json.loads(explanation_to_json(s))
     assert document["direction"] is None
     assert document["features"]["directrix"]["vertices"] == list(range(12))
+
+
+def test_fits_are_told_with_what_touches() -> None:
+    # A hole into which the square just fits, and one in which it just slides.
+    holes = [[(1, 1), (3, 1), (3, 3), (1, 3)], [(4, 1), (6, 1), (6, 5), (4, 5)]]
+    s = sweep(SQUARE, Region([(0, 0), (8, 0), (8, 6), (0, 6)], holes))
+    lines = list(tell(s))
+    single = lines.index("-- Exact fit 0: G fits at (1,1) and cannot move --")
+    assert lines[single + 1 : single + 5] == [
+        f"  EE: edge {k} of G, {g}, is on edge {4 + k} of D, {d}"
+        for k, (g, d) in enumerate(
+            [
+                ("(0,0)-(2,0)", "(1,1)-(3,1)"),
+                ("(2,0)-(2,2)", "(3,1)-(3,3)"),
+                ("(2,2)-(0,2)", "(3,3)-(1,3)"),
+                ("(0,2)-(0,0)", "(1,3)-(1,1)"),
+            ]
+        )
+    ]
+    assert lines[single + 5 :] == [
+        "",
+        "-- Exact fit 1: G could go up, from (4,1) to (4,3) --",
+        "  EE: edge 1 of G, (2,0)-(2,2), slides along edge 9 of D, (6,1)-(6,5)",
+        "  EE: edge 3 of G, (0,2)-(0,0), slides along edge 11 of D, (4,5)-(4,1)",
+    ]
+    document = json.loads(explanation_to_json(s))
+    assert document["exact_fit_contacts"][1] == [["EE", 1, 9], ["EE", 3, 11]]
+    assert len(document["exact_fit_contacts"][0]) >= 4
 
 
 @settings(max_examples=15)
 @given(simple_polygons(), simple_polygons())
 def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d)
-    lines = list(story(s))
+    lines = list(tell(s))
     assert sum(line.startswith("Step ") for line in lines) == len(s.trajectory)
     assert "".join(lines).isascii()
     assert report(s).isascii()
-    assert len(json.loads(story_to_json(s))["steps"]) == len(s.trajectory)
+    document = json.loads(explanation_to_json(s))
+    assert len(document["steps"]) == len(s.trajectory)
+    assert [len(hole["contacts"]) for hole in document["holes"]] == [*map(len, s.no_fit_holes)]
+    assert len(document["exact_fit_contacts"]) == len(s.exact_fits)
+    assert sum(line.startswith("-- Hole") for line in lines) == len(s.no_fit_holes)
+    assert sum(line.startswith("-- Exact fit") for line in lines) == len(s.exact_fits)

@@ -1,0 +1,73 @@
+"""Programs that answer a line with a line: rings in, rings out, as words apart by blanks.
+
+A shape is the number of its rings, and each ring the number of its vertices and their coordinates.
+An answer is written likewise, or starts with "error".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import inf
+
+from exactsweep.conform.adapters.adapter import Shape
+from exactsweep.conform.run.channel import Channel, ClosedError
+from exactsweep.geometry.number import format_fraction, to_fraction
+
+
+class ProgramError(Exception):
+    """What went wrong in the program."""
+
+
+class Program:
+    """A program that is started when it is needed, and again after it has ended.
+
+    Args:
+        command: the program and its arguments.
+    """
+
+    def __init__(self, command: Sequence[str]) -> None:
+        self._command = command
+        self._channel: Channel | None = None
+
+    def ask(self, line: str) -> list[list[tuple[str, str]]]:
+        """Send a line, and read the rings of the answer.
+
+        Raises:
+            ProgramError: it ends, or says that something went wrong.
+        """
+        self._channel = self._channel or Channel(self._command)
+        self._channel.send(line)
+        try:
+            answer = self._channel.receive(inf)
+        except ClosedError as error:
+            self.close()
+            raise ProgramError(f"the program {error}") from None
+        if answer.startswith("error"):
+            raise ProgramError(answer.removeprefix("error").strip())
+        words = iter(answer.split())
+        return [
+            [(next(words), next(words)) for _ in range(int(next(words)))]
+            for _ in range(int(next(words)))
+        ]
+
+    def close(self) -> None:
+        """End it."""
+        if self._channel is not None:
+            self._channel.kill()
+            self._channel = None
+
+
+def _fraction(value: object) -> str:
+    return format_fraction(to_fraction(value))
+
+
+def write_shape(shape: Shape, write: Callable[[object], str] = _fraction) -> str:
+    """Write a shape as words, numbers as fractions or otherwise.
+
+    >>> write_shape([[(0, 0), (1, 0), (0, 1)]])
+    '1 3 0 0 1 0 0 1'
+    """
+    words = [str(len(shape))]
+    for ring in shape:
+        words += [str(len(ring)), *(write(c) for point in ring for c in point)]
+    return " ".join(words)

@@ -1,0 +1,260 @@
+"""Families of shapes of any kind: caves, holes, and parts that fit into each other.
+
+Most are sets of squares, which fit each other as a matter of course, or random polygons on small
+grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and moves both polygons.
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cmp_to_key
+
+from exactsweep.corpus.generator.cells import (
+    Cell,
+    Matrix,
+    around,
+    block,
+    connect,
+    frame,
+    grow,
+    map_region,
+    move,
+    outline,
+)
+from exactsweep.corpus.generator.prng import Prng
+from exactsweep.corpus.generator.shapes import walk
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+Regions = tuple[Region, Region]
+Draw = Callable[[Prng], Regions]
+
+SHEARS: list[Matrix] = [
+    ((1, 0), (0, 1)),
+    ((1, 1), (0, 1)),
+    ((1, 0), (2, 1)),
+    ((2, 1), (1, 1)),
+    ((0, -1), (1, 3)),
+    ((3, -4), (4, 3)),
+    ((1, 2), (3, -1)),
+]
+SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15)]
+
+
+def polyomino_pair(random: Prng) -> Regions:
+    """Two clumps of squares, with caves, holes and corners that touch."""
+    return outline(_clump(random, 8)), outline(_clump(random, 24))
+
+
+def jigsaw_pair(random: Prng) -> Regions:
+    """A clump of squares cut in two: the parts fit, along segments or in single positions."""
+    cells = set(_clump(random, 30)) | block(2, 2)
+    part = {random.choice(sorted(cells))}
+    for _ in range(random.between(0, len(cells) // 2)):
+        beside = sorted(set(around(part)) & cells)
+        if beside and len(cells) > len(part) + 1:
+            part.add(random.choice(beside))
+    return outline(part), outline(connect(cells - part))
+
+
+def mould_pair(random: Prng) -> Regions:
+    """A block with the part cut out of it, closed all round or open to a side."""
+    part = _clump(random, 7)
+    low = [min(cell[k] for cell in part) for k in (0, 1)]
+    inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
+    width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
+    return outline(part), outline(connect(block(width + 2, height + 2, -1, -1) - inside))
+
+
+def cave_pair(random: Prng) -> Regions:
+    """A block with a room and a door, about as wide as the part, or no door at all."""
+    width, height = random.between(3, 7), random.between(3, 7)
+    room = block(width - 2, height - 2, 1, 1)
+    start = random.between(1, width - 2)
+    door = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
+    pillars = {cell for cell in sorted(room) if random.chance(1, 10)}
+    solid = block(width, height) - room - door | pillars
+    part = block(random.between(1, 2), random.between(1, 2))
+    if random.chance(3, 10):
+        part = set(_clump(random, 5))
+    return outline(part), outline(connect(solid))
+
+
+def spiral_pair(random: Prng) -> Regions:
+    """A wall that winds inwards, the corridor beside it one or two squares wide."""
+    turns, gap = random.between(3, 7), random.between(2, 3)
+    directions = ((1, 0), (0, 1), (-1, 0), (0, -1))
+    steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
+    part = set(_clump(random, 5))
+    if random.chance(3, 5):
+        part = block(random.between(1, gap), random.between(1, gap))
+    return outline(part), outline(walk(steps))
+
+
+def ring_pair(random: Prng) -> Regions:
+    """Two frames, one often as wide as the hole of the other: rings around rings."""
+    width, height = random.between(3, 5), random.between(3, 5)
+    more = [random.between(0, 2) if random.chance(1, 2) else 2 for _ in "xy"]
+    inner = frame(width, height)
+    if random.chance(3, 10):
+        inner.discard((1, 0))
+    return outline(frame(width + more[0], height + more[1])), outline(connect(inner))
+
+
+def star_pair(random: Prng) -> Regions:
+    """Two polygons that are seen whole from a point inside, with spikes and notches all round."""
+    return _star(random), _star(random)
+
+
+def tangle_pair(random: Prng) -> Regions:
+    """Two random simple polygons on a grid of 9."""
+    return Region(_untangled(random, 12, 9)), Region(_untangled(random, 12, 9))
+
+
+def plate_pair(random: Prng) -> Regions:
+    """A plate with holes, some of the shape of the part, and some as wide as it."""
+    part = _untangled(random, 6, 4)
+    low, high = part.bounding_box
+    width, height = (int(c) + 1 for c in (high.x - low.x, high.y - low.y))
+    across, up = random.between(1, 3), random.between(1, 2)
+    holes = []
+    for i in range(across):
+        for j in range(up):
+            corner = i * (width + 1) + 1, j * (height + 1) + 1
+            drawn = random.between(1, 10)
+            if drawn <= 5:
+                holes.append(part.translated((corner[0] - low.x, corner[1] - low.y)))
+            elif drawn <= 8:
+                more = width - 1 + random.between(0, 1), height - random.between(0, 1)
+                holes.append(_box(corner, (corner[0] + more[0], corner[1] + max(more[1], 1))))
+    size = across * (width + 1) + 1, up * (height + 1) + 1
+    return Region(part), Region(_box((0, 0), size), holes)
+
+
+def container_pair(random: Prng) -> Regions:
+    """A container, with a defect or without, that the part fits with room, exactly, or not."""
+    part = _untangled(random, 7, 5)
+    low, high = part.bounding_box
+    width, height = int(high.x - low.x), int(high.y - low.y)
+    size = width + random.choice([0, 0, 1, 4]), height + random.choice([0, 0, 1, 4])
+    holes: list[Polygon] = []
+    if random.chance(2, 5) and min(size) > 2:
+        x, y = random.between(1, size[0] - 2), random.between(1, size[1] - 2)
+        holes.append(Polygon([(x, y), (x + 1, y), (x, y + 1)]))
+    return Region(part), Region(_box((0, 0), size), holes)
+
+
+def comb_pair(random: Prng) -> Regions:
+    """Teeth and gaps, often of one width, facing each other."""
+
+    def comb() -> set[Cell]:
+        cells: set[Cell] = set()
+        x = 0
+        for k in range(2 * random.between(1, 3) + 1):
+            width = random.choice([1, 1, 2])
+            for _ in range(width):
+                cells |= block(1, 1 if k % 2 else random.between(2, 4), x)
+                x += 1
+        return cells
+
+    return outline({(-x, -y) for x, y in comb()}), outline(comb())
+
+
+def place(random: Prng, draw: Draw) -> Regions:
+    """Draw a pair, and shear, scale and move both of it; now and then with exchanged roles."""
+    while True:
+        try:
+            g, d = draw(random)
+            break
+        except PolygonError:  # points of a random ring coincide
+            continue
+    if random.chance(1, 5):
+        g, d = d, g
+    shear, scale = random.choice(SHEARS), random.choice(SCALES)
+
+    def placed(shape: Region) -> Region:
+        return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
+
+    return placed(g), placed(d)
+
+
+SHAPES: dict[str, Draw] = {
+    "polyominoes": polyomino_pair,
+    "jigsaw": jigsaw_pair,
+    "mould": mould_pair,
+    "cave": cave_pair,
+    "spiral": spiral_pair,
+    "rings": ring_pair,
+    "stars": star_pair,
+    "tangles": tangle_pair,
+    "plate": plate_pair,
+    "container": container_pair,
+    "combs": comb_pair,
+}
+
+
+def _clump(random: Prng, most: int) -> frozenset[Cell]:
+    return grow(random.between(0, 10**6) for _ in range(random.between(0, most - 1)))
+
+
+def _box(low: Cell, high: Cell) -> Polygon:
+    return Polygon([low, (high[0], low[1]), high, (low[0], high[1])])
+
+
+def _star(random: Prng) -> Region:
+    size = random.choice([9, 30, 1000])
+    points = {(size, -1), (-1, size), (-size, -size)}  # the origin is inside
+    for _ in range(random.between(2, 11)):
+        x, y = random.between(-size, size), random.between(-size, size)
+        if (x, y) != (0, 0):
+            points.add((x, y))
+    return Region(Polygon(sort_by_angle(points)))
+
+
+def sort_by_angle(points: set[Cell]) -> list[Cell]:
+    """Sort points around the origin; of those in one direction only the first is kept."""
+
+    def half(p: Cell) -> int:
+        return 0 if p[1] > 0 or (p[1] == 0 and p[0] > 0) else 1
+
+    def compare(p: Cell, q: Cell) -> int:
+        return half(p) - half(q) or q[0] * p[1] - q[1] * p[0]
+
+    found: list[Cell] = []
+    for p in sorted(sorted(points), key=cmp_to_key(compare)):
+        if not found or compare(found[-1], p):
+            found.append(p)
+    return found
+
+
+def _untangled(random: Prng, most: int, side: int) -> Polygon:
+    """A random simple polygon: of a random walk, parts are turned until no edges cross."""
+    while True:
+        n = random.between(3, most)
+        points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]
+        try:
+            return Polygon(_turn_crossings(list(dict.fromkeys(points))))
+        except PolygonError:
+            continue
+
+
+def _turn_crossings(ring: list[Cell]) -> list[Cell]:
+    def turn(a: Cell, b: Cell, c: Cell) -> int:
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    def first_crossing() -> tuple[int, int] | None:
+        for i in range(n):
+            for j in range(i + 2, n):
+                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
+                if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
+                    return i, j
+        return None
+
+    n = len(ring)
+    for _ in range(20 * n):
+        found = first_crossing()
+        if found is None:
+            break
+        i, j = found
+        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+    return ring

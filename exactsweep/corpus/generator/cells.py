@@ -1,0 +1,131 @@
+"""Sets of unit squares, which meet and fit each other as a matter of course, and their shapes."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+
+Cell = tuple[int, int]
+Matrix = tuple[Cell, Cell]
+
+SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+
+
+def block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
+    """The squares of a rectangle, from its lower left corner on."""
+    return {(x + i, y + j) for i in range(width) for j in range(height)}
+
+
+def frame(width: int, height: int) -> set[Cell]:
+    """The squares along the border of a rectangle."""
+    return block(width, height) - block(width - 2, height - 2, 1, 1)
+
+
+def neighbours(cell: Cell) -> list[Cell]:
+    """The four squares beside a square."""
+    return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
+
+
+def around(cells: Iterable[Cell]) -> list[Cell]:
+    """The squares beside a set of squares that are not in it, sorted."""
+    own = set(cells)
+    return sorted({near for cell in own for near in neighbours(cell)} - own)
+
+
+def grow(choices: Iterable[int]) -> frozenset[Cell]:
+    """Make a connected set of squares: each choice adds one of the neighbours.
+
+    >>> sorted(grow([0, 5]))
+    [(-1, 0), (0, 0), (1, 0)]
+    """
+    cells = {(0, 0)}
+    for choice in choices:
+        beside = around(cells)
+        cells.add(beside[choice % len(beside)])
+    return frozenset(cells)
+
+
+def connect(cells: Iterable[Cell]) -> set[Cell]:
+    """Keep those squares that are connected to the least one, edge by edge."""
+    given = set(cells)
+    found, left = {min(given)}, [min(given)]
+    while left:
+        beside = set(neighbours(left.pop())) & given - found
+        found |= beside
+        left += beside
+    return found
+
+
+def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
+    """Move squares."""
+    return {(x + by[0], y + by[1]) for x, y in cells}
+
+
+def outline(cells: Iterable[Cell]) -> Region:
+    """Return the shape of a connected set of squares.
+
+    Where two squares meet in a corner only, the walk goes on along the other one, so that a shape
+    that touches itself there is written as rings that touch.
+
+    Cost: linear, and that of `Region`.
+
+    Example:
+        >>> outline(frame(3, 3))
+        Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
+    """
+    filled = set(cells)
+    ahead: dict[Cell, list[Cell]] = defaultdict(list)
+    for x, y in filled:
+        corners = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+        beyond = [(x, y - 1), (x + 1, y), (x, y + 1), (x - 1, y)]
+        for k in range(4):
+            if beyond[k] not in filled:
+                ahead[corners[k]].append(corners[(k + 1) % 4])
+    rings: list[Polygon] = []
+    while ahead:
+        start = p = min(ahead)
+        ring = [p]
+        q = ahead[p][0]
+        while True:
+            ahead[p].remove(q)
+            if not ahead[p]:
+                del ahead[p]
+            if q == start:
+                break
+            ring.append(q)
+            right = (q[0] + q[1] - p[1], q[1] - q[0] + p[0])
+            p, q = q, right if right in ahead[q] else ahead[q][0]
+        rings.append(Polygon(ring))
+    # No hole is as wide as the exterior.
+    exterior = min(rings, key=lambda ring: ring.vertices)
+    return Region(exterior, [ring for ring in rings if ring is not exterior])
+
+
+def draw(*rows: str) -> Region:
+    """Return a shape drawn with one character a square, the lowest row last.
+
+    Raises:
+        PolygonError: the squares are not connected.
+
+    >>> draw("# #", "###").area
+    Fraction(5, 1)
+    """
+    cells = {(x, -y) for y, row in enumerate(rows, 1) for x, c in enumerate(row) if c == "#"}
+    if connect(cells) != cells:
+        raise PolygonError(f"not connected: {rows}")
+    return outline(move(cells, (0, len(rows))))
+
+
+def map_region(
+    shape: Region, matrix: Matrix, scale: Fraction = Fraction(1), by: Cell = (0, 0)
+) -> Region:
+    """Return the image of a shape under a matrix, then moved, then scaled."""
+    (a, b), (c, d) = matrix
+    exterior, *holes = (
+        [((a * x + b * y + by[0]) * scale, (c * x + d * y + by[1]) * scale) for x, y in ring]
+        for ring in shape.rings
+    )
+    return Region(exterior, holes)
