@@ -28,6 +28,8 @@ Suppose q - s is positive somewhere. Take its greatest one-sided limit, at x fro
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Chain, Node, heights
 from exactsweep.check.loop import Frame, Loop
@@ -62,12 +64,16 @@ def check_sum_within(
 def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
     """Count the steps of `check_sum_within`.
 
-    For (a) they are pairs of convex corners; for (b), at each concave corner of the loop, the edges
+    For (a) they are pairs of convex corners, or all corners and edges once where all three are
+    convex; for (b), at each concave corner of the loop, the edges
     of B, and those edges of A that B turned about the corner is over.
     """
     steps = 0
     for chain, a, b in zip(loop.halves, first.halves, second.halves, strict=True):
-        steps += len(a.convex) * len(b.convex)
+        if _are_convex(chain, a, b):
+            steps += len(chain.edges) + len(a.convex) + len(b.convex)
+        else:
+            steps += len(a.convex) * len(b.convex)
         (left, _, _), (right, _, _) = b.edges[0].left, b.edges[-1].right
         for _, (x, _, w), _, _ in chain.concave:
             passed = a.first_reaching(x - left * w, w) - a.first_reaching(x - right * w, w)
@@ -78,7 +84,45 @@ def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
 _Found = tuple[Node, tuple[int, ...]]
 
 
+def _are_convex(*chains: Chain) -> bool:
+    return not any(chain.concave for chain in chains)
+
+
+def are_above(chain: Chain, first: Chain, second: Chain) -> bool:
+    """Whether all sums of corners are in the region, all three chains being convex.
+
+    They are if the first and the last one are, and if at each edge the lowest corners of both, as
+    seen from its line, have a sum above it. From edge to edge the lowest corners move to the right.
+    """
+    a_corners, b_corners = ([c[0], *c[2:], c[1]] for c in (first.convex, second.convex))
+    for k in (0, -1):
+        (x, y, w), (dx, dy, _) = a_corners[k][1], b_corners[k][1]
+        if not chain.holds((x + dx * w, y + dy * w, w)):
+            return False
+    i = j = 0
+    for _, _, (a, b, c) in chain.edges:
+        i, j = _lowest(a_corners, i, a, b), _lowest(b_corners, j, a, b)
+        (x, y, w), (dx, dy, _) = a_corners[i][1], b_corners[j][1]
+        if a * (x + dx * w) + b * (y + dy * w) + c * w < 0:
+            return False
+    return True
+
+
+def _lowest(corners: Sequence[tuple[int, Node]], k: int, a: int, b: int) -> int:
+    """The corner with the least a x + b y, not before the k-th one."""
+    x, y, w = corners[k][1]
+    least = a * x + b * y
+    while k + 1 < len(corners):
+        x, y, v = corners[k + 1][1]
+        if (a * x + b * y) * w > least * v:
+            break
+        k, least, w = k + 1, a * x + b * y, v
+    return k
+
+
 def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+    if _are_convex(chain, first, second) and are_above(chain, first, second):
+        return None
     for k, (x, y, w) in first.convex:
         for m, (dx, dy, _) in second.convex:
             node = x + dx * w, y + dy * w, w

@@ -77,8 +77,8 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
     Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
     the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
-    those only that are over G), and c log k for c pairs of convex corners. For polygons of any
-    shape that of `reference_no_fit` and its like.
+    those only that are over G), and c log k for c pairs of convex corners, unless all three loops
+    of a sum are convex. For polygons of any shape that of `reference_no_fit` and its like.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})

@@ -20,6 +20,7 @@ from producer import (
     edges,
     replace_trajectory,
 )
+from small_pairs import convex
 from strategies import Kind, Ring, monotone_rings, pairs
 from tampering import report, tamper
 
@@ -33,7 +34,7 @@ from exactsweep.check import (
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import heights
 from exactsweep.check.loop import Frame, Loop
-from exactsweep.check.sums import check_sum_within
+from exactsweep.check.sums import are_above, check_sum_within
 from exactsweep.geometry.direction import is_monotone
 
 
@@ -51,6 +52,26 @@ def test_certificate_is_proved_in_every_shared_direction() -> None:
         pair = random_pair(random.Random(number))
         s = sweep(pair.generatrix, pair.directrix, direction=pair.direction)
         assert verify(s.certificate()) == (True, "proved", None), number
+
+
+def test_sums_of_convex_loops_are_within_if_all_sums_of_corners_are() -> None:
+    """Corner by corner, against the walk along the edges."""
+    rng, frame, origin = random.Random(4), Frame((1, 0), 1), Point(Fraction(0), Fraction(0))
+    counts = {True: 0, False: 0}
+    for _ in range(1000):
+        k, dx, dy = rng.choice([1, 1, 2, 3, 4]), rng.randint(-4, 3), rng.randint(-4, 3)
+        around, first, second = (Polygon(convex(rng)[0]) for _ in range(3))
+        around = Polygon([(k * x + dx, k * y + dy) for x, y in around.vertices])
+        loops = [Loop(frame.enter(p.vertices, origin), "", frame) for p in (around, first, second)]
+        for chain, a, b in zip(*(loop.halves for loop in loops), strict=True):
+            every = all(
+                chain.holds((ax + bx * w, ay + by * w, w))
+                for _, (ax, ay, w) in a.convex
+                for _, (bx, by, _) in b.convex
+            )
+            assert are_above(chain, a, b) == every
+            counts[every] += 1
+    assert min(counts.values()) > 100
 
 
 @settings(max_examples=25)
