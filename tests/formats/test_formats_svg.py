@@ -155,7 +155,9 @@ REFUSED = {
     "<path d='M0 0h1v1z 7'/>": "line 1: path: path data, character 11: '7' instead of a command",
     "<path d='M0 0C1 1 2 2 3 3z'/>": "line 1: path: path data, character 5: a curve, which is",
     "<path d='M0 0A1 1 0 2 0 3 3z'/>": "line 1: path: path data, character 12: '2 0 3 3z' instead",
-    "<path d='M0 0L1e9999 0z'/>": "line 1: path: path data, character 6: '1e9999' has more than 4300 digits",
+    "<path d='M0 0L1e9999 0z'/>": (
+        "line 1: path: path data, character 6: '1e9999' has more than 4300 digits"
+    ),
     "<g transform='rotate(30)'><path/></g>": "line 1: g: an angle of 30 degrees, which is",
     "<g transform='skewX(90)'><path/></g>": "line 1: g: a skew by 90 degrees",
     "<path transform='warp(1)'/>": "line 1: path: 'warp' is not a transformation",

@@ -37,8 +37,8 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
         For floats, and for whatever a program answers that reads binary64: 16 units in the last
         place of the largest coordinate of the case, and 2^-32 of the size of the smaller
         polygon. For integers 1, or that size if it is less, but 9/16 at least, by which the nearest
-        ones are less off, if the exact answer has other numbers, else 0. And 0 for other rationals, and for integers of a program that reads any rationals:
-        these claim to be exact.
+        ones are less off, if the exact answer has other numbers, else 0. And 0 for other rationals,
+        and for integers of a program that reads any rationals: these claim to be exact.
 
     Cost: linear.
     """
