@@ -284,15 +284,18 @@ class Swept:
     def __str__(self) -> str:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
+        # Of kind "SS" there is no direction.
+        to = f"monotone to {vector(self.direction)}" if self.direction else "of any shape"
         return "\n".join(
-            [f"{self.kind} sweep, monotone to {vector(self.direction)}, area {abridged(self.area)}"]
+            [f"{self.kind} sweep, {to}, area {abridged(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
         )
 
     def __repr__(self) -> str:
+        direction = self.direction and vector(self.direction)
         return (
             f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
-            f"direction {vector(self.direction)}: trajectory {len(self.trajectory)}, "
+            f"direction {direction}: trajectory {len(self.trajectory)}, "
             f"inner {len(self.inner)}, outer {len(self.outer)} vertices>"
         )
 

@@ -58,7 +58,7 @@ def limits(*, max_digits: int) -> Iterator[None]:
             unless changed.
 
     Raises:
-        ValueError: a limit below one.
+        NumberError: a limit below one.
 
     Example:
         >>> with limits(max_digits=10_000):
@@ -66,7 +66,7 @@ def limits(*, max_digits: int) -> Iterator[None]:
         True
     """
     if operator.index(max_digits) < 1:
-        raise ValueError("max_digits must be at least 1")
+        raise NumberError("max_digits must be at least 1")
     token = _max_digits.set(operator.index(max_digits))
     try:
         yield
