@@ -1,6 +1,48 @@
-"""No test of this project fails because the machine is busy."""
+"""No test of this project fails because the machine is busy; a browser for those that need one."""
 
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
 from hypothesis import HealthCheck, settings
+from shown import FLAGS, MILLISECONDS, Open, Shown
+
+from exactsweep import Sweep
+from exactsweep.view import page
 
 settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("patient")
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Debian's Chromium; without one, the test is skipped."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if chromium is None:
+        pytest.skip("no Chromium on this machine")
+    with playwright.sync_playwright() as driver:
+        opened = driver.chromium.launch(executable_path=chromium, args=FLAGS, timeout=MILLISECONDS)
+        yield opened
+        opened.close()
+
+
+@pytest.fixture
+def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
+    opened: list[Shown] = []
+
+    def open_page(s: Sweep, **options: Any) -> Shown:
+        file = tmp_path / "sweep.html"
+        file.write_text(page(s), encoding="utf-8")
+        opened.append(Shown(browser, file, **options))
+        return opened[-1]
+
+    yield open_page
+    for shown in opened:
+        shown.tab.close()
+        assert shown.complaints == []
+        assert len(shown.requests) == 1

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from command import PATIENCE
+from command import EXAMPLE, PATIENCE
 
-from exactsweep import Point
+from exactsweep import Point, Sweep, sweep
 from exactsweep.geometry.number import to_fraction
 
 FLAGS = [
@@ -90,3 +92,12 @@ class Shown:
 
         self.settle()
         return Image.open(io.BytesIO(self.tab.screenshot())).convert("RGB")
+
+
+Open = Callable[..., Shown]
+"""Opens the page of a sweep; takes the options of a tab."""
+
+
+def scale_example(factor: Fraction) -> Sweep:
+    g, d = EXAMPLE.generatrix, EXAMPLE.directrix
+    return sweep(*([(x * factor, y * factor) for x, y in p.vertices] for p in (g, d)))

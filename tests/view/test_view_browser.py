@@ -3,70 +3,23 @@
 from __future__ import annotations
 
 import re
-import shutil
-from collections.abc import Callable, Iterator
 from fractions import Fraction
 from math import ulp
-from pathlib import Path
-from typing import Any
 
 import pytest
 from command import EXAMPLE
-from contacts import without_parts
-from shown import FLAGS, HEIGHT, MILLISECONDS, WIDTH, Shown
+from shown import HEIGHT, Open, Shown, scale_example
 
-from exactsweep import Point, Region, Sweep, sweep
+from exactsweep import Point, Sweep, sweep
 from exactsweep.draw import Scale
 from exactsweep.draw.sweeps import path
-from exactsweep.evidence.contact import Contact
-from exactsweep.geometry.number import format_fraction
-from exactsweep.view import page
-from exactsweep.view.data import stops, track_stops, tracks
-
-playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+from exactsweep.view.data import stops
 
 SLOT = sweep(
     [(0, 0), (1, 0), (1, 1), (0, 1)],
     [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)],
 )
 PARTS = 1_000_000
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with playwright.sync_playwright() as driver:
-        chromium = driver.chromium.launch(
-            executable_path=CHROMIUM, args=FLAGS, timeout=MILLISECONDS
-        )
-        yield chromium
-        chromium.close()
-
-
-Open = Callable[..., Shown]
-
-
-@pytest.fixture
-def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
-    opened: list[Shown] = []
-
-    def open_page(s: Sweep, **options: Any) -> Shown:
-        file = tmp_path / "sweep.html"
-        file.write_text(page(s), encoding="utf-8")
-        opened.append(Shown(browser, file, **options))
-        return opened[-1]
-
-    yield open_page
-    for shown in opened:
-        shown.tab.close()
-        assert shown.complaints == []
-        assert len(shown.requests) == 1
-
-
-def scaled(factor: Fraction) -> Sweep:
-    g, d = EXAMPLE.generatrix, EXAMPLE.directrix
-    return sweep(*([(x * factor, y * factor) for x, y in p.vertices] for p in (g, d)))
 
 
 def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
@@ -84,7 +37,7 @@ def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
 
 @pytest.mark.parametrize("factor", [Fraction(1), Fraction(10**30), Fraction(1, 7 * 10**30)])
 def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fraction) -> None:
-    s = scaled(factor)
+    s = scale_example(factor)
     shown = show(s)
     found = stops(s)
     for k, stop in enumerate(found):
@@ -239,7 +192,7 @@ def test_a_finger_is_told_what_it_taps(show: Open) -> None:
 
 
 def test_vertices_of_g_tell_their_exact_place_between_stops(show: Open) -> None:
-    shown = show(scaled(Fraction(10**30)))
+    shown = show(scale_example(Fraction(10**30)))
     shown.slide(PARTS + PARTS // 4)
     tip = shown.hover(*shown.pixels[3])
     assert tip.splitlines() == ["vertex 3 of G", f"({2 * 10**30}, 0)"]
@@ -310,7 +263,7 @@ def test_several_undercuts_closed_at_one_stop_are_visited_in_turn(show: Open) ->
 
 
 def test_long_numbers_are_told_in_short_too(show: Open) -> None:
-    shown = show(scaled(Fraction(10**30)))
+    shown = show(scale_example(Fraction(10**30)))
     assert shown.text("area") == f"{72 * 10**60}"
     assert shown.text("area-about") == "about 7.2e61"
     shown.slide(10 * PARTS)
@@ -337,154 +290,3 @@ def test_keys_scroll_in_the_panel(show: Open) -> None:
     assert shown.position == start
     shown.press("u")
     assert shown.position != start
-
-
-ROOF = [(0, -20), (10, -20), (10, -12), (8, 1), (6, -12), (4, 0), (0, 0)]
-PEAKS = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
-WEDGE = [(0, 0), (3, 0), (5, 4), (6, 4), (6, -1), (-3, -1), (-3, 4), (-2, 4)]
-HOLLOW = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(1, 1), (4, 1), (4, 4), (1, 4)]])
-STAIR = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3)]
-
-
-@pytest.mark.parametrize(
-    ("g", "d", "factor"),
-    [
-        (ROOF, PEAKS, Fraction(1)),
-        ([(0, 0), (3, 0), (3, 1), (0, 1)], WEDGE, Fraction(1, 7 * 10**30)),
-        (STAIR, STAIR, Fraction(10**30, 3)),
-        ([(0, 0), (1, 0), (1, 1), (0, 1)], HOLLOW, Fraction(1)),
-        ([(0, 0), (3, 0), (3, 3), (0, 3)], HOLLOW, Fraction(1, 3)),
-        (STAIR[::-1], HOLLOW, Fraction(1)),
-    ],
-    ids=["meeting", "wedge", "stairs", "hole", "fit", "holes"],
-)
-def test_the_page_finds_all_contacts_at_a_stop(
-    show: Open, g: Any, d: Any, factor: Fraction
-) -> None:
-    shapes = [Region(shape).scaled(factor) for shape in (g, d)]
-    s = sweep(*shapes, reference=("1/3", 10))
-    shown = show(s)
-    listed = tracks(s)
-    for number, found in enumerate(track_stops(s, listed)[0]):
-        for k, stop in enumerate(found):
-            here = set(s.contacts_at(stop.position))
-            told = shown.tab.evaluate(f"exactsweep.contacts({k}, {number})")
-            assert {Contact(*contact) for contact in told} == here
-            brief = shown.tab.evaluate(f"exactsweep.brief({k}, {number})")
-            lasting = {*stop.contacts, *found[k - 1].contacts}
-            assert {Contact(*c) for c in brief} == without_parts(s, here | lasting) - lasting
-
-
-def test_arrows_move_g_once_it_was_dragged(show: Open) -> None:
-    shown = show(EXAMPLE)
-    shown.tab.focus("#top")
-    start, before = shown.position, shown.pixels
-    shown.press("ArrowRight")
-    assert (shown.position, shown.pixels == before) == (start, False)
-    (x, y), (right, _) = shown.pixels[:2]
-    middle = ((x + right) / 2, y - (right - x) / 4)
-    shown.tab.mouse.move(*middle)
-    shown.tab.mouse.down()
-    shown.tab.mouse.move(middle[0] + 3, middle[1] + 60, steps=4)
-    shown.tab.mouse.up()
-    shown.settle()
-    dragged = shown.position
-    assert dragged != start
-    shown.press("ArrowRight")
-    assert shown.position != dragged
-    # The picture was dragged: arrows move it again.
-    shown.tab.mouse.move(WIDTH // 3, 30)
-    shown.tab.mouse.down()
-    shown.tab.mouse.move(WIDTH // 3 + 40, 40, steps=3)
-    shown.tab.mouse.up()
-    shown.settle()
-    at, where = shown.position, shown.pixels
-    shown.press("ArrowLeft")
-    assert (shown.position, shown.pixels == where) == (at, False)
-
-
-def test_a_grid_can_be_put_away(show: Open) -> None:
-    shown = show(EXAMPLE)
-    shown.tab.focus("#top")
-    shown.tab.mouse.move(1, 1)
-    gridded = shown.colors()
-    shown.press("g")
-    plain = shown.colors()
-    assert gridded.tobytes() != plain.tobytes()
-    shown.press("g")
-    assert shown.colors().tobytes() == gridded.tobytes()
-    zoomed = ["+"] * 60
-    shown.press(*zoomed)
-    steps = shown.tab.evaluate("[0.3, 1, 1.1, 2.5, 70].map(exactsweep.roundStep)")
-    assert steps == pytest.approx([0.5, 1, 2, 5, 100])
-
-
-def test_names_are_shown(browser: Any, tmp_path: Path) -> None:
-    file = tmp_path / "sweep.html"
-    text = page(EXAMPLE, names=("house.json", "<b>block</b>.wkt"))
-    file.write_text(text, encoding="utf-8")
-    shown = Shown(browser, file)
-    assert shown.tab.inner_text("h1") == ("house.json around <b>block</b>.wkt: 5 around 7 vertices")
-    legend = shown.text("legend")
-    assert "generatrix G, house.json;" in legend
-    assert "directrix D, <b>block</b>.wkt" in legend
-    shown.tab.close()
-    assert shown.complaints == []
-
-
-def test_y_may_point_down(browser: Any, tmp_path: Path) -> None:
-    file = tmp_path / "sweep.html"
-    file.write_text(page(EXAMPLE, y_down=True), encoding="utf-8")
-    shown = Shown(browser, file)
-    (x0, y0), _, _, (_, roof), _ = shown.pixels
-    assert roof > y0
-    # It is dragged where the pointer goes.
-    shown.tab.mouse.move(x0 + 5, y0 + 5)
-    shown.tab.mouse.down()
-    shown.tab.mouse.move(x0 + 5, y0 - 100, steps=5)
-    shown.tab.mouse.up()
-    shown.settle()
-    assert shown.pixels[0][1] < y0
-    shown.tab.close()
-
-
-def test_long_numbers_are_cut_short_and_copied_whole(browser: Any, tmp_path: Path) -> None:
-    file = tmp_path / "sweep.html"
-    file.write_text(page(scaled(Fraction(10**60, 3 * 7**30))), encoding="utf-8")
-    shown = Shown(browser, file, permissions=["clipboard-read", "clipboard-write"])
-    area = format_fraction(72 * Fraction(10**60, 3 * 7**30) ** 2)
-    assert re.fullmatch(r"\d{28}\u2026\d+\S* \(\d+ characters\)", shown.text("area"))
-    assert len(shown.text("area")) < 70 < len(area)
-    shown.tab.click("[data-copy=area]")
-    shown.tab.wait_for_function("document.querySelector('[data-copy=area]').textContent != 'copy'")
-    assert shown.tab.evaluate("navigator.clipboard.readText()") == area
-    shown.tab.close()
-
-
-def test_more_than_a_thousand_fits_are_visited_in_turn(show: Open) -> None:
-    count = 1500
-    comb = [(0, 0), (4 * count, 0)]
-    for k in reversed(range(count)):
-        comb += [(4 * k + 4, 5), (4 * k + 2, 5), (4 * k + 2, 1), (4 * k + 1, 1), (4 * k + 1, 5)]
-    s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [*comb, (0, 5)])
-    shown = show(s)
-    shown.press("f", "f")
-    assert shown.text("where").startswith("end 0 of exact fit 1")
-    assert shown.position == s.exact_fits[1][0]
-
-
-def test_the_page_runs_in_the_frame_of_a_notebook(browser: Any, tmp_path: Path) -> None:
-    file = tmp_path / "notebook.html"
-    file.write_text(f"<!doctype html><p>A cell</p>{EXAMPLE.view()._repr_html_()}")
-    tab = browser.new_page()
-    complaints: list[str] = []
-    tab.on("pageerror", lambda error: complaints.append(str(error)))
-    tab.goto(file.as_uri())
-    frame = tab.frames[1]
-    frame.wait_for_function("window.exactsweep !== undefined")
-    assert frame.evaluate("exactsweep.position()") == ["-2", "-1"]
-    # It cannot reach the notebook around it.
-    reached = "(() => { try { return parent.document.title } catch { return null } })()"
-    assert frame.evaluate(reached) is None
-    tab.close()
-    assert complaints == []
