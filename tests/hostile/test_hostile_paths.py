@@ -23,8 +23,6 @@ PATHS = [
     ),
     *(
         "/dev/null/x",
-        ".",
-        "/",
         "\u202e/txt",
         "a\rb/c",
         "http://localhost/",
@@ -57,7 +55,9 @@ WRITING = {
     "convert": ("convert", HOUSE, "--to", "json", "-o", "{}"),
     "batch": ("batch", HOUSE, "-o", "{}"),
 }
-UNWRITABLE = [path for path in PATHS if path and ("/" in path or len(path) > 255 or path == "\x00")]
+UNWRITABLE = ["/"] + [
+    path for path in PATHS if path and ("/" in path or len(path) > 255 or path == "\x00")
+]
 
 
 def require_one_line(arguments: tuple[str, ...], path: str) -> None:
