@@ -14,6 +14,7 @@ from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.loops import find_fault
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.witness import exact_rings
 from exactsweep.corpus import Case, cases
 from exactsweep.corpus.generator.shapes import hull
 
@@ -92,10 +93,6 @@ def test_a_claim_is_capped(claim: str) -> None:
     assert compare(SLOT, result, rounding=Fraction(claim)).parts[0].verdict is Verdict.WITHIN
 
 
-def rounded(case: Case, name: str, to: Any) -> list[list[Any]]:
-    return [[to(x), to(y)] for x, y in getattr(case, name).vertices]
-
-
 def holds(value: Fraction) -> bool:
     return abs(value) < Fraction(2) ** 1000
 
@@ -106,13 +103,14 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
     good = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.WITHIN}
     broken = 0
     for case in ALL_CASES:
-        if not all(holds(c) for p in getattr(case, name).vertices for c in p):
+        exact = exact_rings(case, name)
+        if case.size > 60 or not all(holds(c) for ring in exact for p in ring for c in p):
             continue
         for to in (float, round):
-            loop = rounded(case, name, to)
-            found = judge(case, loop, name)
+            rings = [[[to(x), to(y)] for x, y in ring] for ring in exact]
+            found = judge(case, rings, name)
             assert found.verdict in good, (case.id, to, found.reason)
-            broken += find_fault(read_loop(loop, "").rings, "") is not None
+            broken += find_fault(read_loop(rings, "").rings, "") is not None
     if name == "trajectory":
         assert broken >= 4
 

@@ -50,8 +50,8 @@ def differs(case: Case) -> list[str]:
     exterior, *holes = _sum(d, inverse[:1])
     if len(inverse) > 1:
         holes += _sum(inverse, d[:1])[1:]
-    # Where one polygon is all inside the other, it sees a hole, too.
-    holes = [hole for hole in holes if _is_free(d, g, _point_inside(hole))]
+    # Where one polygon is all inside the other, or in a gap of it, it sees a hole, too.
+    holes = [hole for hole in holes if _is_hole(d, g, hole)]
     # Its own collinear vertices, given back to it, crash the program.
     path = Polygon(exterior).vertices
     outer, *beside = _sum([path], g) if len(g) == 1 else _sum(g, [path])
@@ -85,8 +85,11 @@ def _inside(ring: Ring, moving: Ring) -> list[Ring]:
     return found
 
 
-def _is_free(d: Rings, g: Rings, t: Point) -> bool:
-    return classify(Region(d[0], d[1:]), Region(g[0], g[1:]), t).verdict == "FREE"
+def _is_hole(d: Rings, g: Rings, ring: Ring) -> bool:
+    """Whether there is room inside, and no overlap at a vertex."""
+    stays, moves = Region(d[0], d[1:]), Region(g[0], g[1:])
+    is_free = classify(stays, moves, _point_inside(ring)).verdict == "FREE"
+    return is_free and all(classify(stays, moves, t).verdict != "OVERLAP" for t in ring)
 
 
 def _point_inside(ring: Ring) -> Point:

@@ -40,12 +40,12 @@ def describe(comparison: Comparison) -> str:
         >>> from exactsweep.corpus import Case
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> case = Case.of("a", "", square, square)
-        >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [1, 1]]})), end="")
+        >>> print(describe(compare(case, {"trajectory": [[-1, -1], [1, -1], [0, 1]]})), end="")
         a: unsound
         trajectory: unsound, part of the exact trajectory is missing
-          off by at most 1.41422, area 2
-          at (0,1/2) G overlaps D; that is outside their trajectory
-          translation (0,1/2): OVERLAP, point (1/4,3/4)
+          off by at most 0.894428, area 2
+          at (-1/2,1/2) G overlaps D; that is outside their trajectory
+          translation (-1/2,1/2): OVERLAP, point (1/4,3/4)
         exact fits: exact
     """
     lines = [f"{comparison.id}: {comparison.verdict}"]
