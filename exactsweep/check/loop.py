@@ -120,7 +120,7 @@ def line_through(p: Node, q: Node) -> Line:
 
 
 def _is_below(lower: Chain, turned_upper: Chain) -> bool:
-    """Whether a lower chain is below an upper one, but for a common first and last point."""
+    """Whether a lower chain is below an upper one, except for a common first and last point."""
     for side in (-1, 1):
         first, *inside, last = (gap for gap, _ in heights(lower, turned_upper, (0, 0, 1), side))
         if max(first, last) > 0 or max(inside, default=-1) >= 0:

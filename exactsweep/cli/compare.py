@@ -37,7 +37,7 @@ def compare_command(
       exact          the vertices of the exact loop, in order
       equivalent     the same set of points, with other vertices
       equivalent but for exact fits
-      within         the exact loop but for rounding
+      within         the exact loop except for rounding
       conservative   free positions are lost, no overlap is permitted
       unsound        overlap is permitted
       wrong          both

@@ -266,7 +266,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return parse_dxf(text, reading)
     # No other format says in which unit its numbers are.
     reading.scale(None)
-    # Of a vertex there is one of these in each of them, but for what JSON has around.
+    # Of a vertex there is one of these in each of them, except for what JSON has around.
     marks = {"[": "[{", "{": "[{"}.get(first, "\n" if is_csv(text) else ",")
     if sum(map(text.count, marks)) > MAX_VERTICES:
         raise FormatError(f"more than {MAX_VERTICES:,} vertices")

@@ -248,7 +248,7 @@ def _read_turn(by: object) -> tuple[Fraction, Fraction]:
         quarters, rest = divmod(to_fraction(by), 90)
         if rest:
             raise NumberError(
-                f"no exact turn is by {abridged(to_fraction(by))} degrees, but for multiples of "
+                f"no exact turn is by {abridged(to_fraction(by))} degrees, except for multiples of "
                 "90; give a direction of rational length, such as (3, 4)"
             )
         return _QUARTERS[quarters % 4]

@@ -45,7 +45,7 @@ WEIGHTS = {
 def write(folder: Path, rows: Sequence[Finding], effort: Effort) -> tuple[Path, Path, Path]:
     """Write report.html, report.md with the pictures that it shows, and ledger.json into a folder.
 
-    The same seed, effort and versions give the same bytes, but for what is measured.
+    The same seed, effort and versions give the same bytes, except for what is measured.
 
     Returns:
         The paths of the three.

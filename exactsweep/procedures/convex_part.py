@@ -11,7 +11,7 @@ What matters of T(G_t, D_i), the sum of a part c of reversed G_t and a part p = 
     (1)  T(G_t, D_i) has the edges of c and of p in order of slope (Lemma 3.1).
     (2)  Where the part before p is at least as low at their common end, p need not be turned about
          there: G standing on that end with an edge flatter than p's first one would overlap the
-         part before. So these edges of c are above the envelope but for single points, and need
+         part before. So these edges of c are above the envelope except for single points, and need
          not be made.
     (3)  The same holds for p's last edge and the steeper edges of c.
     (4)  A sum does not know which of its two chains moves: (2) and (3) hold with c and p exchanged.

@@ -37,7 +37,7 @@ class Free(NamedTuple):
 
     Attributes:
         around: the loops around overlap.
-        within: the loops around free regions, but for the unbounded one.
+        within: the loops around free regions, except for the unbounded one.
         fits: exact fits, sorted: segments, an end on a loop first if the other one is not, else the
             lesser end; and points as segments of two equal ends.
 

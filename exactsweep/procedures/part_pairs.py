@@ -5,7 +5,7 @@ other pairs never come near the envelope. So its x-range is cut into strips of e
 each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
 than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
 Heights of the envelope are rounded upwards to ints and those of the boxes downwards; slopes are all
-rounded downwards, which keeps their order but for ties, and ties count as in common.
+rounded downwards, which keeps their order except for ties, and ties count as in common.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ class Ceiling:
 #     (5)  Something of s'_k is left out, left of w, only if some s'_j in R is not above it at w:
 #          s_j <= s_k there, and further left as well, by (1). If s'_k is on E at some x there, so
 #          is s_j, by (2). Either s'_j is there too, and R is on E by (3); or s_j is cut off there,
-#          where it is above E but for single points.
+#          where it is above E except for single points.
 #
 # So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
 # what it has taken in.

@@ -93,7 +93,7 @@ def test_campaign_begins_without_mismatch(first: int) -> None:
                 *[(19, 3), (18, 2), (14, 3), (3, 1), (1, 3)],
             ],
             [(0, 0), (9, 0), (13, 1), (14, 0), (15, 5)],
-            id="pruned neighbour, convex directrix but for one vertex",
+            id="pruned neighbour, convex directrix except for one vertex",
         ),
         pytest.param(
             [

@@ -63,5 +63,5 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     cover = Cover(square, [inverse(ring) for ring in square], 16)
     assert cover.side == 4
     covered = sum(bits.bit_count() for bits in cover.columns)
-    # Of 32 x 32 squares of O those that do not touch its boundary, but for one more row each way.
+    # Of 32 x 32 squares of O those that do not touch its boundary, less a row each way.
     assert 28 * 28 <= covered <= 30 * 30

@@ -132,7 +132,7 @@ def frame_around(container: Ring, inverse: Ring) -> Shape:
 
 
 def without_outermost(rings: Rings) -> list[Sequence[Sequence[Number]]]:
-    """Return the rings but for the one that reaches farthest to the left."""
+    """Return the rings except for the one that reaches farthest to the left."""
 
     def leftmost(k: int) -> Fraction:
         return min(to_fraction(x) for x, _ in rings[k])

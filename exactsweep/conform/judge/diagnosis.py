@@ -31,7 +31,7 @@ _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 
 
 def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[str, ...]:
-    """Find what an answered loop is exact for, but for rounding.
+    """Find what an answered loop is exact for, except for rounding.
 
     Args:
         case: the case.
@@ -49,7 +49,7 @@ def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[s
         return ()
     low, high = _box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
-        # Nearly everything is something else but for so much.
+        # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = exact_rings(case, name)
     if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
@@ -188,7 +188,7 @@ def _mean(ring: Sequence[Point]) -> Point:
 
 
 def _find_offset(shape: Rings, theirs: Rings, rounding: Fraction) -> Point | None:
-    """The translation that makes some rings others, but for rounding."""
+    """The translation that makes some rings others, except for rounding."""
     (low, high), (other_low, other_high) = _box(shape), _box(theirs)
     if not _is_near(minus(high, low), minus(other_high, other_low), 2 * rounding):
         return None
@@ -197,7 +197,7 @@ def _find_offset(shape: Rings, theirs: Rings, rounding: Fraction) -> Point | Non
 
 
 def _find_scale(shape: Rings, theirs: Rings, rounding: Fraction) -> Fraction | None:
-    """The factor that makes some rings others, but for rounding."""
+    """The factor that makes some rings others, except for rounding."""
     (low, high), (other_low, other_high) = _box(shape), _box(theirs)
     factor = (other_high.x - other_low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in shape]
@@ -214,7 +214,7 @@ def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
 
 
 def _is_same(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
-    """Whether some rings are others, but for rounding."""
+    """Whether some rings are others, except for rounding."""
     if len(exact) != len(theirs):
         return False
     if not all(_is_near(p, q, rounding) for p, q in zip(_box(exact), _box(theirs), strict=True)):

@@ -127,7 +127,7 @@ def _unordered(segment: Segment) -> frozenset[Point]:
 
 
 def _take_rounded(missing: list[Segment], others: list[Segment], rounding: Fraction) -> int:
-    """Take pairs that are the same but for rounding from both lists; return how many there are."""
+    """Take pairs that are the same except for rounding from both lists; return how many."""
     taken = 0
     for fit in list(missing):
         near = next((f for f in others if rounding and _is_near(fit, f, rounding)), None)

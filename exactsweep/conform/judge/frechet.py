@@ -1,4 +1,4 @@
-"""Two loops walked together: whether one is the other but for rounding.
+"""Two loops walked together: whether one is the other except for rounding.
 
 Two points go once round two loops, neither ever turning back, and are to stay closer than a bound
 in x and in y at every moment: the decision of the Fréchet distance (Alt and Godau, "Computing the
@@ -82,7 +82,7 @@ def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fracti
 
 
 def match_rings(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
-    """Tell whether rings are others but for rounding, each of them one of the others.
+    """Tell whether rings are others except for rounding, each of them one of the others.
 
     Args:
         exact: rings that are counter-clockwise.

@@ -11,7 +11,7 @@ Between two neighbouring cuts no two edges cross, so their order at the left sid
 side where that is equal, holds all the way, and two neighbours bound a trapezoid that holds no part
 of any edge. Going up from below, each edge changes the parity of its own region. Vertical edges
 lie on cuts and bound no more than those. The trapezoids in exactly one region make up the
-difference, but for a set without area.
+difference, except for a set without area.
 
 Libraries with exact rational polygons exist (rene; SFCGAL by pysfcgal). They are not used here:
 they take simple polygons, and of random pairs of rings that cross themselves rene 0.3 hangs on one

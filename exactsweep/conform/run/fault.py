@@ -1,8 +1,9 @@
 """Which fault is behind a failure, so that different ones are told apart and counted.
 
 Two failures have the same fault if they have the same verdict on the same part, the same kinds of
-witness, and the same reason but for numbers; or, of crashes, the same exit code or signal, the same
-last words on standard error but for numbers, and the same place in the program, if they name one.
+witness, and the same reason except for numbers; or, of crashes, the same exit code or signal, the
+same last words on standard error except for numbers, and the same place in the program, if they
+name one.
 """
 
 from __future__ import annotations

@@ -51,7 +51,7 @@ class Fault:
 
 
 class Run:
-    """Outcomes as they come in; memory is bounded but for a few bytes a case.
+    """Outcomes as they come in; memory is bounded except for a few bytes a case.
 
     Args:
         hello: what the implementation says of itself.

@@ -158,7 +158,7 @@ def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
 
 
 def rim(m: int, n: int) -> tuple[Ring, Ring]:
-    """A bottom chain that G touches almost everywhere: about m / 2 edges, convex but for a notch.
+    """A bottom chain that G touches almost everywhere: m / 2 edges, convex except for a notch.
 
     G_t has n points under a lid, every other one a spike, and is too wide for the notch.
     """

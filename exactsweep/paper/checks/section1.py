@@ -146,7 +146,7 @@ def path_is_the_definition(pair: SweepPair) -> str:
 
 
 def paths_are_translates(pair: SweepPair) -> str:
-    """Two points of G have paths that are equal but for a translation."""
+    """Two points of G have paths that are equal except for a translation."""
     (ax, ay), (bx, by) = pair.generatrix[:2]
     first, second = (sweep(*pair, reference=g).trajectory for g in ((ax, ay), (bx, by)))
     moved = first.translated((bx - ax, by - ay))
