@@ -94,7 +94,7 @@ def pairs_of(
 
     Args:
         path: a file of objects with "generatrix" and "directrix": the name of a part, or a polygon
-            as exact JSON or GeoJSON; and perhaps "id", "reference", and "direction" unless for "nfp".
+            as exact JSON or GeoJSON; and perhaps "id", "reference", and "direction", not for "nfp".
             Empty lines do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops", "areas" or "nfp".
