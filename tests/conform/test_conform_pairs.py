@@ -45,6 +45,21 @@ def test_lines_of_pairs_are_as_they_are_given(tmp_path: Path) -> None:
     assert given.directrix_ring == tuple(vertex for vertex in first.directrix_ring for _ in "ab")
 
 
+def test_own_polygons_may_have_holes(tmp_path: Path) -> None:
+    ring, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[2, 2], [4, 2], [4, 4], [2, 4]]
+    plate = {"exterior": ring, "holes": [hole]}
+    expected = Case.of("plate", "", ring, SQUARE, directrix_holes=[hole])
+    line = json.dumps({"id": "plate", "directrix": plate, "generatrix": SQUARE})
+    assert [*read_pairs(write(tmp_path, line))] == [expected]
+    around, *_ = read_pairs(write(tmp_path, json.dumps({"polygons": [plate, SQUARE]})))
+    assert around.kind == "SS"
+    shapes = [CORRECT[0], "-m", "exactsweep.conform.examples.shapes"]
+    path = write(tmp_path, line)
+    assert run("conform", "--pairs", path, "--", *shapes).exit_code == 0
+    crossing = json.dumps({"directrix": {**plate, "holes": [ring]}, "generatrix": SQUARE})
+    assert "hole 0" in refusal(run("conform", "--pairs", write(tmp_path, crossing), "--", *shapes))
+
+
 def test_own_pairs_convict_and_acquit(tmp_path: Path) -> None:
     path = write(tmp_path, "\n".join(map(json.dumps, LINES)))
     assert run("conform", "--pairs", path, "--", *CORRECT).exit_code == 0

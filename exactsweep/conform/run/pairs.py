@@ -16,11 +16,12 @@ from exactsweep.formats.exact_json import described, parse_json, read_vertices
 from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.number import quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.words import suggestion
 
 _ROLES = ("directrix", "generatrix")
 _MEMBERS = (*_ROLES, "reference", "id")
+_Rings = Sequence[Sequence[Point]]
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
@@ -29,9 +30,9 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
     Args:
         path: of a file, or "-" for standard input. Either lines of JSON, {"directrix": ...,
             "generatrix": ...}, perhaps with "reference" and "id", a polygon being anything that
-            `parse_polygon` reads of JSON; or polygons in any format that `parse_polygons` reads,
+            `parse_region` reads of JSON; or polygons in any format that `parse_regions` reads,
             each of which is put around each, itself included.
-        tolerance: as for `parse_polygons`.
+        tolerance: as for `parse_regions`.
         options: likewise.
 
     Returns:
@@ -68,8 +69,8 @@ def _read(
     try:
         text = file.read().decode() if path == "-" else read_text(path)
         parts = _name(parse_candidates(text, tolerance, **options))
-        for d, g in product(parts, repeat=2):
-            yield Case.of(f"{d[0]}/{g[0]}", "", d[1], g[1])
+        for (d, directrix), (g, generatrix) in product(parts, repeat=2):
+            yield _make_case(f"{d}/{g}", directrix, generatrix)
     except ValueError as error:
         raise FormatError(f"{file_name(path)}: {error}") from None
 
@@ -97,22 +98,27 @@ def _read_pair(number: int, line: str) -> Case:
     if not isinstance(id, str):
         raise FormatError(f"$.id is {described(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
-    d, g = (_read_ring(choose(find_candidates(document[role]), None), role) for role in _ROLES)
-    return Case.of(id, "", d, g, reference)
+    d, g = (_read_rings(choose(find_candidates(document[role]), None), role) for role in _ROLES)
+    return _make_case(id, d, g, reference)
 
 
-def _read_ring(candidate: Candidate, name: str) -> Sequence[Point]:
-    """Read a polygon, its vertices as they are given."""
+def _make_case(id: str, directrix: _Rings, generatrix: _Rings, reference: Point = ORIGIN) -> Case:
+    (d, *d_holes), (g, *g_holes) = directrix, generatrix
+    return Case.of(id, "", d, g, reference, directrix_holes=d_holes, generatrix_holes=g_holes)
+
+
+def _read_rings(candidate: Candidate, name: str) -> _Rings:
+    """Read a polygon and its holes, vertices as they are given."""
     try:
-        candidate.polygon()
-        return candidate.vertices()
+        candidate.shape()
+        return [candidate.vertices(), *(hole.vertices() for hole in candidate.holes())]
     except ValueError as error:
         raise FormatError(f"{name}: {error}") from None
 
 
-def _name(candidates: Sequence[Candidate]) -> list[tuple[str, Sequence[Point]]]:
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, _Rings]]:
     """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
     names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):
         names = [str(k) for k in range(len(candidates))]
-    return [(name, _read_ring(one, name)) for name, one in zip(names, candidates, strict=True)]
+    return [(name, _read_rings(one, name)) for name, one in zip(names, candidates, strict=True)]
