@@ -5,13 +5,14 @@ from itertools import pairwise, product
 
 import pytest
 import strategies as own
-from cells import Holed, doubled, moved, shape_of, verdict_by_counting
+from cells import Holed, doubled, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapes import Cells, cell_sets
 
 from exactsweep import NumberError, Point, Polygon, PolygonError
 from exactsweep.check import Classification, classify, point_in_polygon
+from exactsweep.corpus.generator.cells import move
 from exactsweep.geometry.number import to_fraction
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -263,7 +264,7 @@ def test_verdict_with_holes_is_as_counted(d: Cells, g: Cells, twice: tuple[int, 
     t = (Fraction(twice[0], 2), Fraction(twice[1], 2))
     shape, other = shape_of(d), shape_of(g)
     found = classify(shape, other, t)
-    assert found.verdict == verdict_by_counting(doubled(d), moved(doubled(g), twice))
+    assert found.verdict == verdict_by_counting(doubled(d), move(doubled(g), twice))
     check_witness(shape, other, t, found)
 
 

@@ -6,7 +6,7 @@ from itertools import product
 from random import Random
 
 import pytest
-from cells import Holed, doubled, grid, moved, shape_of, verdict_by_counting
+from cells import Holed, doubled, grid, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapes import Cells, cell_sets, polyominoes, ringed, shape_pairs
@@ -21,6 +21,7 @@ from exactsweep.check import (
     reference_no_fit,
     reference_swept,
 )
+from exactsweep.corpus.generator.cells import move
 from exactsweep.geometry.point import ORIGIN
 
 patient = settings(max_examples=60)
@@ -187,7 +188,7 @@ def test_every_half_integer_position_is_as_counted(d: Cells, g: Cells) -> None:
     )
     for x, y in steps:
         t = Point(Fraction(x, 2), Fraction(y, 2))
-        assert verdict_of(answer, t) == verdict_by_counting(fine_d, moved(fine_g, (x, y))), t
+        assert verdict_of(answer, t) == verdict_by_counting(fine_d, move(fine_g, (x, y))), t
 
 
 @patient
@@ -296,7 +297,7 @@ def test_positions_inside_a_container_are_as_counted(container: Cells, part: Cel
     fine, fine_part = doubled(container), doubled(part)
     xs, ys = zip(*fine, strict=True)
     for x, y in product(range(min(xs) - 9, max(xs) + 9), range(min(ys) - 9, max(ys) + 9)):
-        inside = moved(fine_part, (x, y)) <= fine
+        inside = move(fine_part, (x, y)) <= fine
         assert positions_say(found, Point(Fraction(x, 2), Fraction(y, 2))) == inside, (x, y)
 
 
@@ -317,7 +318,7 @@ def test_points_swept_are_those_of_some_position(d: Cells, g: Cells) -> None:
         steps = int(2 * max(abs(bx - ax), abs(by - ay)))
         for k in range(steps):
             at = int(2 * ax + (bx - ax) * 2 * k / steps), int(2 * ay + (by - ay) * 2 * k / steps)
-            fine |= moved(doubled(g), at)
+            fine |= move(doubled(g), at)
     holes = (swept.inner, *swept.unswept)
     xs, ys = zip(*fine, strict=True)
     for x, y in product(range(min(xs) - 1, max(xs) + 2), range(min(ys) - 1, max(ys) + 2)):

@@ -4,11 +4,12 @@ from pathlib import Path
 
 import pytest
 import shapely
-from cells import Cell, connected, shape_of
+from cells import shape_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError, Region
+from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     FormatError,
     NamedRegion,
@@ -187,7 +188,7 @@ def test_the_fill_rules_are_those_of_counting(found: list[Box], even_odd: bool) 
     if not have_common_edges(found):
         parts = []
         while cells:
-            parts.append(connected(cells))
+            parts.append(connect(cells))
             cells = cells - parts[-1]
         assert {part.region for part in drawn} == {Region(*shape_of(part)) for part in parts}
 

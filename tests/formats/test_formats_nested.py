@@ -4,12 +4,13 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from cells import Cell, connected, shape_of
+from cells import shape_of
 from command import refusal, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon, Region
+from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     FormatError,
     NamedPolygon,
@@ -55,7 +56,7 @@ def test_layers_are_nested_apart() -> None:
 def test_any_set_of_parts_comes_back(cells: set[Cell], random: object, scale: Fraction) -> None:
     parts = []
     while cells:
-        part = connected(cells)
+        part = connect(cells)
         cells = cells - part
         parts.append(shape_of(part).mapped(((2, 1), (1, 1)), scale))
     rings = [NamedPolygon(ring) for part in parts for ring in (part.exterior, *part.holes)]

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cells import connected
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, unit_edges
@@ -10,6 +9,7 @@ from strategies import pairs
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
+from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPolygon
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
@@ -192,7 +192,7 @@ def test_polyominoes_counted_square_by_square(d: Cells, g: Cells, matrix: Matrix
 @given(polyominoes(9, 4), st.sampled_from(SHEARS), st.sampled_from([1, 2]))
 def test_a_polyomino_in_its_own_mould(g: Cells, matrix: Matrix, width: int) -> None:
     mould = frame(g, width)
-    if len(connected(set(mould))) == len(mould):
+    if len(connect(set(mould))) == len(mould):
         check(mould, g, matrix)
 
 

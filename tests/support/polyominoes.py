@@ -8,10 +8,11 @@ lies over two squares of D, or four.
 from collections.abc import Iterator
 from itertools import product
 
-from cells import Cell, shape_of
+from cells import shape_of
 from hypothesis import strategies as st
 
 from exactsweep import Region
+from exactsweep.corpus.generator.cells import Cell
 
 Cells = frozenset[Cell]
 Matrix = tuple[int, int, int, int]

@@ -12,9 +12,10 @@ from itertools import pairwise
 from random import Random
 from typing import NamedTuple
 
-from cells import Cell, Holed, Matrix, connected, grown, moved, neighbours, shape_of
+from cells import Holed, shape_of
 
 from exactsweep import Polygon, PolygonError
+from exactsweep.corpus.generator.cells import Cell, Matrix, connect, grow, move, neighbours
 
 Shapes = tuple[Holed, Holed]
 
@@ -45,7 +46,7 @@ def block(width: int, height: int) -> set[Cell]:
 
 def clump(rng: Random, most: int) -> frozenset[Cell]:
     """A connected set of squares."""
-    return grown(rng.randrange(10**6) for _ in range(rng.randint(0, most - 1)))
+    return grow(rng.randrange(10**6) for _ in range(rng.randint(0, most - 1)))
 
 
 def polyominoes(rng: Random) -> Shapes:
@@ -60,24 +61,24 @@ def jigsaw(rng: Random) -> Shapes:
         around = sorted({n for cell in part for n in neighbours(cell)} & cells - part)
         if around and len(cells) > len(part) + 1:
             part.add(rng.choice(around))
-    return shape_of(connected(cells - part)), shape_of(part)
+    return shape_of(connect(cells - part)), shape_of(part)
 
 
 def mould(rng: Random) -> Shapes:
     """A block of squares with the part cut out of it, closed or open to a side."""
     part = clump(rng, 7)
     low_x, low_y = (min(cell[k] for cell in part) for k in (0, 1))
-    inside = moved(part, (rng.randint(0, 1) - low_x, rng.randint(0, 1) - low_y))
+    inside = move(part, (rng.randint(0, 1) - low_x, rng.randint(0, 1) - low_y))
     width, height = (max(c[k] for c in inside) + rng.randint(1, 2) for k in (0, 1))
-    around = moved(block(width + 2, height + 2), (-1, -1))
+    around = move(block(width + 2, height + 2), (-1, -1))
     solid = around - inside
-    return shape_of(connected(solid)), shape_of(part)
+    return shape_of(connect(solid)), shape_of(part)
 
 
 def cave(rng: Random) -> Shapes:
     """A block with a room and a door, about as wide as the part."""
     width, height = rng.randint(3, 7), rng.randint(3, 7)
-    room = moved(block(width - 2, height - 2), (1, 1))
+    room = move(block(width - 2, height - 2), (1, 1))
     start = rng.randint(1, width - 2)
     door = {(x, 0) for x in range(start, min(start + rng.randint(0, 2), width - 1))}
     pillars = {c for c in room if rng.random() < 0.1}
@@ -85,7 +86,7 @@ def cave(rng: Random) -> Shapes:
     part = block(rng.randint(1, 2), rng.randint(1, 2))
     if rng.random() < 0.3:
         part = set(clump(rng, 5))
-    return shape_of(connected(solid)), shape_of(part)
+    return shape_of(connect(solid)), shape_of(part)
 
 
 def spiral(rng: Random) -> Shapes:
@@ -106,7 +107,7 @@ def rings(rng: Random) -> Shapes:
     """Two frames, one often as wide as the hole of the other."""
 
     def frame(width: int, height: int) -> set[Cell]:
-        return block(width, height) - moved(block(width - 2, height - 2), (1, 1))
+        return block(width, height) - move(block(width - 2, height - 2), (1, 1))
 
     width, height = rng.randint(3, 5), rng.randint(3, 5)
     more = [rng.randint(0, 2) if rng.random() < 0.5 else 2 for _ in "xy"]
@@ -114,7 +115,7 @@ def rings(rng: Random) -> Shapes:
     inner = frame(width, height)
     if rng.random() < 0.3:
         inner.discard((1, 0))
-    pair = shape_of(connected(inner)), shape_of(outer)
+    pair = shape_of(connect(inner)), shape_of(outer)
     return pair if rng.random() < 0.5 else pair[::-1]
 
 

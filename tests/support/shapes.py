@@ -2,9 +2,11 @@
 
 from fractions import Fraction
 
-from cells import Cell, Holed, Matrix, connected, grown, shape_of
+from cells import Holed, shape_of
 from hypothesis import strategies as st
 from strategies import simple_polygons
+
+from exactsweep.corpus.generator.cells import Cell, Matrix, connect, grow
 
 Cells = frozenset[Cell]
 
@@ -14,7 +16,7 @@ SCALES = [Fraction(1), Fraction(2, 3), Fraction(10**30), Fraction(1, 10**30)]
 
 def polyominoes(most: int = 14) -> st.SearchStrategy[Cells]:
     """Connected sets of cells, with holes and corners that touch."""
-    return st.lists(st.integers(0, 30), max_size=most - 1).map(grown)
+    return st.lists(st.integers(0, 30), max_size=most - 1).map(grow)
 
 
 @st.composite
@@ -24,7 +26,7 @@ def ringed(draw: st.DrawFn) -> Cells:
     cells = {(x, y) for x in range(width) for y in range(height)}
     inside = sorted(c for c in cells if 0 < c[0] < width - 1 and 0 < c[1] < height - 1)
     left_out = draw(st.sets(st.sampled_from(inside), min_size=1))
-    return frozenset(connected(cells - left_out))
+    return frozenset(connect(cells - left_out))
 
 
 def cell_sets() -> st.SearchStrategy[Cells]:

@@ -8,10 +8,11 @@ from random import Random
 from typing import NamedTuple
 
 import families
-from cells import grown, shape_of
+from cells import shape_of
 from shape_families import untangled
 
 from exactsweep.check.monotone import has_shared_direction
+from exactsweep.corpus.generator.cells import grow
 from exactsweep.corpus.generator.shapes import hull
 from exactsweep.geometry.canonical import PolygonError, canonical_ring
 
@@ -70,7 +71,7 @@ def tangle(rng: Random) -> Shape:
 
 def clump(rng: Random) -> Shape:
     """A few squares, perhaps around a hole."""
-    shape = shape_of(grown(rng.randrange(10**6) for _ in range(rng.randint(3, 8))))
+    shape = shape_of(grow(rng.randrange(10**6) for _ in range(rng.randint(3, 8))))
     rings = [shape.exterior, *shape.holes]
     return [[(int(x), int(y)) for x, y in ring.vertices] for ring in rings]
 

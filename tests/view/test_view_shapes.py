@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Callable, Iterator
 from fractions import Fraction
-from pathlib import Path
-from typing import Any
 
-import pytest
 from contacts import between, without_parts
 from hypothesis import given, settings
-from shown import FLAGS, MILLISECONDS, Shown
+from shown import Open, Shown
 from strategies import points, simple_polygons
 
-from exactsweep import Polygon, Region, Sweep, sweep
-from exactsweep.view import page
+from exactsweep import Polygon, Region, sweep
 from exactsweep.view.data import page_data, stops, track_stops, tracks
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -30,37 +24,6 @@ PLATE = Region(
 )
 EXAMPLE = sweep(SQUARE, PLATE)
 NAMES = ["the trajectory", "hole 0", "exact fit 0", "exact fit 1"]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if chromium is None:
-        pytest.skip("no Chromium on this machine")
-    with playwright.sync_playwright() as driver:
-        opened = driver.chromium.launch(executable_path=chromium, args=FLAGS, timeout=MILLISECONDS)
-        yield opened
-        opened.close()
-
-
-Open = Callable[[Sweep], Shown]
-
-
-@pytest.fixture
-def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
-    opened: list[Shown] = []
-
-    def open_page(s: Sweep) -> Shown:
-        file = tmp_path / "sweep.html"
-        file.write_text(page(s), encoding="utf-8")
-        opened.append(Shown(browser, file))
-        return opened[-1]
-
-    yield open_page
-    for shown in opened:
-        shown.tab.close()
-        assert shown.complaints == []
 
 
 def drag(shown: Shown, position: tuple[int, int], steps: int = 12) -> None:
