@@ -15,7 +15,15 @@ from typing import NamedTuple
 from cells import Holed, shape_of
 
 from exactsweep import Polygon, PolygonError
-from exactsweep.corpus.generator.cells import Cell, Matrix, connect, grow, move, neighbours
+from exactsweep.corpus.generator.cells import (
+    Cell,
+    Matrix,
+    block,
+    connect,
+    grow,
+    move,
+    neighbours,
+)
 
 Shapes = tuple[Holed, Holed]
 
@@ -38,10 +46,6 @@ class ShapePair(NamedTuple):
     placement: str
     directrix: Holed
     generatrix: Holed
-
-
-def block(width: int, height: int) -> set[Cell]:
-    return {(x, y) for x in range(width) for y in range(height)}
 
 
 def clump(rng: Random, most: int) -> frozenset[Cell]:

@@ -10,12 +10,17 @@ from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner
 from exactsweep.procedures.envelope import Envelope, precedes
 
 
+def compare_all(first: Any, second: Any) -> None:
+    """Compare every vertex of a chain with every one of another, which is counted."""
+    for x, _ in first:
+        for other, _ in second:
+            x < other  # noqa: B015
+
+
 @sabotage("Trajectory_CC: right, but in quadratic time", cc.merge_by_slope, "Corollary 3.4")
 def compare_all_edges(right: Procedure) -> Procedure:
     def merge_by_slope(first: Any, second: Any) -> Any:
-        for x, _ in first:
-            for other, _ in second:
-                x < other  # noqa: B015
+        compare_all(first, second)
         return right(first, second)
 
     return merge_by_slope
@@ -96,9 +101,7 @@ def concatenate(right: Procedure) -> Procedure:
 def compare_squared(right: Procedure) -> Procedure:
     def trajectory_cm(generatrix: Any, directrix: Any) -> Any:
         for points in (list(generatrix), list(directrix)):
-            for x, _ in points:
-                for other, _ in points:
-                    x < other  # noqa: B015
+            compare_all(points, points)
         return right(generatrix, directrix)
 
     return trajectory_cm
@@ -177,9 +180,7 @@ def begin_anew(right: Procedure) -> Procedure:
 def compare_with_all(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         found = cm.trajectory_cm(generatrix, directrix) if trajectory is None else trajectory
-        for x, _ in directrix:
-            for other, _ in found:
-                x < other  # noqa: B015
+        compare_all(directrix, found)
         return right(generatrix, directrix, found)
 
     return sweep_inner_cm
@@ -194,9 +195,7 @@ def compare_outer_with_all(right: Procedure) -> Procedure:
     def outer_mm(bottom: Any, trajectory: Any) -> Any:
         found = right(bottom, trajectory)
         path = list(trajectory)
-        for x, _ in found:
-            for other, _ in path:
-                x < other  # noqa: B015
+        compare_all(found, path)
         return found
 
     return outer_mm
@@ -209,8 +208,7 @@ def compare_outer_with_all(right: Procedure) -> Procedure:
 )
 def merge_squared(right: Procedure) -> Procedure:
     def merge(first: Any, second: Any) -> Any:
-        for (x, _), (y, _) in ((p, q) for p in first for q in second):
-            x < y  # noqa: B015
+        compare_all(first, second)
         return right(first, second)
 
     return merge
