@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import io
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -84,6 +84,7 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
     tree = ast.parse(source)
     last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
     value = None
+    before = _open_figures()
     with redirect_stdout(io.StringIO()) as printed:
         exec(compile(tree, f"cell {number}", "exec"), names)
         if isinstance(last, ast.Expr):
@@ -97,7 +98,7 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
             "metadata": {},
             "output_type": "execute_result",
         }
-    for picture in _drawn():
+    for picture in _drawn(_open_figures() - before):
         data = {"image/svg+xml": _lines(picture), "text/plain": ["<Figure>"]}
         yield {"data": data, "metadata": {}, "output_type": "display_data"}
 
@@ -116,13 +117,19 @@ def _shown(value: object) -> dict[str, str]:
     return found | {"text/plain": repr(value)}
 
 
-def _drawn() -> Iterator[str]:
-    """The figures of pyplot that are open, which are then closed."""
+def _open_figures() -> set[int]:
     from matplotlib import pyplot
 
-    for number in pyplot.get_fignums():
+    return set(pyplot.get_fignums())
+
+
+def _drawn(figures: Iterable[int]) -> Iterator[str]:
+    """Figures of pyplot, which are then closed."""
+    from matplotlib import pyplot
+
+    for number in sorted(figures):
         yield save_svg(pyplot.figure(number))
-    pyplot.close("all")
+        pyplot.close(number)
 
 
 def _lines(text: str) -> list[str]:

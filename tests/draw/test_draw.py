@@ -40,6 +40,7 @@ FIT = sweep(SQUARE, SLOT)
 @pytest.fixture(autouse=True)
 def no_windows() -> Iterator[None]:
     pyplot.switch_backend("Agg")
+    pyplot.close("all")  # what an example of a README.md left open
     yield
     pyplot.close("all")
 

@@ -25,6 +25,7 @@ def without_windows() -> Iterator[None]:
     from matplotlib import pyplot
 
     pyplot.switch_backend("Agg")
+    pyplot.close("all")  # what an example of a README.md left open
     yield
     pyplot.close("all")
 
@@ -79,6 +80,20 @@ def test_a_notebook_that_shows_something_else_is_noticed(tmp_path: Any) -> None:
     path = tmp_path / "lesson.ipynb"
     write_notebook(path, stored)
     assert json.loads(path.read_text(encoding="utf-8")) == stored
+
+
+def test_figures_of_others_stay_open_and_are_not_shown() -> None:
+    from matplotlib import pyplot
+
+    mine = pyplot.figure()
+    draw = ["from matplotlib import pyplot\n", "axes = pyplot.figure().add_subplot()"]
+    cells = [{"cell_type": "code", "source": source} for source in (["1"], draw)]
+    shown = [cell["outputs"] for cell in run_notebook({"cells": cells})["cells"]]
+    assert [[output["data"]["text/plain"] for output in cell] for cell in shown] == [
+        [["1"]],
+        [["<Figure>"]],
+    ]
+    assert pyplot.get_fignums() == [mine.number]
 
 
 def told_by(cell: dict[str, Any]) -> str:
