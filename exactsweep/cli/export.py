@@ -10,8 +10,7 @@ import click
 from exactsweep.cli.output import write
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.rounding import Changes, Rounding, Side, contains
-from exactsweep.formats.writing import Fit
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.words import count
 
 

@@ -12,7 +12,7 @@ from exactsweep.geometry.region import Region, around
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
 
-Span = tuple[Point, Point]
+Ends = tuple[Point, Point]
 
 
 class Features:
@@ -27,7 +27,7 @@ class Features:
         self.g_vertices, self._g_ends = _numbered(s.generatrix)
         self.d_vertices, self._d_ends = _numbered(s.directrix)
 
-    def span(self, contact: Contact) -> Span:
+    def span(self, contact: Contact) -> Ends:
         """Return the ends of the positions, all on one line, at which two features touch."""
         event, i, j = contact
         (a, b), (c, d) = (
@@ -41,7 +41,7 @@ class Features:
         (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
         return Point(d.x - g.x + x, d.y - g.y + y)
 
-    def spot(self, contact: Contact, position: Point) -> Span:
+    def spot(self, contact: Contact, position: Point) -> Ends:
         """Return where two features touch at a position: the ends of a segment, or a point twice.
 
         Example:

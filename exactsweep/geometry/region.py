@@ -12,7 +12,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import named
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.overlap import Places, is_inside, points_between, touch
-from exactsweep.geometry.point import LatticePoint, Point, Vertex
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import rings_of_interface
@@ -90,7 +90,7 @@ class Region(PointSet):
         """The vertices of all `rings`, one after another."""
         return tuple(chain.from_iterable(self.rings))
 
-    def lattice(self) -> tuple[int, tuple[tuple[LatticePoint, ...], ...]]:
+    def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return the region on the coarsest integer lattice that holds it.
 
         Returns:

@@ -61,7 +61,7 @@ def tell(s: Swept) -> Iterator[str]:
     yield from teller.fits()
 
 
-class _Features:
+class _FeatureNames:
     """How the features of a polygon are called, by index."""
 
     def __init__(self, shape: Polygon | Region, letter: str) -> None:
@@ -88,8 +88,8 @@ class _Teller:
 
     def __init__(self, s: Swept) -> None:
         self.sweep = s
-        self.g = _Features(s.generatrix, "G")
-        self.d = _Features(s.directrix, "D")
+        self.g = _FeatureNames(s.generatrix, "G")
+        self.d = _FeatureNames(s.directrix, "D")
 
     def opening(self, steps: Sequence[Step]) -> Iterator[str]:
         s = self.sweep

@@ -8,13 +8,12 @@ from io import StringIO
 from rich.console import Console
 from rich.table import Table
 
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import abridged, format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.free_positions import Fit
 from exactsweep.words import CLASSES, pair
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
@@ -78,7 +77,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
 
 
 def no_fit_report(
-    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -122,7 +121,7 @@ def no_fit_report(
 
 
 def inner_fit_report(
-    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 

@@ -13,7 +13,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from exactsweep.draw import Scale, Stretch
+from exactsweep.draw import ContactStretch, Scale
 from exactsweep.draw.stretches import stretches_of
 from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
 from exactsweep.evidence.contact import Contact
@@ -192,7 +192,7 @@ def _landmarks(s: Swept) -> list[Point]:
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
 
-def _cut(pieces: list[Stretch], inside: Sequence[Point]) -> list[Stretch]:
+def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactStretch]:
     """Cut stretches at those of some sorted positions that are inside one."""
     found = []
     for piece in pieces:

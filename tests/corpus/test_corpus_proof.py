@@ -13,8 +13,8 @@ from command import PATIENCE
 from exactsweep import Point
 from exactsweep.check import reference_inner_fit, reference_no_fit
 from exactsweep.corpus import Case, cases, themes
-from exactsweep.corpus.case import Fit
 from exactsweep.corpus.case_json import case_to_line
+from exactsweep.geometry.point import Fit
 
 # Flags that cannot be seen from a pair.
 TOLD = {
