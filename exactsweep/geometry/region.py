@@ -237,6 +237,31 @@ def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
         first += size
 
 
+def number_features(
+    shape: Polygon | Region,
+) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+    """Find the features of a shape by the numbers that they have in the input.
+
+    Returns:
+        The vertices by number, and of each edge by number the numbers of its two ends.
+
+    Cost: linear.
+
+    Example:
+        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
+        >>> sorted(corners), edges[2]
+        ([0, 1, 2], (0, 2))
+    """
+    numbers = [shape.vertex_index(k) for k in range(len(shape))]
+    return (
+        dict(zip(numbers, shape.vertices, strict=True)),
+        {
+            shape.edge_index(k): (numbers[k], numbers[following])
+            for _, k, following in around(shape)
+        },
+    )
+
+
 def _named(ring: Vertices, name: str) -> Polygon:
     with named(name):
         return Polygon(ring)

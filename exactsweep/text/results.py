@@ -148,8 +148,8 @@ def explanation_to_json(sweep: Swept) -> str:
             **_input(sweep),
             "features": _written(
                 {
-                    "generatrix": _numbers(sweep.generatrix),
-                    "directrix": _numbers(sweep.directrix),
+                    "generatrix": list_numbers(sweep.generatrix),
+                    "directrix": list_numbers(sweep.directrix),
                 }
             ),
             "undercuts": _written([_undercut(undercut) for undercut in sweep.undercuts]),
@@ -203,11 +203,12 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def _numbers(polygon: Polygon | Region) -> dict[str, list[int]]:
-    size = len(polygon)
+def list_numbers(shape: Polygon | Region) -> dict[str, list[int]]:
+    """List the numbers that the caller gave the vertices, and the edges that start there."""
+    size = len(shape)
     return {
-        "vertices": [polygon.vertex_index(k) for k in range(size)],
-        "edges": [polygon.edge_index(k) for k in range(size)],
+        "vertices": [shape.vertex_index(k) for k in range(size)],
+        "edges": [shape.edge_index(k) for k in range(size)],
     }
 
 
