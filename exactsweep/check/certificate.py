@@ -21,7 +21,7 @@ from exactsweep.geometry.number import (
     limits,
     to_fraction,
 )
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1
@@ -30,9 +30,6 @@ VERSION = 1
 INPUT_DIGITS = 20_000
 DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
 
-Event = Literal["EV", "VE", "EE"]
-Kind = Literal["CC", "CM", "MM"]
-Loop = tuple[Point, ...]
 _T = TypeVar("_T")
 
 
@@ -44,7 +41,7 @@ class CertificateError(ExactSweepError):
         self.witness = witness
 
 
-class Feature(NamedTuple):
+class ListedFeature(NamedTuple):
     """A vertex, or the edge from it to the next one."""
 
     kind: Literal["vertex", "edge"]
@@ -54,10 +51,10 @@ class Feature(NamedTuple):
         return f"{self.kind} {self.number}"
 
 
-class Contact(NamedTuple):
+class ListedContact(NamedTuple):
     """Edge (E) or vertex (V) i of the generatrix on vertex or edge j of the directrix."""
 
-    event: Event
+    event: Literal["EV", "VE", "EE"]
     i: int
     j: int
 
@@ -65,11 +62,11 @@ class Contact(NamedTuple):
         return f"{self.event} ({self.i}, {self.j})"
 
 
-class Drawing(NamedTuple):
+class ListedDrawing(NamedTuple):
     """A feature of the generatrix while its reference point is on a feature of the trajectory."""
 
-    position: Feature
-    feature: Feature
+    position: ListedFeature
+    feature: ListedFeature
 
     def __str__(self) -> str:
         return f"generatrix {self.feature} at trajectory {self.position}"
@@ -87,10 +84,10 @@ class Certificate(NamedTuple):
     inner: Loop
     outer: Loop
     area: Fraction
-    exact_fits: tuple[tuple[Point, Point], ...]
-    contacts: tuple[tuple[Contact, ...], ...]
-    inner_drawn: tuple[tuple[Drawing, ...], ...]
-    outer_drawn: tuple[tuple[Drawing, ...], ...]
+    exact_fits: tuple[Fit, ...]
+    contacts: tuple[tuple[ListedContact, ...], ...]
+    inner_drawn: tuple[tuple[ListedDrawing, ...], ...]
+    outer_drawn: tuple[tuple[ListedDrawing, ...], ...]
 
 
 def read(certificate: Any) -> Certificate:
@@ -116,15 +113,15 @@ def read(certificate: Any) -> Certificate:
     with limits(max_digits=area_digits(certificate["inner"], certificate["outer"])):
         area = read_number(certificate["area"], "area")
 
-    def contact(item: Any, place: str) -> Contact:
+    def contact(item: Any, place: str) -> ListedContact:
         event, i, j = read_tuple(item, place, 3)
         if event not in ("EV", "VE", "EE"):
             raise CertificateError(f"{place}: not EV, VE or EE")
-        return Contact(event, _index(i, len(g), place), _index(j, len(d), place))
+        return ListedContact(event, _index(i, len(g), place), _index(j, len(d), place))
 
-    def drawing(item: Any, place: str) -> Drawing:
+    def drawing(item: Any, place: str) -> ListedDrawing:
         position, feature = read_tuple(item, place, 2)
-        return Drawing(_feature(position, len(t), place), _feature(feature, len(g), place))
+        return ListedDrawing(_feature(position, len(t), place), _feature(feature, len(g), place))
 
     contacts = _evidence(certificate["contacts"], "contacts", len(t), contact)
     for k, listed in enumerate(contacts):
@@ -209,7 +206,7 @@ def read_loop(item: Any, name: str) -> Loop:
     return points
 
 
-def read_fit(item: Any, place: str) -> tuple[Point, Point]:
+def read_fit(item: Any, place: str) -> Fit:
     """Read a pair of points."""
     hanging, end = read_tuple(item, place, 2)
     return _point(hanging, f"{place}[0]"), _point(end, f"{place}[1]")
@@ -237,11 +234,11 @@ def _index(item: Any, length: int, place: str) -> int:
     return item
 
 
-def _feature(item: Any, length: int, place: str) -> Feature:
+def _feature(item: Any, length: int, place: str) -> ListedFeature:
     kind, index = read_tuple(item, place, 2)
     if kind not in ("vertex", "edge"):
         raise CertificateError(f"{place}: neither a vertex nor an edge")
-    return Feature(kind, _index(index, length, place))
+    return ListedFeature(kind, _index(index, length, place))
 
 
 def _evidence(

@@ -16,7 +16,7 @@ Node = tuple[int, int, int]
 Line = tuple[int, int, int]
 
 
-class Edge(NamedTuple):
+class ChainEdge(NamedTuple):
     """An edge that is not vertical, from left to right; b of its line is positive."""
 
     left: Node
@@ -24,14 +24,14 @@ class Edge(NamedTuple):
     line: Line
 
 
-class Chain:
+class LowerChain:
     """A lower chain, from left to right: a piecewise linear function, and its region above it.
 
     Two neighbouring edges that do not meet are the two sides of a jump, a vertical edge; the
     function takes the lower value there.
 
     Attributes:
-        edges: list of Edge; each begins at the x where the last one ends.
+        edges: list of ChainEdge; each begins at the x where the last one ends.
         convex: pairs of vertex number and node, where the region has an angle below two right ones.
         concave: the other corners, as tuples of vertex number, node, a side (1 right, -1 left) on
             which the chain goes on from the node without a jump, and the next node on that side.
@@ -40,7 +40,7 @@ class Chain:
     def __init__(self, corners: Sequence[tuple[int, Node]], lines: Sequence[Line]) -> None:
         """Take the corners from left to right, and the lines between them."""
         self.edges = [
-            Edge(left, right, line)
+            ChainEdge(left, right, line)
             for ((_, left), (_, right)), line in zip(pairwise(corners), lines, strict=True)
             if line[1]
         ]
@@ -87,7 +87,7 @@ def turn(one: Line, other: Line) -> int:
     return one[0] * other[1] - one[1] * other[0]
 
 
-def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[int, int]]:
+def heights(first: LowerChain, second: LowerChain, o: Node, side: int) -> Iterator[tuple[int, int]]:
     """Walk along A(u) + B(x - u) - y for a point o = (x, y), through all u with both defined.
 
     Between breakpoints this is linear in u; so its limits at breakpoints are given, from left to
@@ -109,7 +109,7 @@ def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[i
     ox, oy, ow = o
     # B turned about o runs from left to right, and A + B passes o as A passes the turned B.
     below = [
-        Edge(
+        ChainEdge(
             (ox * rw - rx * ow, oy * rw - ry * ow, rw * ow),
             (ox * lw - lx * ow, oy * lw - ly * ow, lw * ow),
             (a * ow, b * ow, -a * ox - b * oy - c * ow),

@@ -10,20 +10,20 @@ from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Container, Iterator, Mapping, Sequence
 
-from exactsweep.check.certificate import CertificateError, Contact, Feature
+from exactsweep.check.certificate import CertificateError, ListedContact, ListedFeature
 from exactsweep.check.chain import Line
-from exactsweep.check.cover import Extent, check_covered, edge_extent, middle, sum_extent
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.cover import LineInterval, check_covered, edge_extent, middle, sum_extent
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 _Normal = tuple[int, int]
 
 
 def check_contacts(
-    trajectory: Loop,
-    directrix: Loop,
-    inverse: Loop,
-    listed: Sequence[Sequence[Contact]],
-    frame: Frame,
+    trajectory: MonotoneLoop,
+    directrix: MonotoneLoop,
+    inverse: MonotoneLoop,
+    listed: Sequence[Sequence[ListedContact]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed contacts of each edge are those that draw it, and cover all of it.
 
@@ -42,14 +42,14 @@ def check_contacts(
     """
     edges = [edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
     # By normal and constant of the line; edges of a simple loop on one line do not overlap.
-    rows: dict[_Normal, dict[int, list[tuple[Extent, int]]]] = defaultdict(dict)
+    rows: dict[_Normal, dict[int, list[tuple[LineInterval, int]]]] = defaultdict(dict)
     for k, (a, b, c) in enumerate(trajectory.lines):
         rows[a, b].setdefault(c, []).append((edges[k], k))
     for constants in rows.values():
         for row in constants.values():
             row.sort()
     expected = [set(contacts) for contacts in listed]
-    found: list[dict[Contact, Extent]] = [{} for _ in listed]
+    found: list[dict[ListedContact, LineInterval]] = [{} for _ in listed]
     for contact, line in _contacts_on_lines(directrix, inverse, rows):
         piece = _extent_of(contact, directrix, inverse, line)
         row = rows[line[:2]][line[2]]
@@ -71,8 +71,8 @@ def check_contacts(
 
 
 def _contacts_on_lines(
-    directrix: Loop, inverse: Loop, lines: Mapping[_Normal, Container[int]]
-) -> Iterator[tuple[Contact, Line]]:
+    directrix: MonotoneLoop, inverse: MonotoneLoop, lines: Mapping[_Normal, Container[int]]
+) -> Iterator[tuple[ListedContact, Line]]:
     """Find all contacts on some lines, given by normal and constant.
 
     D and I(G) lie to the left of their edges, and their sum to the left of any sum that is part of
@@ -85,29 +85,31 @@ def _contacts_on_lines(
         for j, (x, y, _) in enumerate(directrix.nodes if constants else ()):
             shifted = c - a * x - b * y
             if shifted in constants and not _on_edge_along(directrix, j, (a, b)):
-                yield Contact("EV", i, j), (a, b, shifted)
+                yield ListedContact("EV", i, j), (a, b, shifted)
     for j, (a, b, c) in enumerate(directrix.lines):
         constants = lines.get((a, b), ())
         for i, (x, y, _) in enumerate(inverse.nodes if constants else ()):
             shifted = c - a * x - b * y
             if shifted in constants and not _on_edge_along(inverse, i, (a, b)):
-                yield Contact("VE", i, j), (a, b, shifted)
+                yield ListedContact("VE", i, j), (a, b, shifted)
         for i in parallel[a, b] if constants else ():
             x, y, _ = inverse.nodes[i]
             shifted = c - a * x - b * y
             if shifted in constants:
-                yield Contact("EE", i, j), (a, b, shifted)
+                yield ListedContact("EE", i, j), (a, b, shifted)
 
 
-def _on_edge_along(loop: Loop, k: int, normal: _Normal) -> bool:
+def _on_edge_along(loop: MonotoneLoop, k: int, normal: _Normal) -> bool:
     """Whether a vertex ends an edge with this normal: then EE includes what it would add."""
     return normal in (loop.lines[k - 1][:2], loop.lines[k][:2])
 
 
-def _extent_of(contact: Contact, directrix: Loop, inverse: Loop, line: Line) -> Extent:
+def _extent_of(
+    contact: ListedContact, directrix: MonotoneLoop, inverse: MonotoneLoop, line: Line
+) -> LineInterval:
     event, i, j = contact
-    of_g = Feature("edge" if event[0] == "E" else "vertex", i)
-    of_d = Feature("edge" if event[1] == "E" else "vertex", j)
+    of_g = ListedFeature("edge" if event[0] == "E" else "vertex", i)
+    of_d = ListedFeature("edge" if event[1] == "E" else "vertex", j)
     extent = sum_extent(directrix, of_d, inverse, of_g, line)
     assert extent is not None  # its line is how it was found
     return extent

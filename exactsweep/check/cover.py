@@ -10,30 +10,34 @@ from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.check.certificate import CertificateError, Drawing, Feature
+from exactsweep.check.certificate import CertificateError, ListedDrawing, ListedFeature
 from exactsweep.check.chain import Line, Node
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
-class Extent(NamedTuple):
+class LineInterval(NamedTuple):
     """A segment on a known line, by its least and greatest x, or y if the line is vertical."""
 
     low: Fraction
     high: Fraction
 
-    def common(self, other: Extent) -> Extent:
+    def common(self, other: LineInterval) -> LineInterval:
         """The part of both; its low is not below its high if there is none of positive length."""
-        return Extent(max(self.low, other.low), min(self.high, other.high))
+        return LineInterval(max(self.low, other.low), min(self.high, other.high))
 
 
-def edge_extent(loop: Loop, k: int) -> Extent:
+def edge_extent(loop: MonotoneLoop, k: int) -> LineInterval:
     """The extent of an edge on its own line."""
-    return _extent(_ends(loop, Feature("edge", k)), loop.lines[k])
+    return _extent(_ends(loop, ListedFeature("edge", k)), loop.lines[k])
 
 
 def sum_extent(
-    first: Loop, feature: Feature, second: Loop, other: Feature, line: Line
-) -> Extent | None:
+    first: MonotoneLoop,
+    feature: ListedFeature,
+    second: MonotoneLoop,
+    other: ListedFeature,
+    line: Line,
+) -> LineInterval | None:
     """The extent on a line of the sum of two features, or None if it is not all on the line.
 
     The nodes of the second loop are on the lattice.
@@ -49,7 +53,7 @@ def sum_extent(
     return _extent(ends, line)
 
 
-def middle(extent: Extent, line: Line) -> Node:
+def middle(extent: LineInterval, line: Line) -> Node:
     """The point of a line half-way along an extent."""
     a, b, c = line
     along = (extent.low + extent.high) / 2
@@ -58,7 +62,7 @@ def middle(extent: Extent, line: Line) -> Node:
 
 
 def check_covered(
-    place: str, edge: Extent, pieces: Collection[Extent], line: Line, frame: Frame
+    place: str, edge: LineInterval, pieces: Collection[LineInterval], line: Line, frame: NodeFrame
 ) -> None:
     """Raise CertificateError if pieces of a line leave a gap on an edge."""
     reach = edge.low
@@ -68,18 +72,18 @@ def check_covered(
         reach = max(reach, high)
     if reach < edge.high:
         # To the next piece, or to the end if there is no piece beyond.
-        gap = Extent(reach, min([edge.high, *(low for low, _ in pieces if low > reach)]))
+        gap = LineInterval(reach, min([edge.high, *(low for low, _ in pieces if low > reach)]))
         witness = frame.leave(middle(gap, line))
         raise CertificateError(f"{place}: nothing that is listed draws all of the edge", witness)
 
 
 def check_drawings(
     name: str,
-    loop: Loop,
-    trajectory: Loop,
-    generatrix: Loop,
-    listed: Sequence[Sequence[Drawing]],
-    frame: Frame,
+    loop: MonotoneLoop,
+    trajectory: MonotoneLoop,
+    generatrix: MonotoneLoop,
+    listed: Sequence[Sequence[ListedDrawing]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed features of G, at their positions, draw each edge, all of it.
 
@@ -111,14 +115,14 @@ def check_drawings(
         check_covered(f"{name}[{k}]", edge, pieces, line, frame)
 
 
-def _ends(loop: Loop, feature: Feature) -> list[Node]:
+def _ends(loop: MonotoneLoop, feature: ListedFeature) -> list[Node]:
     kind, k = feature
     # Edge k ends in node k + 1, the last one in node 0.
     ends = [loop.nodes[k], loop.nodes[k + 1 - len(loop.nodes)]]
     return ends[:1] if kind == "vertex" else ends
 
 
-def _extent(nodes: Iterable[Node], line: Line) -> Extent:
+def _extent(nodes: Iterable[Node], line: Line) -> LineInterval:
     axis = 0 if line[1] else 1
     along = [Fraction(node[axis], node[2]) for node in nodes]
-    return Extent(min(along), max(along))
+    return LineInterval(min(along), max(along))

@@ -31,12 +31,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Chain, Node, heights
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.chain import LowerChain, Node, heights
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
 def check_sum_within(
-    loop: Loop, first: Loop, second: Loop, frame: Frame, outside: str, inside: str
+    loop: MonotoneLoop,
+    first: MonotoneLoop,
+    second: MonotoneLoop,
+    frame: NodeFrame,
+    outside: str,
+    inside: str,
 ) -> None:
     """Check that A + B is in the region of a loop, by the lemma.
 
@@ -61,7 +66,7 @@ def check_sum_within(
             raise CertificateError(reason.format(*numbers), frame.leave((sign * x, sign * y, w)))
 
 
-def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
+def steps_within(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -> int:
     """Count the steps of `check_sum_within`.
 
     For (a) they are pairs of convex corners, or all corners and edges once where all three are
@@ -84,11 +89,11 @@ def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
 _Found = tuple[Node, tuple[int, ...]]
 
 
-def _are_convex(*chains: Chain) -> bool:
+def _are_convex(*chains: LowerChain) -> bool:
     return not any(chain.concave for chain in chains)
 
 
-def are_above(chain: Chain, first: Chain, second: Chain) -> bool:
+def are_above(chain: LowerChain, first: LowerChain, second: LowerChain) -> bool:
     """Whether all sums of corners are in the region, all three chains being convex.
 
     They are if the first and the last one are, and if at each edge the lowest corners of both, as
@@ -120,7 +125,7 @@ def _lowest(corners: Sequence[tuple[int, Node]], k: int, a: int, b: int) -> int:
     return k
 
 
-def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     if _are_convex(chain, first, second) and are_above(chain, first, second):
         return None
     for k, (x, y, w) in first.convex:
@@ -131,7 +136,7 @@ def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
     return None
 
 
-def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     for k, corner, side, beside in chain.concave:
         if _passes_below(first, second, corner, side):
             # Below in the limit may mean touching at the corner itself, but not all along.
@@ -142,7 +147,7 @@ def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
     return None
 
 
-def _passes_below(first: Chain, second: Chain, node: Node, side: int) -> bool:
+def _passes_below(first: LowerChain, second: LowerChain, node: Node, side: int) -> bool:
     return any(height < 0 for height, _ in heights(first, second, node, side))
 
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 from itertools import chain
 from math import floor
 
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, PointRings
 
-Rings = Sequence[Sequence[Point]]
 Change = Callable[[Fraction], Fraction]
 
 _MOST_DECIMALS = 12
@@ -22,7 +21,7 @@ _BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103)
 
 
-def name_arithmetic(exact: Rings, theirs: Rings) -> tuple[str, ...]:
+def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
     """Say how all coordinates of a loop were spoilt by the numbers that a program works with.
 
     Args:

@@ -7,7 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.classify import Verdict as Classified
+from exactsweep.check.classify import Meeting
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 
@@ -96,7 +96,7 @@ class Witness:
 
     says: str
     translation: Point | None = None
-    classified: Classified | None = None
+    classified: Meeting | None = None
     point: Point | None = None
 
     def to_json(self) -> dict[str, Any]:
