@@ -47,11 +47,6 @@ def count(run: Callable[[], object]) -> Counter[str]:
 
     Calls are those of functions in Python; objects those that an instruction builds, or a class;
     products are multiplications and divisions.
-
-    >>> x = 3
-    >>> found = count(lambda: ([x * x, x // 2], x < 6))
-    >>> [found[name] for name in COUNTED[1:]]
-    [1, 2, 0, 2, 1]
     """
     found: Counter[str] = Counter()
 
