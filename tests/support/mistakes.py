@@ -42,7 +42,7 @@ from exactsweep.corpus.generator.shapes import hull
 DIFFERS = ("conservative", "unsound", "wrong")
 LARGER = ("conservative", "wrong")
 SMALLER = ("unsound", "wrong")
-FITS = ("equivalent but for exact fits",)
+FITS = ("equivalent except for exact fits",)
 BROKEN = ("malformed",)
 
 
