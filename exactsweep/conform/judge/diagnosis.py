@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
 
+from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
@@ -24,6 +25,7 @@ from exactsweep.sweep import no_fit_polygon
 from exactsweep.words import pair
 
 _MOST_ROUNDED = 16
+_NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 """Loops that are told of a reference point."""
 
@@ -52,20 +54,27 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     exact = list_exact_rings(case, name)
     if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
         return ("lacks the holes",)
+    spoilt = name_arithmetic(exact, rings)
+    if rounding and _is_same(exact, rings, _NEARLY * rounding):
+        # So much makes another reference point of nothing, or another scale.
+        named = spoilt or tuple(_name_vertices(exact, rings))
+        return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(case, name, rings, rounding)]
     if name in _POSITIONS and exact and not found:
+        found += spoilt
         found += _other_positions(case, name, rings, rounding)
     if name == "outer" and not found and _is_same(_add(case, name), rings, rounding):
         found.append("D + G, without the way there")
-    if not found and len(rings) == len(exact) == 1:
-        found += _name_vertices(exact[0], rings[0])
+    if not found:
+        found += spoilt or _name_vertices(exact, rings)
     return tuple(dict.fromkeys(found))
 
 
-def _name_vertices(exact: Sequence[Point], theirs: Sequence[Point]) -> Iterator[str]:
-    """Say which vertices of a ring are wrong, where most of them are right."""
-    missing, added = {*exact} - {*theirs}, {*theirs} - {*exact}
-    if len(missing) > len(exact) // 2:
+def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
+    """Say which vertices of a single ring are wrong, where most of them are right."""
+    points, answered = {*chain(*exact)}, {*chain(*theirs)}
+    missing, added = points - answered, answered - points
+    if not len(exact) == len(theirs) == 1 or len(missing) > len(points) // 2:
         return
     if len(missing) == len(added) == 1:
         yield "one vertex is off, the others are exact"

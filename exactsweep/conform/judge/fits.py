@@ -44,7 +44,7 @@ def judge_fits(
 
     Returns:
         The part of that name. Its verdict is exact; equivalent, for the same positions given in
-        another way; "equivalent but for exact fits" where some are missing, too short, invented
+        another way; "equivalent except for exact fits" where some are missing, too short, invented
         in free space or rounded; or unsound, with a position that overlaps. Its kind says in
         which of these ways they differ.
 
@@ -81,7 +81,7 @@ def judge_fits(
                 )
     return PartComparison(
         name,
-        Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+        Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         _list(ways),
         conservative=_find_missed(case, missing[0], name) if missing else None,
         kind=", ".join(ways),

@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import combinations
 
 from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError
+from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.hausdorff import bound_distance
@@ -111,7 +112,10 @@ def _measure(
         whiskers = ", exact fits traced as whiskers of the loop" if kind else ""
         verdict, reason = Verdict.WITHIN, f"rounded{whiskers}"
     else:
-        diagnosis = () if fault else diagnose(case, name, rings, rounding)
+        # Other mistakes than those of numbers make sound rings of sound ones.
+        diagnosis = (
+            name_arithmetic(exact, rings) if fault else diagnose(case, name, rings, rounding)
+        )
         verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
         if diagnosis:
             reason = f"{diagnosis[0]}; {reason}"

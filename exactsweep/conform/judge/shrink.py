@@ -95,7 +95,7 @@ def shrink(
         >>> from exactsweep.corpus import find_case
         >>> def loses_fits(case):
         ...     return (
-        ...         Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS if case.exact_fits else Verdict.EXACT
+        ...         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS if case.exact_fits else Verdict.EXACT
         ...     )
         >>> small = shrink(find_case("fits-square"), loses_fits)
         >>> print(small.generatrix, "into", small.directrix)

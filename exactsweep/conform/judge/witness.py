@@ -1,7 +1,7 @@
 """Witnesses: positions and points at which an answer is wrong, each checked before it is shown.
 
 Let P be the region inside the exact trajectory of G's origin: the translations t at which G + t
-overlaps D, but for exact fits, and their limits. The translations that put G onto a point p are
+overlaps D, except for exact fits, and their limits. The translations that put G onto a point p are
 the polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
 
 - p is inside the outer loop if and only if H(p) overlaps P: some of the positions that put G onto p
