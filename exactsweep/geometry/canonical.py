@@ -27,7 +27,7 @@ class CanonicalRing(NamedTuple):
     convex: bool
 
 
-def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
+def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
     Args:
@@ -44,12 +44,12 @@ def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
     Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
 
     Example:
-        >>> ring = canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
+        >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
         >>> ring.points, ring.vertex_index, ring.edge_index
         (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     ring, vertices, edges = _join_equal(points)
-    turns = turn_products(ring) if len(ring) > 2 else []
+    turns = find_turns(ring) if len(ring) > 2 else []
     corners: Sequence[int] = range(len(ring))
     if not all(turns) or not turns:
         _refuse_flat(points, turns)
@@ -93,7 +93,7 @@ def _join_equal(
     return [points[i] for i in starts], vertices, edges
 
 
-def turn_products(ring: Sequence[Vertex]) -> list[int | Fraction]:
+def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
     """Return at each vertex the cross product of the edges before and after it. Cost: O(n)."""
     turns = []
     (ax, ay), (bx, by) = ring[-2], ring[-1]
@@ -145,7 +145,7 @@ def _refuse_conflicts(
     raise PolygonError(f"the boundary crosses itself: edges {low} and {high} cross")
 
 
-def doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
+def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring. Cost: O(n)."""
     return sum(
         ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, (*ring[1:], ring[0]), strict=True)

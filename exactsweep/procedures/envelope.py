@@ -18,7 +18,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.geometry.number import quotient
+from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import ChainError, convex_parts
 
@@ -191,7 +191,7 @@ def point_on(edge: Edge, at: Break) -> Vertex:
 def ratio(n: Rational, d: Rational) -> Rational:
     """N / d with d > 0: an int where it is one. Cost: O(1)."""
     whole = n // d
-    return whole if whole * d == n else quotient(n, d)
+    return whole if whole * d == n else divide_exactly(n, d)
 
 
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
@@ -221,7 +221,7 @@ def crossing(u: Rational, v: Rational) -> Break:
 
 def value(at: Break) -> Fraction:
     """The x of a break."""
-    return quotient(*at)
+    return divide_exactly(*at)
 
 
 def precedes(first: Break, second: Break) -> bool:
