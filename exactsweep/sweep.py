@@ -109,14 +109,14 @@ class NoFitPolygon(EqualByQuestion, no_fit.NoFitPositions):
         return plot_no_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import no_fit_html
+        from exactsweep.draw.notebook import show_no_fit
 
-        return no_fit_html(self)
+        return show_no_fit(self)
 
 
 class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
@@ -137,14 +137,14 @@ class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
         return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import inner_fit_html
+        from exactsweep.draw.notebook import show_inner_fit
 
-        return inner_fit_html(self)
+        return show_inner_fit(self)
 
 
 def sweep(

@@ -169,17 +169,19 @@ def _job(
     rotations: list[int] | None,
     reading: ReadingOptions,
 ) -> Job:
-    from exactsweep.batch import all_pairs, pairs_of
+    from exactsweep.batch import take_all_pairs, take_listed_pairs
     from exactsweep.batch.parts import rotate_parts
 
     if pairs is not None:
-        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what, rounding)
+        return take_listed_pairs(
+            pairs, () if parts is None else _parts(parts, reading), what, rounding
+        )
     assert lists is not None
     generatrices, directrices = lists
     first = _parts(generatrices, reading)
     second = first if generatrices == directrices else _parts(directrices, reading)
     turned = first if rotations is None else rotate_parts(first, rotations)
-    return all_pairs(turned, second, what, rounding)
+    return take_all_pairs(turned, second, what, rounding)
 
 
 def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
@@ -195,7 +197,7 @@ def _progress(total: int) -> Iterator[Callable[[int], None]]:
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda done: None
         return
-    from exactsweep.cli.bar import bar
+    from exactsweep.cli.bar import show_bar
 
-    with bar(total) as show:
+    with show_bar(total) as show:
         yield show

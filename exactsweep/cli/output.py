@@ -23,7 +23,7 @@ def takes_output(command: Command) -> Command:
     return option(command)
 
 
-def terminal_size(output: str) -> os.terminal_size | None:
+def measure_terminal(output: str) -> os.terminal_size | None:
     """Return the size of the terminal that the output goes to, or None if that is none."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()

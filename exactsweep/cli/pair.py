@@ -84,7 +84,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
     return with_pair
 
 
-def files_of_pair() -> tuple[str, str] | None:
+def name_files_of_pair() -> tuple[str, str] | None:
     """The files of G and of D of the command that runs; None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
@@ -103,7 +103,7 @@ def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
         if y_down is None:
-            files = files_of_pair()
+            files = name_files_of_pair()
             y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
         command(*arguments, y_down=y_down, **options)
 

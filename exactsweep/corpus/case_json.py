@@ -257,7 +257,7 @@ OF_POSITIONS = ("trajectory", "no_fit", "inner_fit", *FITS)
 """Parts of an answer that are positions of the reference point."""
 
 
-def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
+def list_expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     """Return the rings, or the segments, of a part of the answer, as a case has them as JSON.
 
     Args:
@@ -267,7 +267,7 @@ def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
-        >>> expected_rings(data, "no_fit")
+        >>> list_expected_rings(data, "no_fit")
         [[['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]]
     """
     expected = data["expected"]

@@ -12,7 +12,7 @@ from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, around, number_features
-from exactsweep.words import CLASSES, count, heading, pair
+from exactsweep.words import CLASSES, count, name_heading, pair
 
 _HALVES: dict[Half, str] = {
     "lower": "Below D: the lower sweep (G_t, D_b)",
@@ -50,7 +50,7 @@ def tell(s: Swept) -> Iterator[str]:
             yield f"-- {_HALVES[half]} --"
             yield ""
         yield (
-            f"Step {k}: {heading(step.direction)}, along {pair(step.direction)}, "
+            f"Step {k}: {name_heading(step.direction)}, along {pair(step.direction)}, "
             f"from {pair(step.start)} to {pair(step.end)}"
         )
         for line in teller.step(step, steps[(k + 1) % len(steps)]):
@@ -144,7 +144,7 @@ class _Teller:
                 "G is free inside --"
             )
             for start, end, contacts in zip(loop, (*loop[1:], loop[0]), along, strict=True):
-                way = heading((end.x - start.x, end.y - start.y))
+                way = name_heading((end.x - start.x, end.y - start.y))
                 yield f"{way[0].upper()}{way[1:]}, from {pair(start)} to {pair(end)}"
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
@@ -161,7 +161,7 @@ class _Teller:
                     d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
                     yield f"  {event}: {g}, is on {d}"
             else:
-                way = heading((end.x - start.x, end.y - start.y))
+                way = name_heading((end.x - start.x, end.y - start.y))
                 yield f"-- Exact fit {k}: G could go {way}, from {pair(start)} to {pair(end)} --"
                 yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
 
@@ -252,7 +252,7 @@ class _Teller:
         hanging, inside = self.sweep.exact_fits[landmark.number]
         if hanging != landmark.position:
             hanging, inside = inside, hanging
-        way = heading((inside.x - hanging.x, inside.y - hanging.y))
+        way = name_heading((inside.x - hanging.x, inside.y - hanging.y))
         return (
             f"exact fit {landmark.number} hangs: G could go {way} to {pair(inside)}, "
             "touching D on both sides"

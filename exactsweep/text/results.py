@@ -63,8 +63,8 @@ def no_fit_to_json(n: NoFitPositions) -> str:
     """
     return _object(
         {
-            "stationary": _written(as_json(n.stationary)),
-            "orbiting": _written(as_json(n.orbiting)),
+            "stationary": _written(write_json_value(n.stationary)),
+            "orbiting": _written(write_json_value(n.orbiting)),
             "kind": _written(n.kind),
             "reference": _written(n.reference),
             "exterior": _written(n.exterior.vertices),
@@ -89,8 +89,8 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     """
     return _object(
         {
-            "container": _written(as_json(f.container)),
-            "part": _written(as_json(f.part)),
+            "container": _written(write_json_value(f.container)),
+            "part": _written(write_json_value(f.part)),
             "reference": _written(f.reference),
             "regions": _written([_rings(region) for region in f.regions]),
             "exact_fits": _written(f.exact_fits),
@@ -99,7 +99,7 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     )
 
 
-def as_json(shape: Polygon | Region) -> object:
+def write_json_value(shape: Polygon | Region) -> object:
     """Make the list of vertices of a shape, or of one with holes the object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
@@ -188,8 +188,8 @@ def verification_to_json(verification: Verification) -> str:
 
 def _input(sweep: Swept) -> dict[str, str]:
     return {
-        "generatrix": _written(as_json(sweep.generatrix)),
-        "directrix": _written(as_json(sweep.directrix)),
+        "generatrix": _written(write_json_value(sweep.generatrix)),
+        "directrix": _written(write_json_value(sweep.directrix)),
         "kind": _written(sweep.kind),
         "direction": direction_to_json(sweep.direction),
         "reference": _written(sweep.reference),

@@ -101,7 +101,7 @@ class Witness:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ class PartComparison:
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
         values = {**vars(self), "area": self.area}
-        return {name: plain_data(value) for name, value in values.items()}
+        return {name: write_plain(value) for name, value in values.items()}
 
 
 @dataclass(frozen=True)
@@ -184,19 +184,19 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
-def plain_data(value: Any) -> Any:
+def write_plain(value: Any) -> Any:
     """Return a value as plain data: numbers as strings, tuples as lists.
 
-    >>> plain_data((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
+    >>> write_plain((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
     ['exact', ['1/2', '3'], None]
     """
     if isinstance(value, (Witness, PartComparison)):
         return value.to_json()
     if isinstance(value, tuple):
-        return [plain_data(item) for item in value]
+        return [write_plain(item) for item in value]
     if isinstance(value, Fraction):
         return format_fraction(value)
     return value.value if isinstance(value, Verdict) else value

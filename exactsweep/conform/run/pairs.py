@@ -17,7 +17,7 @@ from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.number import quoted
 from exactsweep.geometry.point import ORIGIN, Point, PointRings
-from exactsweep.words import suggestion
+from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")
 _MEMBERS = (*_ROLES, "reference", "id")
@@ -89,7 +89,7 @@ def _read_pair(number: int, line: str) -> Case:
         raise FormatError(f"$ is {described(document)}, not an object")
     for member in document:
         if member not in _MEMBERS:
-            raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+            raise FormatError(f"$ has {quoted(member)}{suggest(member, _MEMBERS)}")
     for role in _ROLES:
         if role not in document:
             raise FormatError(f"$ has no {role}")

@@ -18,7 +18,7 @@ from exactsweep.corpus.generator.cells import (
     grow,
     map_region,
     move,
-    outline,
+    trace_outline,
 )
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import untangle, walk
@@ -43,7 +43,7 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyomino_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return outline(_clump(random, 8)), outline(_clump(random, 24))
+    return trace_outline(_clump(random, 8)), trace_outline(_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
@@ -54,7 +54,7 @@ def jigsaw_pair(random: Prng) -> Regions:
         beside = sorted(set(around(part)) & cells)
         if beside and len(cells) > len(part) + 1:
             part.add(random.choice(beside))
-    return outline(part), outline(connect(cells - part))
+    return trace_outline(part), trace_outline(connect(cells - part))
 
 
 def mould_pair(random: Prng) -> Regions:
@@ -63,7 +63,9 @@ def mould_pair(random: Prng) -> Regions:
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
-    return outline(part), outline(connect(block(width + 2, height + 2, -1, -1) - inside))
+    return trace_outline(part), trace_outline(
+        connect(block(width + 2, height + 2, -1, -1) - inside)
+    )
 
 
 def cave_pair(random: Prng) -> Regions:
@@ -77,7 +79,7 @@ def cave_pair(random: Prng) -> Regions:
     part = block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
         part = set(_clump(random, 5))
-    return outline(part), outline(connect(solid))
+    return trace_outline(part), trace_outline(connect(solid))
 
 
 def spiral_pair(random: Prng) -> Regions:
@@ -88,7 +90,7 @@ def spiral_pair(random: Prng) -> Regions:
     part = set(_clump(random, 5))
     if random.chance(3, 5):
         part = block(random.between(1, gap), random.between(1, gap))
-    return outline(part), outline(walk(steps))
+    return trace_outline(part), trace_outline(walk(steps))
 
 
 def ring_pair(random: Prng) -> Regions:
@@ -98,7 +100,7 @@ def ring_pair(random: Prng) -> Regions:
     inner = frame(width, height)
     if random.chance(3, 10):
         inner.discard((1, 0))
-    return outline(frame(width + more[0], height + more[1])), outline(connect(inner))
+    return trace_outline(frame(width + more[0], height + more[1])), trace_outline(connect(inner))
 
 
 def star_pair(random: Prng) -> Regions:
@@ -157,7 +159,7 @@ def comb_pair(random: Prng) -> Regions:
                 x += 1
         return cells
 
-    return outline({(-x, -y) for x, y in comb()}), outline(comb())
+    return trace_outline({(-x, -y) for x, y in comb()}), trace_outline(comb())
 
 
 def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
