@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.geometry.number import quotient
+from exactsweep.geometry.number import quotient, ratio
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import ChainError, convex_parts
 
@@ -179,14 +179,16 @@ class Envelope:
         found = [self.point(0, breaks[0])]
         adx, ady, ac, _, _ = pieces[0]
         for k in range(1, len(pieces)):
-            bdx, bdy, bc, _, _ = pieces[k]
+            bdx, bdy, bc, start, _ = pieces[k]
             n, d = at = breaks[k]
             u = ady * bdx - bdy * adx
             step = u * n + (ac * bdx - bc * adx) * d
             if step:
                 found.append(self.point(k - 1, at))
             if step or u:
-                found.append(self.point(k, at))
+                if start is None or n != start[0] * d:
+                    start = self.point(k, at)
+                found.append(start)
             adx, ady, ac = bdx, bdy, bc
         found.append(self.point(len(pieces) - 1, breaks[-1]))
         return iter(found)
@@ -214,12 +216,6 @@ def point_on(edge: Edge, at: Break) -> Vertex:
         return q
     dx, dy = q[0] - p[0], q[1] - p[1]
     return ratio(n, d), ratio(dy * n + (p[1] * dx - p[0] * dy) * d, dx * d)
-
-
-def ratio(n: Rational, d: Rational) -> Rational:
-    """N / d with d > 0: an int where it is one. Cost: O(1)."""
-    whole = n // d
-    return whole if whole * d == n else quotient(n, d)
 
 
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
