@@ -53,7 +53,7 @@ class Ceiling:
         envelope: what is known of the envelope to be found.
         span: bounds of the x-ranges of all sums.
         chains: how many convex chains of G_t and D_b there are. There are as many strips in
-            proportion, so that a pair crosses O(1) of them on average however large the envelope is.
+            proportion, so that a pair crosses O(1) of them on average.
         gaps: the x-ranges that matter, from left to right; all of it, if left out.
 
     Cost: O(size of the envelope + chains).
@@ -158,8 +158,8 @@ class Ceiling:
 #          where it is above E except for single points.
 #
 # So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
-# what it has taken in. Where only gaps matter, (2) is said of each x in a gap, and of E there: pairs
-# whose sums lie beside all gaps are left out, and so is what a run has there.
+# what it has taken in. Where only gaps matter, (2) is said of each x in a gap, and of E there; so
+# pairs whose sums lie beside all gaps are left out, and what a run has there.
 
 
 def sweep_pairs(
