@@ -18,13 +18,15 @@ class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
     `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
-    `convex` says whether all turns are to the left.
+    `convex` says whether all turns are to the left, and `monotone` whether it is monotone to the
+    X axis.
     """
 
     points: tuple[Vertex, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
     convex: bool
+    monotone: bool
 
 
 def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
@@ -70,11 +72,12 @@ def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
         corners = starts = [*corners[least:], *corners[:least]]
         found = [*found[least:], *found[:least]]
     convex = min(turns) > 0 or max(turns) < 0
-    if not is_simple_monotone(found, convex=convex):
+    monotone = is_simple_monotone(found, convex=convex)
+    if not monotone:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
-    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex)
+    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
 def _join_equal(

@@ -168,6 +168,22 @@ def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     return Fraction(value, divisor)
 
 
+def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
+    """Divide by a positive number, to an int where that is the result.
+
+    Example:
+        >>> ratio(6, 3), ratio(6, 4)
+        (2, Fraction(3, 2))
+    """
+    if type(value) is int and type(divisor) is int:
+        common = gcd(value, divisor)
+        if common == divisor:
+            return value // common
+        return _reduced(value // common, divisor // common)
+    whole = value // divisor
+    return whole if whole * divisor == value else quotient(value, divisor)
+
+
 def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
