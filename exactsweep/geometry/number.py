@@ -281,7 +281,10 @@ def _check_before_reduction(shown: object, digits: int) -> None:
 
 
 def _check(shown: object, value: Fraction) -> Fraction:
-    if max(abs(value.numerator), value.denominator) >= _power_of_ten(_max_digits.get()):
+    digits, longest = _max_digits.get(), max(abs(value.numerator), value.denominator)
+    # 2**b < 10**d if 0.30103 b < d: then the power, which may be far longer, need not be made.
+    is_short = longest.bit_length() * 30_103 < digits * 100_000
+    if not is_short and longest >= _power_of_ten(digits):
         raise _too_long(shown)
     return value
 
