@@ -24,6 +24,19 @@ class Edge(NamedTuple):
     line: Line
 
 
+class Corner(NamedTuple):
+    """A corner of a chain, with the lines of the edges that end and begin there."""
+
+    number: int
+    node: Node
+    before: Line
+    after: Line
+
+
+# What bounds the region above a chain on its left side, going down, and on its right side.
+_DOWN, _UP = (1, 0, 0), (-1, 0, 0)
+
+
 class Chain:
     """A lower chain, from left to right: a piecewise linear function, and its region above it.
 
@@ -32,7 +45,8 @@ class Chain:
 
     Attributes:
         edges: list of Edge; each begins at the x where the last one ends.
-        convex: pairs of vertex number and node, where the region has an angle below two right ones.
+        runs: the convex corners, where the region has an angle below two right ones, as lists of
+            Corner with no concave corner between them: slopes grow all along a run.
         concave: the other corners, as tuples of vertex number, node, a side (1 right, -1 left) on
             which the chain goes on from the node without a jump, and the next node on that side.
     """
@@ -44,15 +58,19 @@ class Chain:
             for ((_, left), (_, right)), line in zip(pairwise(corners), lines, strict=True)
             if line[1]
         ]
-        self.convex = [corners[0], corners[-1]]
+        self.runs: list[list[Corner]] = []
         self.concave = []
-        for m in range(1, len(lines)):
-            number, node = corners[m]
-            if turn(lines[m - 1], lines[m]) > 0:
-                self.convex.append((number, node))
+        before, run = _DOWN, list[Corner]()
+        for m, ((number, node), after) in enumerate(zip(corners, (*lines, _UP), strict=True)):
+            if turn(before, after) > 0:
+                run.append(Corner(number, node, before, after))
             else:
-                side = 1 if lines[m][1] else -1
+                side = 1 if after[1] else -1
                 self.concave.append((number, node, side, corners[m + side][1]))
+                self.runs.append(run)
+                run = []
+            before = after
+        self.runs = [run for run in (*self.runs, run) if run]
         self._floors = [edge.right[0] // edge.right[2] for edge in self.edges]
 
     def first_reaching(self, x: int, w: int) -> int:
