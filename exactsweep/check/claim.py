@@ -19,7 +19,9 @@ from exactsweep.check.certificate import (
     INPUT_DIGITS,
     CertificateError,
     Loop,
+    Place,
     check_keys,
+    flaw,
     is_exactly,
     read_fit,
     read_list,
@@ -116,12 +118,12 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
     return SweepClaim(no_fit, inner, outer, unswept, area)
 
 
-def _loops(item: Any, place: str) -> tuple[Loop, ...]:
+def _loops(item: Any, place: Place) -> tuple[Loop, ...]:
     return read_list(item, place, read_loop)
 
 
-def _outline(item: Any, place: str) -> Outline:
+def _outline(item: Any, place: Place) -> Outline:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise CertificateError(f"{place}: not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], f"{place}.exterior")
-    return Outline(exterior, _loops(item["holes"], f"{place}.holes"))
+        raise flaw(place, "not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], (place, ".exterior"))
+    return Outline(exterior, _loops(item["holes"], (place, ".holes")))

@@ -18,10 +18,17 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Container, Iterator, Mapping, Sequence
 
-from exactsweep.check.certificate import CertificateError, Contact, Feature
+from exactsweep.check.certificate import Contact, Feature, flaw
 from exactsweep.check.chain import Line, Node, turn
 from exactsweep.check.cone import by_turn
-from exactsweep.check.cover import Extent, check_covered, edge_extent, middle, sum_extent
+from exactsweep.check.cover import (
+    Extent,
+    check_covered,
+    edge_extent,
+    middle,
+    share_a_part,
+    sum_extent,
+)
 from exactsweep.check.loop import Frame, Loop
 
 _Normal = tuple[int, int]
@@ -62,21 +69,21 @@ def check_contacts(
     for contact, line in _contacts_on_lines(directrix, inverse, rows):
         piece = _extent_of(contact, directrix, inverse, line)
         row = rows[line]
-        for m in range(bisect_right(row, piece.low, key=lambda entry: entry[0].high), len(row)):
+        for m in range(bisect_right(row, piece[0], key=lambda entry: entry[0][1]), len(row)):
             edge, k = row[m]
-            part = edge.common(piece)
-            if part.low >= part.high:
+            if not share_a_part(edge, piece):
                 break
             if contact not in expected[k]:
+                part = max(edge[0], piece[0]), min(edge[1], piece[1])
                 witness = frame.leave(middle(part, line))
-                raise CertificateError(f"contacts[{k}]: {contact} is missing", witness)
+                raise flaw(("contacts", k), f"{_name(contact)} is missing", witness)
             found[k][contact] = piece
     for k, contacts in enumerate(listed):
         for contact in contacts:
             if contact not in found[k]:
-                raise CertificateError(f"contacts[{k}]: {contact} does not touch along the edge")
+                raise flaw(("contacts", k), f"{_name(contact)} does not touch along the edge")
         pieces = found[k].values()
-        check_covered(f"contacts[{k}]", edges[k], pieces, trajectory.lines[k], frame)
+        check_covered(("contacts", k), edges[k], pieces, trajectory.lines[k], frame)
 
 
 def _contacts_on_lines(
@@ -87,17 +94,17 @@ def _contacts_on_lines(
     ranks = {normal: k for k, normal in enumerate(sorted(normals, key=by_turn))}
     for i, j in _facing(inverse, directrix, ranks):
         if (line := _moved(inverse.lines[i], directrix.nodes[j])) in lines:
-            yield Contact("EV", i, j), line
+            yield ("EV", i, j), line
     for j, i in _facing(directrix, inverse, ranks):
         if (line := _moved(directrix.lines[j], inverse.nodes[i])) in lines:
-            yield Contact("VE", i, j), line
+            yield ("VE", i, j), line
     parallel: dict[_Normal, list[int]] = defaultdict(list)
     for i, edge in enumerate(inverse.lines):
         parallel[edge[:2]].append(i)
     for j, edge in enumerate(directrix.lines):
         for i in parallel.get(edge[:2], ()):
             if (line := _moved(edge, inverse.nodes[i])) in lines:
-                yield Contact("EE", i, j), line
+                yield ("EE", i, j), line
 
 
 def _facing(edges: Loop, corners: Loop, ranks: Mapping[_Normal, int]) -> Iterator[tuple[int, int]]:
@@ -125,8 +132,13 @@ def _moved(line: Line, by: Node) -> Line:
 
 def _extent_of(contact: Contact, directrix: Loop, inverse: Loop, line: Line) -> Extent:
     event, i, j = contact
-    of_g = Feature("edge" if event[0] == "E" else "vertex", i)
-    of_d = Feature("edge" if event[1] == "E" else "vertex", j)
+    of_g: Feature = ("edge" if event[0] == "E" else "vertex", i)
+    of_d: Feature = ("edge" if event[1] == "E" else "vertex", j)
     extent = sum_extent(directrix, of_d, inverse, of_g, line)
     assert extent is not None  # its line is how it was found
     return extent
+
+
+def _name(contact: Contact) -> str:
+    event, i, j = contact
+    return f"{event} ({i}, {j})"

@@ -74,7 +74,7 @@ def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
     steps = 0
     for chain, a, b in zip(loop.halves, first.halves, second.halves, strict=True):
         steps += len(a.runs) * sum(map(len, b.runs)) + len(b.runs) * sum(map(len, a.runs))
-        (left, _, _), (right, _, _) = b.edges[0].left, b.edges[-1].right
+        (left, _, _), (right, _, _) = b.edges[0][0], b.edges[-1][1]
         for _, (x, _, w), _, _ in chain.concave:
             passed = a.first_reaching(x - left * w, w) - a.first_reaching(x - right * w, w)
             steps += passed + len(b.edges)
@@ -90,10 +90,11 @@ def corners_with_common_slopes(first: Chain, second: Chain) -> Iterator[tuple[Co
         for b_run in second.runs:
             start = 0
             for a in a_run:
-                while start < len(b_run) and not _is_below(a.before, b_run[start].after):
+                _, _, before, after = a
+                while start < len(b_run) and not _is_below(before, b_run[start][3]):
                     start += 1
                 for b in islice(b_run, start, None):
-                    if not _is_below(b.before, a.after):
+                    if not _is_below(b[2], after):
                         break
                     yield a, b
 
@@ -107,11 +108,11 @@ _Found = tuple[Node, tuple[int, ...]]
 
 
 def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
-    for a, b in corners_with_common_slopes(first, second):
-        (x, y, w), (dx, dy, _) = a.node, b.node
+    pairs = corners_with_common_slopes(first, second)
+    for (k, (x, y, w), _, _), (m, (dx, dy, _), _, _) in pairs:
         node = x + dx * w, y + dy * w, w
         if not chain.holds(node):
-            return node, (a.number, b.number)
+            return node, (k, m)
     return None
 
 

@@ -66,7 +66,10 @@ def test_sums_of_convex_loops_are_within_if_those_with_common_slopes_are() -> No
         for chain, a, b in zip(*(loop.halves for loop in loops), strict=True):
             (a_run,), (b_run,) = a.runs, b.runs
             every, some = (
-                all(chain.holds((p.node[0] + q.node[0], p.node[1] + q.node[1], 1)) for p, q in sums)
+                all(
+                    chain.holds((px + qx, py + qy, 1))
+                    for (_, (px, py, _), *_), (_, (qx, qy, _), *_) in sums
+                )
                 for sums in (product(a_run, b_run), corners_with_common_slopes(a, b))
             )
             assert every == some
@@ -85,10 +88,10 @@ def test_convex_corners_of_a_sum_are_sums_of_corners_with_common_slopes(
     halves = (_loop(vertices).halves for vertices in (a.vertices, b.vertices, true))
     for of_a, of_b, of_sum in zip(*halves, strict=True):
         sums = {
-            (p.node[0] + q.node[0], p.node[1] + q.node[1])
-            for p, q in corners_with_common_slopes(of_a, of_b)
+            (px + qx, py + qy)
+            for (_, (px, py, _), *_), (_, (qx, qy, _), *_) in corners_with_common_slopes(of_a, of_b)
         }
-        assert {corner.node[:2] for run in of_sum.runs for corner in run} <= sums
+        assert {node[:2] for run in of_sum.runs for _, node, _, _ in run} <= sums
 
 
 @settings(max_examples=25)
@@ -320,8 +323,8 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
     true = reference_loops(b.reflected(), a).trajectory
     halves = (_loop(vertices).halves for vertices in (a.vertices, b.vertices, true))
     for of_a, of_b, of_sum in zip(*halves, strict=True):
-        for edge in of_sum.edges:
-            for node, side in ((edge.left, 1), (edge.right, -1)):
+        for left, right, _ in of_sum.edges:
+            for node, side in ((left, 1), (right, -1)):
                 assert min(height for height, _ in heights(of_a, of_b, node, side)) == 0
 
 
