@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from exactsweep.view import InlinePage
 
 
-class Answer:
+class EqualByQuestion:
     """What equals another if the same was asked of the same polygons.
 
     Polygons are equal as sets of points: in which order their vertices were given shows in the
@@ -49,7 +49,7 @@ class Answer:
         return hash(tuple(getattr(self, name) for name in self.asked))
 
 
-class Sweep(Answer, Swept):
+class Sweep(EqualByQuestion, Swept):
     """A sweep that shows itself; made by `sweep`. What is computed is said in `Swept`."""
 
     asked = ("generatrix", "directrix", "direction", "reference")
@@ -91,7 +91,7 @@ class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
 
 
-class NoFitPolygon(Answer, no_fit.NoFitPolygon):
+class NoFitPolygon(EqualByQuestion, no_fit.NoFitPositions):
     """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
 
     asked = ("stationary", "orbiting", "reference")
@@ -119,7 +119,7 @@ class NoFitPolygon(Answer, no_fit.NoFitPolygon):
         return no_fit_html(self)
 
 
-class InnerFit(Answer, no_fit.InnerFit):
+class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
     """An inner fit that shows itself; made by `inner_fit_polygon`."""
 
     asked = ("container", "part", "reference")

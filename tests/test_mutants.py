@@ -5,6 +5,7 @@ from pathlib import Path
 import mutants
 import pytest
 from operators import mutants_of
+from reach import measure
 
 MODULE = b'''"""A module."""
 
@@ -48,23 +49,93 @@ def test_equivalent_mutants_are_mutants_and_have_reasons() -> None:
     assert all(reason.endswith(".") for reason in known.values())
 
 
-def test_tests_that_name_a_module_come_first() -> None:
-    stages = mutants.stages_of("exactsweep/check/size.py", "wider")
-    assert stages[1] == ("tests/check/test_certificate_reading.py",)
-    assert stages[2] == ("tests/check",)
-    assert "tests/check" not in stages[3]
+TREE = {
+    "little/least.py": """LIMIT = 2
+
+def least(a, b):
+    if a < b:
+        return -(-a)
+    return -(-b)
+
+def alone(
+    a=3,
+):
+    return a + 1
+""",
+    "test_least.py": """from little.least import LIMIT, least
+
+def test_less(): assert least(1, 2) == 1
+def test_greater(): assert least(2, 1) == 1
+def test_limit(): assert LIMIT == 2
+""",
+    "test_when_read.py": """from little.least import least
+
+ONE = least(2, 1)
+def test_one(): assert ONE == 1
+""",
+    "pytest.ini": "[pytest]\n",
+}
+LESS, GREATER, LIMIT = (f"test_least.py::test_{name}" for name in ("less", "greater", "limit"))
+READ = "test_when_read.py::test_one"
+
+
+@pytest.fixture
+def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    for name, text in TREE.items():
+        (tmp_path / "tree" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "tree" / name).write_text(text)
+    return tmp_path / "tree"
+
+
+def test_tests_are_known_by_the_lines_that_they_reach(tree: Path) -> None:
+    pytest.importorskip("coverage")
+    for _ in range(2):  # the second time, from what was kept
+        reach = measure(tree, ["test_least.py", "test_when_read.py"], ["little/least.py"])
+        assert reach.seconds.keys() == {LESS, GREATER, LIMIT, READ}
+        text = TREE["little/least.py"].encode()
+        found = {
+            mutant.shown(text)[1]: reach.tests_of(mutant.path, mutant.lines(text))
+            for mutant in mutants_of("little/least.py", text)
+        }
+        assert set(found["if a > b:"]) == {LESS, GREATER, READ}
+        assert found["return -(+a)"] == [LESS]
+        assert set(found["return -(+b)"]) == {GREATER, READ}
+        assert found["return a + 2"] == []
+        for after in ("LIMIT = 1", "a=2,"):
+            assert set(found[after]) == {LESS, GREATER, READ, LIMIT}
+            assert found[after][-1] == LIMIT
 
 
 @pytest.mark.parametrize(
-    ("text", "verdict"),
+    ("before", "after", "verdict", "by"),
     [
-        ("def test_it(): pass", "survived"),
-        ("def test_it(): assert False", "killed"),
-        ("import nothing_of_this_name", "killed"),
-        ("def test_it():\n    while True: pass", "time"),
+        ("a < b", "a < b + 0", "survived", ""),
+        ("a < b", "a > b", "killed", LESS),
+        ("-(-b)", "a", "killed", GREATER),
+        ("return -(-b)", "while True: pass", "time", GREATER),
+        ("LIMIT = 2", "LIMIT = 3", "killed", LIMIT),
+        ("LIMIT = 2", "LIMIT = 1 / 0", "killed", "when modules are imported"),
     ],
 )
-def test_verdicts(tmp_path: Path, text: str, verdict: str) -> None:
-    (tmp_path / "test_it.py").write_text(text)
-    (tmp_path / "pytest.ini").write_text("[pytest]\n")
-    assert mutants.run_tests(tmp_path, ["test_it.py"], 2)[0] == verdict
+def test_verdicts(
+    tree: Path,
+    before: str,
+    after: str,
+    verdict: str,
+    by: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(mutants, "SPARE", 0.5)
+    module = tree / "little/least.py"
+    module.write_text(TREE["little/least.py"].replace(before, after))
+    tests = [LESS, GREATER, LIMIT]
+    assert mutants.run_tests(tree, tests, dict.fromkeys(tests, 0.0))[:2] == (verdict, by)
+
+
+def test_quickest_tests_come_first_and_others_within_the_budget() -> None:
+    seconds = {"a": 0.5, "b": 1.5, "c": 2.0, "d": 9.0}
+    assert mutants.waves([*seconds], seconds, 60) == [["a", "b"], ["c", "d"]]
+    assert mutants.waves([*seconds], seconds, 5) == [["a", "b"], ["c"]]
+    assert mutants.waves(["d"], seconds, 60) == [["d"]]
+    assert mutants.waves([], seconds, 60) == []

@@ -21,7 +21,6 @@ from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggestion
 
 Names = dict[str, object]
-_Shape = Polygon | Region
 _OPTIONS = ("direction", "reference")
 _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
@@ -106,7 +105,7 @@ class Work:
         return self.generatrices[i], self.directrices[k]
 
     def _result(
-        self, generatrix: _Shape, directrix: _Shape, **options: Any
+        self, generatrix: Polygon | Region, directrix: Polygon | Region, **options: Any
     ) -> Sweep | NoFitPolygon:
         if self.what != "nfp":
             return sweep(generatrix, directrix, **options)
@@ -135,7 +134,7 @@ class Work:
         polygons = [self._member(document, name) for name in ("generatrix", "directrix")]
         return self._result(*polygons, **options)
 
-    def _member(self, document: Mapping[str, object], name: str) -> _Shape:
+    def _member(self, document: Mapping[str, object], name: str) -> Polygon | Region:
         if name not in document:
             raise FormatError(f"$ has no {name}")
         value = document[name]
@@ -154,7 +153,7 @@ class Work:
         return {part.name: part for part in self.generatrices}
 
 
-def _polygon(part: Part, member: str) -> _Shape:
+def _polygon(part: Part, member: str) -> Polygon | Region:
     if isinstance(part.polygon, str):
         raise FormatError(f"{member}: {part.polygon}")
     return part.polygon

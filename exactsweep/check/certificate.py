@@ -22,7 +22,7 @@ from exactsweep.geometry.number import (
     limits,
     to_fraction,
 )
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1
@@ -31,9 +31,6 @@ VERSION = 1
 INPUT_DIGITS = 20_000
 DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
 
-Event = Literal["EV", "VE", "EE"]
-Kind = Literal["CC", "CM", "MM"]
-Loop = tuple[Point, ...]
 _T = TypeVar("_T")
 
 # Where in a certificate something is, to be written out only if it is wrong: a key, or a place and
@@ -50,14 +47,14 @@ class CertificateError(ExactSweepError):
 
 
 # Vertex k, or edge k, from vertex k to the next one.
-Feature = tuple[Literal["vertex", "edge"], int]
+ListedFeature = tuple[Literal["vertex", "edge"], int]
 
 # Edge (E) or vertex (V) i of the generatrix on vertex or edge j of the directrix.
-Contact = tuple[Event, int, int]
+ListedContact = tuple[Literal["EV", "VE", "EE"], int, int]
 
 # A feature of the generatrix while its reference point is on a feature of the trajectory: that of
 # the trajectory first.
-Drawing = tuple[Feature, Feature]
+ListedDrawing = tuple[ListedFeature, ListedFeature]
 
 
 class Certificate(NamedTuple):
@@ -72,10 +69,10 @@ class Certificate(NamedTuple):
     inner: Loop
     outer: Loop
     area: Fraction
-    exact_fits: tuple[tuple[Point, Point], ...]
-    contacts: tuple[tuple[Contact, ...], ...]
-    inner_drawn: tuple[tuple[Drawing, ...], ...]
-    outer_drawn: tuple[tuple[Drawing, ...], ...]
+    exact_fits: tuple[Fit, ...]
+    contacts: tuple[tuple[ListedContact, ...], ...]
+    inner_drawn: tuple[tuple[ListedDrawing, ...], ...]
+    outer_drawn: tuple[tuple[ListedDrawing, ...], ...]
 
 
 def read(certificate: Any) -> Certificate:
@@ -101,13 +98,13 @@ def read(certificate: Any) -> Certificate:
     with limits(max_digits=area_digits(certificate["inner"], certificate["outer"])):
         area = read_number(certificate["area"], "area")
 
-    def contact(item: Any, place: Place) -> Contact:
+    def contact(item: Any, place: Place) -> ListedContact:
         event, i, j = read_tuple(item, place, 3)
         if event not in ("EV", "VE", "EE"):
             raise flaw(place, "not EV, VE or EE")
         return event, _index(i, len(g), place), _index(j, len(d), place)
 
-    def drawing(item: Any, place: Place) -> Drawing:
+    def drawing(item: Any, place: Place) -> ListedDrawing:
         position, feature = read_tuple(item, place, 2)
         return _feature(position, len(t), place), _feature(feature, len(g), place)
 
@@ -204,7 +201,7 @@ def read_loop(item: Any, name: Place) -> Loop:
     return points
 
 
-def read_fit(item: Any, place: Place) -> tuple[Point, Point]:
+def read_fit(item: Any, place: Place) -> Fit:
     """Read a pair of points."""
     hanging, end = read_tuple(item, place, 2)
     return _point(hanging, (place, 0)), _point(end, (place, 1))
@@ -232,7 +229,7 @@ def _index(item: Any, length: int, place: Place) -> int:
     return item
 
 
-def _feature(item: Any, length: int, place: Place) -> Feature:
+def _feature(item: Any, length: int, place: Place) -> ListedFeature:
     kind, index = read_tuple(item, place, 2)
     if kind not in ("vertex", "edge"):
         raise flaw(place, "neither a vertex nor an edge")

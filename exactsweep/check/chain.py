@@ -16,26 +16,26 @@ Line = tuple[int, int, int]
 
 
 # An edge that is not vertical, from left to right, with its line; b of it is positive.
-Edge = tuple[Node, Node, Line]
+ChainEdge = tuple[Node, Node, Line]
 
 # A corner, by its number, with the lines of the edges before and after it.
-Corner = tuple[int, Node, Line, Line]
+ChainCorner = tuple[int, Node, Line, Line]
 
 # What bounds the region above a chain on its left side, going down, and on its right side.
 _DOWN, _UP = (1, 0, 0), (-1, 0, 0)
 
 
-class Chain:
+class LowerChain:
     """A lower chain, from left to right: a piecewise linear function, and its region above it.
 
     Two neighbouring edges that do not meet are the two sides of a jump, a vertical edge; the
     function takes the lower value there.
 
     Attributes:
-        edges: list of Edge; each begins at the x where the last one ends.
+        edges: list of ChainEdge; each begins at the x where the last one ends.
         jumps: how many vertical edges there are.
         runs: the convex corners, where the region has an angle below two right ones, as lists of
-            Corner with no concave corner between them: slopes grow all along a run.
+            ChainCorner with no concave corner between them: slopes grow all along a run.
         concave: the other corners, as tuples of vertex number, node, a side (1 right, -1 left) on
             which the chain goes on from the node without a jump, and the next node on that side.
     """
@@ -48,9 +48,9 @@ class Chain:
             if line[1]
         ]
         self.jumps = len(lines) - len(self.edges)
-        self.runs: list[list[Corner]] = []
+        self.runs: list[list[ChainCorner]] = []
         self.concave = []
-        before, run = _DOWN, list[Corner]()
+        before, run = _DOWN, list[ChainCorner]()
         for m, ((number, node), after) in enumerate(zip(corners, (*lines, _UP), strict=True)):
             if turn(before, after) > 0:
                 run.append((number, node, before, after))
@@ -93,7 +93,7 @@ def turn(one: Line, other: Line) -> int:
     return one[0] * other[1] - one[1] * other[0]
 
 
-def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[int, int]]:
+def heights(first: LowerChain, second: LowerChain, o: Node, side: int) -> Iterator[tuple[int, int]]:
     """Walk along A(u) + B(x - u) - y for a point o = (x, y), through all u with both defined.
 
     Between breakpoints this is linear in u; so its limits at breakpoints are given, from left to

@@ -18,21 +18,21 @@ from fractions import Fraction
 from itertools import chain
 from typing import Any, Literal, NamedTuple
 
-from exactsweep.check.cone import Pair, common_direction, direction_inside, dot
+from exactsweep.check.cone import common_direction, direction_inside, dot
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import cones_of, meetings, split_where_touching
-from exactsweep.check.shape import Shape, on_one_lattice, polygons_of
+from exactsweep.check.shape import LatticeShape, on_one_lattice, polygons_of
 from exactsweep.geometry.error import named
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.reading import read_point
 
-Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
+Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 
 
 class Classification(NamedTuple):
     """A verdict, and a point of both open interiors (OVERLAP) or of both boundaries (CONTACT)."""
 
-    verdict: Verdict
+    verdict: Meeting
     witness: Point | None
 
 
@@ -87,7 +87,7 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     return Classification("FREE", None)
 
 
-def _boxes_apart(one: Shape, other: Shape) -> bool:
+def _boxes_apart(one: LatticeShape, other: LatticeShape) -> bool:
     for axis in (0, 1):
         # The exterior is the first ring.
         a, b = [p[axis] for p in one[0]], [p[axis] for p in other[0]]
@@ -96,7 +96,9 @@ def _boxes_apart(one: Shape, other: Shape) -> bool:
     return False
 
 
-def _witness(point: Pair, direction: Pair, shapes: tuple[Shape, Shape], scale: int) -> Point:
+def _witness(
+    point: Vertex, direction: Vertex, shapes: tuple[LatticeShape, LatticeShape], scale: int
+) -> Point:
     """A point of both interiors: half-way to the next boundary in a direction of both cones."""
     x, y = point
     dx, dy = direction

@@ -9,13 +9,13 @@ links of a chain may hold each other by such vertices and nothing else.
 
 from __future__ import annotations
 
-from exactsweep.check.cone import Cone, Pair, common_direction, minus
+from exactsweep.check.cone import Cone, common_direction, minus
 from exactsweep.check.meeting import cones_of, split_where_touching
-from exactsweep.check.shape import Ring, Shape, edges_of
-from exactsweep.check.uncovered import Segment
+from exactsweep.check.shape import LatticeRing, LatticeShape, edges_of
+from exactsweep.geometry.point import Edge, Vertex
 
 
-def contacts_of_shapes(d: Shape, g: Shape) -> tuple[list[Segment], set[Pair]]:
+def contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
     """Translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
 
     Args:
@@ -49,7 +49,7 @@ def contacts_of_shapes(d: Shape, g: Shape) -> tuple[list[Segment], set[Pair]]:
     return segments, points
 
 
-def contacts_of_curve(curve: Ring, g: Shape) -> list[Segment]:
+def contacts_of_curve(curve: LatticeRing, g: LatticeShape) -> list[Edge]:
     """Points p at which p - G touches a closed curve with a vertex of either on an edge.
 
     Args:
@@ -78,9 +78,9 @@ def contacts_of_curve(curve: Ring, g: Shape) -> list[Segment]:
     return segments
 
 
-def _half_plane(way: Pair) -> Cone:
+def _half_plane(way: Vertex) -> Cone:
     return Cone(way, _back(way))
 
 
-def _back(way: Pair) -> Pair:
+def _back(way: Vertex) -> Vertex:
     return -way[0], -way[1]

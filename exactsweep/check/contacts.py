@@ -18,28 +18,28 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Container, Iterator, Mapping, Sequence
 
-from exactsweep.check.certificate import Contact, Feature, flaw
+from exactsweep.check.certificate import ListedContact, ListedFeature, flaw
 from exactsweep.check.chain import Line, Node, turn
 from exactsweep.check.cone import by_turn
 from exactsweep.check.cover import (
-    Extent,
+    LineInterval,
     check_covered,
     edge_extent,
     middle,
     share_a_part,
     sum_extent,
 )
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 _Normal = tuple[int, int]
 
 
 def check_contacts(
-    trajectory: Loop,
-    directrix: Loop,
-    inverse: Loop,
-    listed: Sequence[Sequence[Contact]],
-    frame: Frame,
+    trajectory: MonotoneLoop,
+    directrix: MonotoneLoop,
+    inverse: MonotoneLoop,
+    listed: Sequence[Sequence[ListedContact]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed contacts of each edge are those that draw it, and cover all of it.
 
@@ -59,13 +59,13 @@ def check_contacts(
     """
     edges = [edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
     # Edges of a simple loop on one line do not overlap.
-    rows: dict[Line, list[tuple[Extent, int]]] = defaultdict(list)
+    rows: dict[Line, list[tuple[LineInterval, int]]] = defaultdict(list)
     for k, line in enumerate(trajectory.lines):
         rows[line].append((edges[k], k))
     for row in rows.values():
         row.sort()
     expected = [set(contacts) for contacts in listed]
-    found: list[dict[Contact, Extent]] = [{} for _ in listed]
+    found: list[dict[ListedContact, LineInterval]] = [{} for _ in listed]
     for contact, line in _contacts_on_lines(directrix, inverse, rows):
         piece = _extent_of(contact, directrix, inverse, line)
         row = rows[line]
@@ -87,8 +87,8 @@ def check_contacts(
 
 
 def _contacts_on_lines(
-    directrix: Loop, inverse: Loop, lines: Container[Line]
-) -> Iterator[tuple[Contact, Line]]:
+    directrix: MonotoneLoop, inverse: MonotoneLoop, lines: Container[Line]
+) -> Iterator[tuple[ListedContact, Line]]:
     """Find all contacts on some lines."""
     normals = dict.fromkeys(line[:2] for loop in (directrix, inverse) for line in loop.lines)
     ranks = {normal: k for k, normal in enumerate(sorted(normals, key=by_turn))}
@@ -107,7 +107,9 @@ def _contacts_on_lines(
                 yield ("EE", i, j), line
 
 
-def _facing(edges: Loop, corners: Loop, ranks: Mapping[_Normal, int]) -> Iterator[tuple[int, int]]:
+def _facing(
+    edges: MonotoneLoop, corners: MonotoneLoop, ranks: Mapping[_Normal, int]
+) -> Iterator[tuple[int, int]]:
     """Pairs of an edge and a convex corner, the edge's direction between those of the two there.
 
     Ranks are those of all directions, counter-clockwise.
@@ -130,15 +132,17 @@ def _moved(line: Line, by: Node) -> Line:
     return a, b, c - a * x - b * y
 
 
-def _extent_of(contact: Contact, directrix: Loop, inverse: Loop, line: Line) -> Extent:
+def _extent_of(
+    contact: ListedContact, directrix: MonotoneLoop, inverse: MonotoneLoop, line: Line
+) -> LineInterval:
     event, i, j = contact
-    of_g: Feature = ("edge" if event[0] == "E" else "vertex", i)
-    of_d: Feature = ("edge" if event[1] == "E" else "vertex", j)
+    of_g: ListedFeature = ("edge" if event[0] == "E" else "vertex", i)
+    of_d: ListedFeature = ("edge" if event[1] == "E" else "vertex", j)
     extent = sum_extent(directrix, of_d, inverse, of_g, line)
     assert extent is not None  # its line is how it was found
     return extent
 
 
-def _name(contact: Contact) -> str:
+def _name(contact: ListedContact) -> str:
     event, i, j = contact
     return f"{event} ({i}, {j})"

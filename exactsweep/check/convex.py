@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.check.cone import Cone, Pair, cross, dot, minus
+from exactsweep.check.cone import Cone, cross, dot, minus
 from exactsweep.check.meeting import cones_of, split_where_touching
-from exactsweep.check.shape import Ring, Shape, edges_of
+from exactsweep.check.shape import LatticeRing, LatticeShape, edges_of
+from exactsweep.geometry.point import Vertex
 
 
-def convex_pieces(shape: Shape) -> list[Ring]:
+def convex_pieces(shape: LatticeShape) -> list[LatticeRing]:
     """Cut a shape into convex pieces without new vertices.
 
     Args:
@@ -41,7 +42,7 @@ def convex_pieces(shape: Shape) -> list[Ring]:
     return _faces(cones)
 
 
-def convex_sum(first: Sequence[Pair], second: Sequence[Pair]) -> Ring:
+def convex_sum(first: Sequence[Vertex], second: Sequence[Vertex]) -> LatticeRing:
     """Add two convex rings, counter-clockwise, by merging their edges by direction.
 
     A ring of two vertices is a segment.
@@ -66,7 +67,7 @@ def convex_sum(first: Sequence[Pair], second: Sequence[Pair]) -> Ring:
     return tuple(found[:-1])
 
 
-def _faces(cones: dict[Pair, list[Cone]]) -> list[Ring]:
+def _faces(cones: dict[Vertex, list[Cone]]) -> list[LatticeRing]:
     """Walk around the faces: the end of an edge is the cone that ends in the way back."""
     ending = {(p, cone.end): cone for p, found in cones.items() for cone in found}
     faces = []
@@ -85,7 +86,7 @@ def _faces(cones: dict[Pair, list[Cone]]) -> list[Ring]:
     return faces
 
 
-def _from_lowest(ring: Sequence[Pair]) -> Ring:
+def _from_lowest(ring: Sequence[Vertex]) -> LatticeRing:
     k = min(range(len(ring)), key=lambda i: (ring[i][1], ring[i][0]))
     return (*ring[k:], *ring[:k])
 
@@ -94,18 +95,18 @@ def _is_wide(cone: Cone) -> bool:
     return cross(cone.start, cone.end) < 0
 
 
-def _halves(cone: Cone, way: Pair) -> list[Cone]:
+def _halves(cone: Cone, way: Vertex) -> list[Cone]:
     return [Cone(cone.start, way), Cone(way, cone.end)]
 
 
-def _split(cones: list[Cone], way: Pair) -> None:
+def _split(cones: list[Cone], way: Vertex) -> None:
     k = next(k for k, cone in enumerate(cones) if cone.surrounds(way))
     cones[k : k + 1] = _halves(cones[k], way)
 
 
 def _best_diagonal(
-    p: Pair, wide: Cone, cones: dict[Pair, list[Cone]], walls: Sequence[tuple[Pair, Pair]]
-) -> Pair:
+    p: Vertex, wide: Cone, cones: dict[Vertex, list[Cone]], walls: Sequence[tuple[Vertex, Vertex]]
+) -> Vertex:
     """The end of a diagonal into a wide angle: best if it leaves none wide, here and there."""
     ranked = []
     for q, there in cones.items():
@@ -120,7 +121,7 @@ def _best_diagonal(
     return next(q for _, _, q in sorted(ranked) if not _is_blocked(p, q, walls))
 
 
-def _is_blocked(p: Pair, q: Pair, walls: Sequence[tuple[Pair, Pair]]) -> bool:
+def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[tuple[Vertex, Vertex]]) -> bool:
     """Whether a wall that does not end in p or q meets the segment between them.
 
     A wall along the segment does not count, as at its end there is another one that does not.

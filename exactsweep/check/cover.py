@@ -9,22 +9,22 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from exactsweep.check.certificate import Drawing, Feature, Place, flaw
+from exactsweep.check.certificate import ListedDrawing, ListedFeature, Place, flaw
 from exactsweep.check.chain import Line, Node
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import Rational
 
 # A segment on a known line, by its least and greatest x, or y if the line is vertical; ints where
 # they are ints, for Fractions take ten times as long.
-Extent = tuple[Rational, Rational]
+LineInterval = tuple[Rational, Rational]
 
 
-def share_a_part(one: Extent, other: Extent) -> bool:
+def share_a_part(one: LineInterval, other: LineInterval) -> bool:
     """Whether two segments on a line have a part of positive length in common."""
     return max(one[0], other[0]) < min(one[1], other[1])
 
 
-def edge_extent(loop: Loop, k: int) -> Extent:
+def edge_extent(loop: MonotoneLoop, k: int) -> LineInterval:
     """The extent of an edge on its own line."""
     axis = 0 if loop.lines[k][1] else 1
     one, other = (_ratio(node[axis], node[2]) for node in _ends(loop, ("edge", k)))
@@ -32,8 +32,12 @@ def edge_extent(loop: Loop, k: int) -> Extent:
 
 
 def sum_extent(
-    first: Loop, feature: Feature, second: Loop, other: Feature, line: Line
-) -> Extent | None:
+    first: MonotoneLoop,
+    feature: ListedFeature,
+    second: MonotoneLoop,
+    other: ListedFeature,
+    line: Line,
+) -> LineInterval | None:
     """The extent on a line of the sum of two features, or None if it is not all on the line.
 
     The nodes of the second loop are on the lattice.
@@ -49,7 +53,7 @@ def sum_extent(
     return min(along), max(along)
 
 
-def middle(extent: Extent, line: Line) -> Node:
+def middle(extent: LineInterval, line: Line) -> Node:
     """The point of a line half-way along an extent."""
     a, b, c = line
     along = Fraction(extent[0] + extent[1], 2)
@@ -58,7 +62,7 @@ def middle(extent: Extent, line: Line) -> Node:
 
 
 def check_covered(
-    place: Place, edge: Extent, pieces: Collection[Extent], line: Line, frame: Frame
+    place: Place, edge: LineInterval, pieces: Collection[LineInterval], line: Line, frame: NodeFrame
 ) -> None:
     """Raise CertificateError if pieces of a line leave a gap on an edge."""
     reach, end = edge
@@ -75,11 +79,11 @@ def check_covered(
 
 def check_drawings(
     name: str,
-    loop: Loop,
-    trajectory: Loop,
-    generatrix: Loop,
-    listed: Sequence[Sequence[Drawing]],
-    frame: Frame,
+    loop: MonotoneLoop,
+    trajectory: MonotoneLoop,
+    generatrix: MonotoneLoop,
+    listed: Sequence[Sequence[ListedDrawing]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed features of G, at their positions, draw each edge, all of it.
 
@@ -110,7 +114,7 @@ def check_drawings(
         check_covered((name, k), edge, pieces, line, frame)
 
 
-def _ends(loop: Loop, feature: Feature) -> list[Node]:
+def _ends(loop: MonotoneLoop, feature: ListedFeature) -> list[Node]:
     kind, k = feature
     if kind == "vertex":
         return [loop.nodes[k]]
@@ -118,7 +122,7 @@ def _ends(loop: Loop, feature: Feature) -> list[Node]:
     return [loop.nodes[k], loop.nodes[k + 1 - len(loop.nodes)]]
 
 
-def _name(drawing: Drawing) -> str:
+def _name(drawing: ListedDrawing) -> str:
     (where, k), (what, i) = drawing
     return f"generatrix {what} {i} at trajectory {where} {k}"
 

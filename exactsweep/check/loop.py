@@ -7,12 +7,12 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Chain, Line, Node, heights, turn
+from exactsweep.check.chain import Line, LowerChain, Node, heights, turn
 from exactsweep.geometry.number import ratios
 from exactsweep.geometry.point import ORIGIN, Point
 
 
-class Frame:
+class NodeFrame:
     """The integer map [u; u_perp], and back. Scale: units of the lattice in one unit of length."""
 
     def __init__(self, direction: tuple[int, int], scale: int) -> None:
@@ -48,7 +48,7 @@ class Frame:
         return Point(Fraction(self._p * x - self._q * y, w), Fraction(self._q * x + self._p * y, w))
 
 
-class Loop:
+class MonotoneLoop:
     """A simple polygon, weakly monotone to x.
 
     Attributes:
@@ -58,7 +58,7 @@ class Loop:
             makes it a lower chain, too. Of the polygon turned so, the halves change places.
     """
 
-    def __init__(self, nodes: list[Node], name: str, frame: Frame) -> None:
+    def __init__(self, nodes: list[Node], name: str, frame: NodeFrame) -> None:
         """Raise CertificateError if the nodes are not those of a canonical loop, monotone to x.
 
         Cost: O(n).
@@ -104,14 +104,14 @@ class Loop:
             terms = [(a * d + c * b, b * d) for (a, b), (c, d) in pairs] + odd
         return terms[0]
 
-    def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> Chain:
+    def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> LowerChain:
         """The chain from node `start` to the end of the last edge that does not go back."""
         n = len(nodes)
         last = (end - start) % n
         while lines[(start + last - 1) % n][1] == 0:
             last -= 1
         numbers = [(start + k) % n for k in range(last + 1)]
-        return Chain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
+        return LowerChain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
 
 
 def line_through(p: Node, q: Node) -> Line:
@@ -122,7 +122,7 @@ def line_through(p: Node, q: Node) -> Line:
     return a // common, b // common, c // common
 
 
-def _is_below(lower: Chain, turned_upper: Chain) -> bool:
+def _is_below(lower: LowerChain, turned_upper: LowerChain) -> bool:
     """Whether a lower chain is below an upper one, except for a common first and last point."""
     # Without jumps the limits from both sides are the same.
     for side in (-1, 1) if lower.jumps or turned_upper.jumps else (1,):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactsweep.check.cone import Pair, dot, minus
-from exactsweep.check.shape import Ring, edges_of
+from exactsweep.check.cone import dot, minus
+from exactsweep.check.shape import LatticeRing, edges_of
+from exactsweep.geometry.point import Vertex
 
 
-def has_shared_direction(rings: Sequence[Ring]) -> bool:
+def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:
     """Decide whether some direction is one to which all rings are weakly monotone.
 
     These directions are closed angles, which end in directions square to edges; so it is enough to
@@ -21,7 +22,7 @@ def has_shared_direction(rings: Sequence[Ring]) -> bool:
     return any(all(_turns(ways, u) == 2 for ways in edges) for u in square)
 
 
-def _turns(ways: Iterable[Pair], u: Pair) -> int:
+def _turns(ways: Iterable[Vertex], u: Vertex) -> int:
     """How often a ring turns back in a direction; edges square to it do not count."""
     signs = [along > 0 for way in ways if (along := dot(way, u))]
     return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))

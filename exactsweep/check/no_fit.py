@@ -32,42 +32,38 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from exactsweep.check.arrangement import Boundary, Loop, assemble, canonical
-from exactsweep.check.cone import Pair
+from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonical
 from exactsweep.check.contact_segments import contacts_of_curve, contacts_of_shapes
 from exactsweep.check.convex import convex_pieces, convex_sum
 from exactsweep.check.location import locate
-from exactsweep.check.shape import Ring, Shape, on_integers, polygons_of, to_points
+from exactsweep.check.shape import LatticeRing, LatticeShape, on_integers, polygons_of, to_points
 from exactsweep.check.uncovered import OpenSets
 from exactsweep.geometry.canonical import doubled_area
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
-
-Vertices = tuple[Point, ...]
-Fit = tuple[Point, Point]
 
 
 class ReferenceNoFit(NamedTuple):
     """Loops as tuples of Point in canonical order, sorted, and exact fits, sorted."""
 
-    exterior: Vertices
-    holes: tuple[Vertices, ...]
+    exterior: Loop
+    holes: tuple[Loop, ...]
     exact_fits: tuple[Fit, ...]
 
 
 class ReferenceInnerFit(NamedTuple):
     """Regions, each an exterior and its holes, sorted, and exact fits, sorted."""
 
-    regions: tuple[tuple[Vertices, tuple[Vertices, ...]], ...]
+    regions: tuple[tuple[Loop, tuple[Loop, ...]], ...]
     exact_fits: tuple[Fit, ...]
 
 
 class ReferenceSwept(NamedTuple):
     """The outer loop of the area swept, the loop around D, and further holes, sorted."""
 
-    outer: Vertices
-    inner: Vertices
-    unswept: tuple[Vertices, ...]
+    outer: Loop
+    inner: Loop
+    unswept: tuple[Loop, ...]
 
 
 def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
@@ -170,7 +166,9 @@ def reference_swept(
     return ReferenceSwept(_vertices(outer, scale), _vertices(inner, scale), tuple(unswept))
 
 
-def boundary_of_overlap(pieces: Sequence[Ring], boundary: Shape, g: Shape) -> Boundary:
+def boundary_of_overlap(
+    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape
+) -> Boundary:
     """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
 
     Args:
@@ -186,7 +184,7 @@ def boundary_of_overlap(pieces: Sequence[Ring], boundary: Shape, g: Shape) -> Bo
     return assemble(left, single, sets)
 
 
-def _vertices(loop: Loop, scale: int) -> Vertices:
+def _vertices(loop: WalkedLoop, scale: int) -> Loop:
     return to_points(canonical(loop.points), scale)
 
 
@@ -195,13 +193,11 @@ def _fits(found: Boundary, scale: int) -> tuple[Fit, ...]:
     return tuple(sorted((hanging, end) for hanging, end in pairs))
 
 
-def _regions(
-    loops: Sequence[Loop], scale: int
-) -> tuple[tuple[Vertices, tuple[Vertices, ...]], ...]:
+def _regions(loops: Sequence[WalkedLoop], scale: int) -> tuple[tuple[Loop, tuple[Loop, ...]], ...]:
     """Give each hole of a region to the least exterior around it."""
     exteriors = [loop for loop in loops if loop.is_hole]
     exteriors.sort(key=lambda loop: doubled_area(loop.points))
-    holes: list[list[Vertices]] = [[] for _ in exteriors]
+    holes: list[list[Loop]] = [[] for _ in exteriors]
     for loop in loops:
         if not loop.is_hole:
             around = (k for k, e in enumerate(exteriors) if locate(loop.beside, e.points) > 0)
@@ -210,7 +206,7 @@ def _regions(
     return tuple(sorted((_vertices(e, scale), tuple(sorted(inside))) for e, inside in found))
 
 
-def _box_around(c: Ring, g: Ring) -> Ring:
+def _box_around(c: LatticeRing, g: LatticeRing) -> LatticeRing:
     """A box so large that G + t, touching C, is inside it."""
     lows, highs = [], []
     for axis in (0, 1):
@@ -221,7 +217,7 @@ def _box_around(c: Ring, g: Ring) -> Ring:
     return (lows[0], lows[1]), (highs[0], lows[1]), (highs[0], highs[1]), (lows[0], highs[1])
 
 
-def _point_inside(piece: Ring) -> Pair:
+def _point_inside(piece: LatticeRing) -> Vertex:
     """The centre of a triangle of a convex piece."""
     xs, ys = zip(*piece[:3], strict=True)
     return Fraction(sum(xs)) / 3, Fraction(sum(ys)) / 3

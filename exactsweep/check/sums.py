@@ -35,12 +35,17 @@ from collections.abc import Iterator
 from itertools import islice
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Chain, Corner, Line, Node, heights, turn
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.chain import ChainCorner, Line, LowerChain, Node, heights, turn
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
 def check_sum_within(
-    loop: Loop, first: Loop, second: Loop, frame: Frame, outside: str, inside: str
+    loop: MonotoneLoop,
+    first: MonotoneLoop,
+    second: MonotoneLoop,
+    frame: NodeFrame,
+    outside: str,
+    inside: str,
 ) -> None:
     """Check that A + B is in the region of a loop, by the lemma.
 
@@ -65,7 +70,7 @@ def check_sum_within(
             raise CertificateError(reason.format(*numbers), frame.leave((sign * x, sign * y, w)))
 
 
-def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
+def steps_within(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -> int:
     """Count the steps of `check_sum_within`.
 
     For (a) each run of convex corners of A is walked along with each of B; for (b), at each concave
@@ -81,7 +86,9 @@ def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
     return steps
 
 
-def corners_with_common_slopes(first: Chain, second: Chain) -> Iterator[tuple[Corner, Corner]]:
+def corners_with_common_slopes(
+    first: LowerChain, second: LowerChain
+) -> Iterator[tuple[ChainCorner, ChainCorner]]:
     """Pairs of corners, one of each chain, that have more than one slope in common.
 
     Along two runs slopes grow: what a corner is too steep for, the later ones are, too.
@@ -107,7 +114,7 @@ def _is_below(one: Line, other: Line) -> bool:
 _Found = tuple[Node, tuple[int, ...]]
 
 
-def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     pairs = corners_with_common_slopes(first, second)
     for (k, (x, y, w), _, _), (m, (dx, dy, _), _, _) in pairs:
         node = x + dx * w, y + dy * w, w
@@ -116,7 +123,7 @@ def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
     return None
 
 
-def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     for k, corner, side, beside in chain.concave:
         if _passes_below(first, second, corner, side):
             # Below in the limit may mean touching at the corner itself, but not all along.
@@ -127,7 +134,7 @@ def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
     return None
 
 
-def _passes_below(first: Chain, second: Chain, node: Node, side: int) -> bool:
+def _passes_below(first: LowerChain, second: LowerChain, node: Node, side: int) -> bool:
     return any(height < 0 for height, _ in heights(first, second, node, side))
 
 

@@ -38,10 +38,10 @@ from exactsweep.check.complete import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import exact_fits
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, common_scale
 from exactsweep.check.sums import check_sum_within, steps_within
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8
@@ -94,7 +94,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = Frame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
         "generatrix": frame.enter(c.generatrix, ORIGIN),
         "directrix": frame.enter(c.directrix, ORIGIN),
@@ -103,8 +103,10 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "outer": frame.enter(c.outer, ORIGIN),
     }
     check_size(placed.values(), len(c.generatrix) * len(c.directrix), max_steps)
-    g, d, trajectory, inner, outer = (Loop(nodes, name, frame) for name, nodes in placed.items())
-    inverse = Loop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
+    g, d, trajectory, inner, outer = (
+        MonotoneLoop(nodes, name, frame) for name, nodes in placed.items()
+    )
+    inverse = MonotoneLoop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
     check_size(placed.values(), sum(steps_within(*loops) for loops in sums), max_steps)
 
@@ -136,7 +138,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
     _check_area(c.area, outer, inner, frame)
 
 
-def _check_fits(found: list[tuple[Point, Point]], c: Certificate) -> None:
+def _check_fits(found: list[Fit], c: Certificate) -> None:
     x0, y0 = c.reference
     listed = [
         (Point(ax - x0, ay - y0), Point(bx - x0, by - y0)) for (ax, ay), (bx, by) in c.exact_fits
@@ -152,7 +154,7 @@ def _check_fits(found: list[tuple[Point, Point]], c: Certificate) -> None:
         raise CertificateError("exact_fits: not sorted, or one is listed twice")
 
 
-def _check_area(area: Fraction, outer: Loop, inner: Loop, frame: Frame) -> None:
+def _check_area(area: Fraction, outer: MonotoneLoop, inner: MonotoneLoop, frame: NodeFrame) -> None:
     # Denominators of many crossings have hardly a common factor: reducing would only cost time.
     (n_out, d_out), (n_in, d_in) = outer.doubled_area(), inner.doubled_area()
     doubled, unit = n_out * d_in - n_in * d_out, 2 * frame.unit_area * d_out * d_in

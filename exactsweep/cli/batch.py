@@ -11,7 +11,7 @@ import click
 
 from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import write
-from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
 from exactsweep.formats import file_name
 from exactsweep.geometry.number import quoted
@@ -91,7 +91,7 @@ def batch_command(
     rotations: list[int] | None,
     restart: bool,
     rounding: Rounding | None,
-    reading: Reading,
+    reading: ReadingOptions,
     output: str,
 ) -> None:
     """Sweep very many pairs.
@@ -167,7 +167,7 @@ def _job(
     what: str,
     rounding: Rounding | None,
     rotations: list[int] | None,
-    reading: Reading,
+    reading: ReadingOptions,
 ) -> Job:
     from exactsweep.batch import all_pairs, pairs_of
     from exactsweep.batch.parts import rotate_parts
@@ -182,7 +182,7 @@ def _job(
     return all_pairs(turned, second, what, rounding)
 
 
-def _parts(path: str, reading: Reading) -> Sequence[Part]:
+def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
     """Read the parts of files, and say what is left out."""
     from exactsweep.batch.parts import make_parts
 

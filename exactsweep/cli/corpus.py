@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import chain, islice
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
@@ -16,12 +16,10 @@ from exactsweep.cli.complete import (
     list_themes,
     offer,
 )
-from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.output import Command, takes_output, write
 
 if TYPE_CHECKING:
     from exactsweep.corpus import Case
-
-_Command = TypeVar("_Command", bound=Callable[..., None])
 
 
 @click.group("corpus")
@@ -29,7 +27,7 @@ def corpus_command() -> None:
     """List, show, export or generate test cases."""
 
 
-def _takes_filters(command: _Command) -> _Command:
+def _takes_filters(command: Command) -> Command:
     for option in (
         click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
         click.option(

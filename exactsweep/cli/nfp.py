@@ -9,6 +9,7 @@ from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
+from exactsweep.text.report import approximation, laid_out, no_fit_report
 from exactsweep.text.results import no_fit_to_json, no_fit_to_regions, no_fit_to_wkt
 
 
@@ -39,7 +40,7 @@ def nfp_command(
             to_wkt=no_fit_to_wkt,
             to_regions=no_fit_to_regions,
             side_of=_side,
-            report=_report,
+            report=no_fit_report,
         )
         return
     names = [(str(d.name), str(g.name)) for d, g in pairs]
@@ -69,8 +70,6 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
     """A line for each pair."""
     from rich.table import Table
 
-    from exactsweep.text.report import approximation, laid_out
-
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     for head in ("stationary", "orbiting", "class"):
         table.add_column(head)
@@ -85,10 +84,3 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
 
 def _side(region: NamedRegion) -> Side:
     return "outward"
-
-
-def _report(result: NoFitPolygon, width: int | None, everything: bool) -> str:
-    # rich takes longer to import than all the rest.
-    from exactsweep.text.report import no_fit_report
-
-    return no_fit_report(result, width, everything=everything)

@@ -12,10 +12,10 @@ import click
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, file_name
 
-_Command = TypeVar("_Command", bound=Callable[..., None])
+Command = TypeVar("Command", bound=Callable[..., None])
 
 
-def takes_output(command: _Command) -> _Command:
+def takes_output(command: Command) -> Command:
     """Give a command the option -o FILE, as `output`; "-" if left out."""
     option = click.option(
         "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."

@@ -24,7 +24,7 @@ DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 PATH = click.Path(allow_dash=True, readable=False)
 
 
-Reading = dict[str, Any]
+ReadingOptions = dict[str, Any]
 """The arguments "tolerance", "nested", "join" and "unit" of what reads files."""
 
 
@@ -62,7 +62,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         directrix: str | None,
         direction: Vector | None,
         reference: Point,
-        reading: Reading,
+        reading: ReadingOptions,
         **options: Any,
     ) -> None:
         if generatrix is not None and directrix is None:
@@ -138,7 +138,7 @@ def takes_shapes(
         )
         @takes_reading
         @wraps(command)
-        def with_shapes(stays: str, moves: str, reading: Reading, **options: Any) -> None:
+        def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
             read = _read_each if several else _read
             command(*read(stays, moves, reading), **options)
 
@@ -153,14 +153,14 @@ def _require_one_input(first: str, second: str) -> None:
 
 
 def _read_each(
-    first: str, second: str, reading: Reading
+    first: str, second: str, reading: ReadingOptions
 ) -> tuple[list[NamedRegion], list[NamedRegion]]:
     _require_one_input(first, second)
     one, other = (read_named([path], reading) for path in (first, second))
     return one, other
 
 
-def _read(first: str, second: str, reading: Reading) -> tuple[Region, Region]:
+def _read(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
     _require_one_input(first, second)
     one, other = (read_region(path, **reading) for path in (first, second))
     return one, other

@@ -117,7 +117,7 @@ def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
         "--accept",
         metavar="VERDICT",
         shell_complete=offer(list_verdicts),
-        default="equivalent but for exact fits",
+        default="equivalent except for exact fits",
         callback=_known_verdict,
         help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
         "for exact fits', as exact fits are reported apart; with --accept equivalent they count.",

@@ -96,7 +96,7 @@ def write_result(
     to_wkt: Callable[[_Result], str],
     to_regions: Callable[[_Result], list[NamedRegion]],
     side_of: Callable[[NamedRegion], Side],
-    report: Callable[[_Result, int | None, bool], str],
+    report: Callable[..., str],
 ) -> None:
     """Write a result in a form of `takes_form`."""
     if form.kind == "to":
@@ -115,5 +115,5 @@ def write_result(
             raise FormatError(f"{error}; use --json, or --round") from None
     else:
         terminal = terminal_size(form.output)
-        text = report(result, terminal and terminal.columns, form.everything)
+        text = report(result, terminal and terminal.columns, everything=form.everything)
     write(text, form.output)

@@ -12,13 +12,13 @@ from typing import Literal, get_args
 from exactsweep.corpus.facts import facts
 from exactsweep.corpus.representable import types_holding
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.lower_sweep import Kind
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
-Kind = Literal["CC", "CM", "MM", "SS"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 Shapes = Literal["convex", "monotone", "simple", "any"]
 SHAPES: tuple[Shapes, ...] = get_args(Shapes)
@@ -29,8 +29,6 @@ _SHAPES_OF: dict[Kind, Shapes] = {
     "MM": "monotone",
     "SS": "simple",
 }
-Ring = tuple[Point, ...]
-Fit = tuple[Point, Point]
 Given = Polygon | Region | Iterable[Iterable[object]]
 
 
@@ -68,8 +66,8 @@ class Case:
 
     id: str
     title: str
-    directrix_ring: Ring
-    generatrix_ring: Ring
+    directrix_ring: Loop
+    generatrix_ring: Loop
     reference: Point
     kind: Kind
     flags: tuple[str, ...]
@@ -78,8 +76,8 @@ class Case:
     outer: Polygon
     exact_fits: tuple[Fit, ...]
     area: Fraction
-    directrix_holes: tuple[Ring, ...] = ()
-    generatrix_holes: tuple[Ring, ...] = ()
+    directrix_holes: tuple[Loop, ...] = ()
+    generatrix_holes: tuple[Loop, ...] = ()
     holes: tuple[Polygon, ...] = ()
     unswept: tuple[Polygon, ...] = ()
     inner_regions: tuple[Region, ...] | None = None
@@ -162,12 +160,12 @@ class Case:
         )
 
     @property
-    def directrix_rings(self) -> tuple[Ring, ...]:
+    def directrix_rings(self) -> tuple[Loop, ...]:
         """The exterior and the holes of D as given."""
         return (self.directrix_ring, *self.directrix_holes)
 
     @property
-    def generatrix_rings(self) -> tuple[Ring, ...]:
+    def generatrix_rings(self) -> tuple[Loop, ...]:
         """The exterior and the holes of G as given."""
         return (self.generatrix_ring, *self.generatrix_holes)
 
@@ -238,14 +236,14 @@ class Case:
                 yield from point
 
 
-def given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Ring, ...]:
+def given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
     """Read the exterior and the holes of a shape, each as it is given; see `given_ring`."""
     if isinstance(shape, Region):
         return shape.rings
     return (given_ring(shape), *map(given_ring, holes))
 
 
-def given_ring(vertices: Given) -> Ring:
+def given_ring(vertices: Given) -> Loop:
     """Read vertices as they are given, except for a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
@@ -257,6 +255,6 @@ def given_ring(vertices: Given) -> Ring:
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
 
 
-def _shape(rings: tuple[Ring, ...]) -> Polygon | Region:
+def _shape(rings: tuple[Loop, ...]) -> Polygon | Region:
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

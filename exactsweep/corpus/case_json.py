@@ -12,11 +12,11 @@ from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import described, read_number, read_point, read_vertices
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import format_fraction, quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-Loop = tuple[tuple[Point, ...], Polygon]
+GivenRing = tuple[Loop, Polygon]
 
 
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -159,7 +159,7 @@ def _regions(value: object, path: str) -> tuple[Region, ...]:
     return tuple(regions)
 
 
-def _fits(value: object, path: str) -> tuple[tuple[Point, Point], ...]:
+def _fits(value: object, path: str) -> tuple[Fit, ...]:
     fits = []
     for k, fit in enumerate(_list(value, "exact_fits", path)):
         ends = read_vertices(fit, f"{path}.exact_fits[{k}]")
@@ -233,16 +233,16 @@ def _text(value: object, path: str) -> str:
     return value
 
 
-def _ring(value: object, name: str, path: str) -> Loop:
+def _ring(value: object, name: str, path: str) -> GivenRing:
     return _loop(_member(value, name, path), f"{path}.{name}")
 
 
-def _rings(value: object, name: str, path: str) -> tuple[Loop, ...]:
+def _rings(value: object, name: str, path: str) -> tuple[GivenRing, ...]:
     found = enumerate(_list(value, name, path))
     return tuple(_loop(ring, f"{path}.{name}[{k}]") for k, ring in found)
 
 
-def _loop(value: object, path: str) -> Loop:
+def _loop(value: object, path: str) -> GivenRing:
     """Read a ring as it is given, and as a Polygon."""
     points = read_vertices(value, path)
     try:

@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 from textwrap import fill
 
-from exactsweep.corpus.case import Case, Fit
+from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import known
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import case_ids, find_case, notes
 from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.region import Region
 from exactsweep.words import CLASSES
 

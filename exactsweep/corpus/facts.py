@@ -7,14 +7,11 @@ from math import lcm
 
 from exactsweep.check import classify
 from exactsweep.corpus.representable import INTEGER_BITS, in_range, types_holding
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.point import Fit, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.sweep import InnerFit, Sweep
-
-Ring = Sequence[Point]
-Rings = Sequence[Ring]
-Vector = tuple[int, int]
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
@@ -23,7 +20,7 @@ MANY = 256
 
 
 def facts(
-    directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None = None
+    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None = None
 ) -> set[str]:
     """Find the flags of a pair that can be seen.
 
@@ -53,20 +50,20 @@ def facts(
     }
 
 
-def is_clockwise(ring: Ring) -> bool:
+def is_clockwise(ring: Sequence[Point]) -> bool:
     """Whether a ring runs clockwise."""
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
-def _repeated(rings: Rings) -> bool:
+def _repeated(rings: PointRings) -> bool:
     return any(p == q for ring in rings for p, q in _edges(ring))
 
 
-def _collinear(rings: Rings) -> bool:
+def _collinear(rings: PointRings) -> bool:
     return any(len(Polygon(ring)) < sum(p != q for p, q in _edges(ring)) for ring in rings)
 
 
-_SPELLING: dict[str, Callable[[Rings], bool]] = {
+_SPELLING: dict[str, Callable[[PointRings], bool]] = {
     "clockwise": lambda rings: is_clockwise(rings[0]),
     "repeated-vertex": _repeated,
     "collinear-vertex": _collinear,
@@ -87,7 +84,7 @@ def _at_origin(shape: Polygon | Region) -> Polygon | Region:
     return shape.translated((-x, -y))
 
 
-def _is_point(fit: tuple[Point, Point]) -> bool:
+def _is_point(fit: Fit) -> bool:
     return fit[0] == fit[1]
 
 
@@ -122,7 +119,9 @@ _INSIDE: dict[str, Callable[[InnerFit], bool]] = {
 }
 
 
-def _sizes(directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None) -> Iterator[str]:
+def _sizes(
+    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None
+) -> Iterator[str]:
     rings = [*directrix, *generatrix, [s.reference]]
     given = [c for ring in rings for point in ring for c in point]
     scale = lcm(*(c.denominator for c in given))
@@ -187,7 +186,7 @@ def _slopes(s: Sweep) -> Iterator[str]:
         yield "near-parallel"
 
 
-def _directions(rings: Rings) -> set[Vector]:
+def _directions(rings: PointRings) -> set[Vector]:
     """The primitive vectors along the edges, in the right half plane."""
     found = set()
     for p, q in chain.from_iterable(map(_edges, rings)):
@@ -212,5 +211,5 @@ def _all_edges(s: Sweep) -> Iterator[tuple[Point, Point]]:
     return chain.from_iterable(map(_edges, (*s.directrix.rings, *s.generatrix.rings)))
 
 
-def _edges(ring: Ring) -> Iterator[tuple[Point, Point]]:
+def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:
     yield from zip(ring, [*ring[1:], ring[0]], strict=True)

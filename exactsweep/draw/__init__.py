@@ -22,7 +22,7 @@ from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
 from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save, save_svg
 from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import Stretch, stretches
+from exactsweep.draw.stretches import ContactStretch, stretches
 from exactsweep.draw.sweeps import (
     draw_contacts,
     draw_exact_fits,
@@ -39,10 +39,10 @@ from exactsweep.draw.sweeps import (
 __all__ = [
     "SUFFIXES",
     "AxisScale",
+    "ContactStretch",
     "DrawError",
     "Picture",
     "Scale",
-    "Stretch",
     "draw_chains",
     "draw_contacts",
     "draw_exact_fits",

@@ -27,8 +27,8 @@ from exactsweep.geometry.region import Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
+    from exactsweep.geometry.point import Fit
 
 
 class Positions(NamedTuple):
@@ -53,11 +53,11 @@ class Positions(NamedTuple):
     exact_fits: tuple[Fit, ...]
 
     @classmethod
-    def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
+    def of(cls, found: NoFitPositions | InnerFitPositions) -> Positions:
         """Gather what is drawn."""
-        from exactsweep.evidence.no_fit import InnerFit
+        from exactsweep.evidence.no_fit import InnerFitPositions
 
-        if isinstance(found, InnerFit):
+        if isinstance(found, InnerFitPositions):
             shapes = found.container, found.part, found.reference
             called = "container D", "part G", "free positions"
             return cls(*shapes, called, None, found.regions, found.exact_fits)
@@ -88,7 +88,7 @@ class Positions(NamedTuple):
 
 
 def plot_no_fit(
-    n: NoFitPolygon,
+    n: NoFitPositions,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
@@ -123,7 +123,7 @@ def plot_no_fit(
 
 
 def plot_inner_fit(
-    f: InnerFit,
+    f: InnerFitPositions,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,

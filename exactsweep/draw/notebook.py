@@ -15,9 +15,9 @@ from exactsweep.geometry.point import Point
 from exactsweep.words import CLASSES, pair, size
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
     from exactsweep.evidence.swept import Swept
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.geometry.point import Fit
 
 
 def sweep_svg(s: Swept) -> str:
@@ -54,7 +54,7 @@ def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
     ]
 
 
-def positions_svg(found: NoFitPolygon | InnerFit) -> str:
+def positions_svg(found: NoFitPositions | InnerFitPositions) -> str:
     """Draw a no-fit polygon or an inner fit as an SVG image.
 
     Cost: that of all its parts, and linear in their sizes.
@@ -81,7 +81,7 @@ def positions_svg(found: NoFitPolygon | InnerFit) -> str:
     return svg([shape for shape in shapes if shape.loops], title)
 
 
-def no_fit_html(n: NoFitPolygon) -> str:
+def no_fit_html(n: NoFitPositions) -> str:
     """Show a no-fit polygon as HTML: its picture, class, and sizes."""
     rows = [
         ("class", CLASSES[n.kind]),
@@ -96,7 +96,7 @@ def no_fit_html(n: NoFitPolygon) -> str:
     return put_beside(positions_svg(n), rows)
 
 
-def inner_fit_html(f: InnerFit) -> str:
+def inner_fit_html(f: InnerFitPositions) -> str:
     """Show an inner fit as HTML: its picture and sizes."""
     rows = [
         ("reference", pair(f.reference)),

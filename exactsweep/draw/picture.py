@@ -23,8 +23,6 @@ _LEGEND_COLUMNS = 3
 # Of a picture whose axes have units of their own.
 _STRETCHED_ASPECT = 0.6
 
-Points = Iterable[Vertex]
-
 
 class Picture:
     r"""An Axes on which shapes with exact coordinates are drawn.
@@ -76,7 +74,7 @@ class Picture:
         if y_down:
             axes.yaxis.set_inverted(True)
 
-    def area(self, loop: Points, look: Look, label: str | None = None) -> None:
+    def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
         """Fill, hatch and outline a loop; things of one label are one entry of the legend."""
         if self._window is not None:
             self.shape([loop], look, label)
@@ -84,11 +82,15 @@ class Picture:
         xs, ys = self._columns(loop)
         self.axes.fill(xs, ys, label=self._once(label), **look.as_area)
 
-    def ring(self, outer: Points, inner: Points, look: Look, label: str | None = None) -> None:
+    def ring(
+        self, outer: Iterable[Vertex], inner: Iterable[Vertex], look: Look, label: str | None = None
+    ) -> None:
         """Fill what lies between two loops; `inner` lies in `outer`."""
         self.shape([outer, inner], look, label)
 
-    def shape(self, rings: Iterable[Points], look: Look, label: str | None = None) -> None:
+    def shape(
+        self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
+    ) -> None:
         """Fill what lies in the first of some counter-clockwise loops and in no other."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
@@ -107,13 +109,20 @@ class Picture:
         self.axes.add_patch(PathPatch(path, label=self._once(label), **look.as_area))
 
     def line(
-        self, points: Points, look: Look, label: str | None = None, *, closed: bool = False
+        self,
+        points: Iterable[Vertex],
+        look: Look,
+        label: str | None = None,
+        *,
+        closed: bool = False,
     ) -> None:
         """Draw a chain, or a loop if it is closed."""
         chain = list(points)
         self.lines([[*chain, chain[0]] if closed else chain], look, label)
 
-    def lines(self, chains: Iterable[Points], look: Look, label: str | None = None) -> None:
+    def lines(
+        self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
+    ) -> None:
         """Draw several chains as one thing."""
         xs: list[float] = []
         ys: list[float] = []
@@ -217,7 +226,7 @@ class Picture:
         assert self._window is not None
         return Bbox([self.scale.place(corner) for corner in self._window]).expanded(of, of)
 
-    def _columns(self, points: Points) -> tuple[list[float], list[float]]:
+    def _columns(self, points: Iterable[Vertex]) -> tuple[list[float], list[float]]:
         places = self.scale.places(points)
         return [x for x, _ in places], [y for _, y in places]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
-from exactsweep.draw.features import Features, Span
+from exactsweep.draw.features import Ends, Features
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from exactsweep.evidence.swept import Swept
     from exactsweep.evidence.undercut import Undercut
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.geometry.point import Fit
 
 _MOST_SHOWN = 4
 _MANY = 60
@@ -302,17 +302,17 @@ def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> Non
     draw_spots(picture, find_spots(s, positions))
 
 
-def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Span]]:
+def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Ends]]:
     """Find where G touches D at each of some positions, by event."""
     features = Features(s)
-    spots: dict[str, list[Span]] = {}
+    spots: dict[str, list[Ends]] = {}
     for position in positions:
         for contact in s.contacts_at(position):
             spots.setdefault(contact.event, []).append(features.spot(contact, position))
     return spots
 
 
-def draw_spots(picture: Picture, spots: Mapping[str, list[Span]]) -> None:
+def draw_spots(picture: Picture, spots: Mapping[str, list[Ends]]) -> None:
     """Mark where G touches D, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:

@@ -34,8 +34,6 @@ from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep
 from exactsweep.words import vector
 
-Vertices = Polygon | Iterable[Iterable[object]]
-
 
 class Swept:
     """The sweep (G, D) of a generatrix around a directrix; made by `sweep`.

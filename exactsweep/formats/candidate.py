@@ -14,7 +14,7 @@ from exactsweep.geometry.region import Region
 from exactsweep.words import count, suggestion
 
 _SHOWN = 4
-_Shape = TypeVar("_Shape", Polygon, Region)
+_PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 _Read = TypeVar("_Read")
 
 
@@ -91,7 +91,7 @@ class Candidate(NamedTuple):
         """Read it as the Region that it is if there are holes, else as a Polygon."""
         return self.region() if self.holes() else self.polygon()
 
-    def _read(self, shape: Callable[[], _Shape]) -> _Shape:
+    def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:
             return shape()
         except PolygonError as error:

@@ -22,7 +22,7 @@ from operator import ne, sub
 
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted, to_fraction
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.words import degrees, vector
 
@@ -154,7 +154,7 @@ class Directions:
         return bisect_right(self.critical, angle_key(primitive(direction)), key=angle_key) - 1
 
 
-def primitive(direction: LatticePoint) -> Vector:
+def primitive(direction: Vertex) -> Vector:
     """Reduce a direction to coprime ints, the first one positive or both (0, 1).
 
     >>> from fractions import Fraction
@@ -274,7 +274,7 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
         )
 
 
-def _edges(ring: Sequence[LatticePoint]) -> list[LatticePoint]:
+def _edges(ring: Sequence[Vertex]) -> list[Vertex]:
     return [(ring[k][0] - ring[k - 1][0], ring[k][1] - ring[k - 1][1]) for k in range(len(ring))]
 
 

@@ -17,7 +17,7 @@ from exactsweep.paper.claim import Counterexample, Evidence
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
-Shape = Callable[[Ring], bool]
+RingTest = Callable[[Ring], bool]
 
 
 @cache
@@ -66,7 +66,9 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
-def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[SweepPair]:
+def tiny_pairs(
+    side: int, most: int, generatrix: RingTest, directrix: RingTest
+) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
     for total in range(6, most + 1):
         pairs = []
@@ -78,12 +80,16 @@ def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Ite
 
 
 @cache
-def _chosen(side: int, vertices: int, shape: Shape) -> list[Ring]:
+def _chosen(side: int, vertices: int, shape: RingTest) -> list[Ring]:
     return [ring for ring in map(list, polygons(side, vertices)) if shape(ring)]
 
 
 def search_grid(
-    side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[SweepPair], str]
+    side: int,
+    most: int,
+    generatrix: RingTest,
+    directrix: RingTest,
+    fails: Callable[[SweepPair], str],
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
 

@@ -11,7 +11,7 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region, around
+from exactsweep.geometry.region import Region, around, number_features
 from exactsweep.words import CLASSES, count, heading, pair
 
 _HALVES: dict[Half, str] = {
@@ -61,14 +61,14 @@ def tell(s: Swept) -> Iterator[str]:
     yield from teller.fits()
 
 
-class _Features:
+class _FeatureNames:
     """How the features of a polygon are called, by index."""
 
     def __init__(self, shape: Polygon | Region, letter: str) -> None:
         self.vertices: dict[int, str] = {}
         self.edges: dict[int, str] = {}
-        self.corners: dict[int, Point] = {}
-        self.ends: dict[int, set[int]] = {}
+        self.corners, ends = number_features(shape)
+        self.ends = {j: set(numbers) for j, numbers in ends.items()}
         self.reflex: set[int] = set()
         corners = shape.vertices
         for before, k, after in around(shape):
@@ -76,8 +76,6 @@ class _Features:
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
             self.vertices[i] = f"vertex {i} of {letter}, {pair((x, y))}"
             self.edges[j] = f"edge {j} of {letter}, {pair((x, y))}-{pair((qx, qy))}"
-            self.corners[i] = corners[k]
-            self.ends[j] = {i, shape.vertex_index(after)}
             # What is inside of a hole is outside of the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
@@ -88,8 +86,8 @@ class _Teller:
 
     def __init__(self, s: Swept) -> None:
         self.sweep = s
-        self.g = _Features(s.generatrix, "G")
-        self.d = _Features(s.directrix, "D")
+        self.g = _FeatureNames(s.generatrix, "G")
+        self.d = _FeatureNames(s.directrix, "D")
 
     def opening(self, steps: Sequence[Step]) -> Iterator[str]:
         s = self.sweep

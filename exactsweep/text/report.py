@@ -1,21 +1,24 @@
 """Text reports of sweeps, no-fit polygons and inner fits, for people to read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
+from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.table import Table
-
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import abridged, format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.free_positions import Fit
 from exactsweep.words import CLASSES, pair
+
+# rich takes longer to import than all the rest.
+if TYPE_CHECKING:
+    from rich.table import Table
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
 # Far beyond any line: rich wraps to a width, always.
@@ -78,7 +81,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
 
 
 def no_fit_report(
-    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -122,7 +125,7 @@ def no_fit_report(
 
 
 def inner_fit_report(
-    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 
@@ -177,6 +180,8 @@ def _told(
     terminal_width: int | None,
     everything: bool,
 ) -> str:
+    from rich.table import Table
+
     texts = _texts(loops) | _fit_texts(fits)
     width = max(map(len, [*facts, *shapes, name, *texts]))
     sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
@@ -211,6 +216,8 @@ def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     Returns:
         Lines of text; for a terminal also its control sequences.
     """
+    from rich.console import Console
+
     text = StringIO()
     console = Console(
         file=text,
@@ -228,6 +235,8 @@ def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
 
 def _rows(texts: Mapping[str, str], width: int) -> Table:
+    from rich.table import Table
+
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_column(min_width=width, style="bold")
     table.add_column(overflow="fold")

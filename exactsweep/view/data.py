@@ -13,7 +13,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from exactsweep.draw import Scale, Stretch
+from exactsweep.draw import ContactStretch, Scale
 from exactsweep.draw.stretches import stretches_of
 from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
 from exactsweep.evidence.contact import Contact
@@ -22,6 +22,7 @@ from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES
 
@@ -156,8 +157,8 @@ def page_data(
         "hasMeetings": has_meetings,
         "path": "" if anchor(s) == s.reference else anchor_name(s),
         "reference": [format_fraction(c) for c in s.reference],
-        "generatrix": {**_around_anchor(s, scale), **_numbers(s.generatrix)},
-        "directrix": {**shown(s.directrix.vertices), **_numbers(s.directrix)},
+        "generatrix": {**_around_anchor(s, scale), **_number(s.generatrix)},
+        "directrix": {**shown(s.directrix.vertices), **_number(s.directrix)},
         "inner": shown(s.inner.vertices),
         "outer": shown(outer),
         "unswept": [shown(loop.vertices) for loop in s.unswept],
@@ -192,7 +193,7 @@ def _landmarks(s: Swept) -> list[Point]:
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
 
-def _cut(pieces: list[Stretch], inside: Sequence[Point]) -> list[Stretch]:
+def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactStretch]:
     """Cut stretches at those of some sorted positions that are inside one."""
     found = []
     for piece in pieces:
@@ -224,11 +225,6 @@ def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
     }
 
 
-def _numbers(shape: Polygon | Region) -> dict[str, list[int]]:
-    """The numbers that the caller gave the vertices and edges, and the sizes of the rings."""
-    size = range(len(shape))
-    return {
-        "vertices": [shape.vertex_index(k) for k in size],
-        "edges": [shape.edge_index(k) for k in size],
-        "rings": [len(ring) for ring in shape.rings],
-    }
+def _number(shape: Polygon | Region) -> dict[str, list[int]]:
+    """The numbers of the features, and the sizes of the rings."""
+    return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -33,7 +33,7 @@ from exactsweep.check import (
 )
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import heights
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.sums import check_sum_within, corners_with_common_slopes
 from exactsweep.geometry.direction import is_monotone
 
@@ -56,13 +56,16 @@ def test_certificate_is_proved_in_every_shared_direction() -> None:
 
 def test_sums_of_convex_loops_are_within_if_those_with_common_slopes_are() -> None:
     """All sums of corners against those that the lemma asks for: far fewer."""
-    rng, frame, origin = random.Random(4), Frame((1, 0), 1), Point(Fraction(0), Fraction(0))
+    rng, frame, origin = random.Random(4), NodeFrame((1, 0), 1), Point(Fraction(0), Fraction(0))
     counts = {True: 0, False: 0}
     for _ in range(1000):
         k, dx, dy = rng.choice([1, 1, 2, 3, 4]), rng.randint(-4, 3), rng.randint(-4, 3)
         around, first, second = (Polygon(convex(rng)[0]) for _ in range(3))
         around = Polygon([(k * x + dx, k * y + dy) for x, y in around.vertices])
-        loops = [Loop(frame.enter(p.vertices, origin), "", frame) for p in (around, first, second)]
+        loops = [
+            MonotoneLoop(frame.enter(p.vertices, origin), "", frame)
+            for p in (around, first, second)
+        ]
         for chain, a, b in zip(*(loop.halves for loop in loops), strict=True):
             (a_run,), (b_run,) = a.runs, b.runs
             every, some = (
@@ -309,11 +312,11 @@ def test_sum_within_agrees_with_the_definition(data: st.DataObject) -> None:
     assert where == (0, 1) if str(found.value) == "inside" else where[0] == -1 <= where[1]
 
 
-FRAME = Frame((1, 0), 1)
+FRAME = NodeFrame((1, 0), 1)
 
 
-def _loop(vertices: Vertices) -> Loop:
-    return Loop(FRAME.enter(vertices, Point(Fraction(0), Fraction(0))), "loop", FRAME)
+def _loop(vertices: Vertices) -> MonotoneLoop:
+    return MonotoneLoop(FRAME.enter(vertices, Point(Fraction(0), Fraction(0))), "loop", FRAME)
 
 
 @settings(max_examples=80)

@@ -1,6 +1,6 @@
 """Areas between regions, distances of loops, and walks along both: laws and known answers."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -32,7 +32,7 @@ def polygons() -> st.SearchStrategy[Ring]:
     return simple_rings().map(lambda ring: Polygon(ring).vertices)
 
 
-def apart(one: Iterable[Ring], other: Iterable[Ring]) -> Fraction:
+def apart(one: Sequence[Ring], other: Sequence[Ring]) -> Fraction:
     return area(differences(one, other))
 
 

@@ -240,7 +240,7 @@ def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -
     again = run("conform", "--resume", *command[1:])
     assert again.exit_code == 0
     assert (
-        "watched: passed, 20 of 20 cases judged, 0 worse than equivalent but for exact fits"
+        "watched: passed, 20 of 20 cases judged, 0 worse than equivalent except for exact fits"
         in again.stdout
     )
     kept = [json.loads(line)["id"] for line in journal.read_text().splitlines()[1:]]

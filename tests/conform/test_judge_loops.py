@@ -201,6 +201,33 @@ def test_no_mistake_is_named_that_is_none() -> None:
     assert judge(CASE, moved).diagnosis == ("one vertex is off, the others are exact",)
 
 
+def test_a_little_more_than_rounding_is_no_other_scale_and_no_other_point() -> None:
+    ring = [[float(x), float(y)] for x, y in CASE.trajectory.vertices]
+    (a, b), *others = ring
+    for spoilt in ([[x * (1 + 1e-10), y * (1 + 1e-10)] for x, y in ring], [[a - 1e-9, b], *others]):
+        found = judge(CASE, spoilt)
+        assert found.diagnosis == ("exact except for 4 times the rounding granted",)
+
+
+@pytest.mark.parametrize(
+    ("words", "x", "change"),
+    [
+        ("rounded down to integers", "1/7", lambda c: c // 1),
+        ("rounded to integers", "1/7", round),
+        ("rounded to 1 decimal", "1/7", lambda c: float(f"{float(c):.1f}")),
+        ("rounded to 3 digits", "1/7", lambda c: f"{float(c):.3g}"),
+        ("wraps around at 8 bits", 1, lambda c: (c + 128) % 256 - 128 if c == int(c) else c),
+    ],
+)
+def test_what_numbers_do_to_all_coordinates_is_named(words: str, x: Any, change: Any) -> None:
+    case = Case.of("far", "", [(3 * x + 117, 70 * y) for x, y in D], G, (x, 5))
+    ring = [[change(x), change(y)] for x, y in case.trajectory.vertices]
+    assert words in judge(case, ring, numbers="rational").diagnosis
+    # With one coordinate otherwise it would be a guess.
+    other = [[ring[0][0], "999"], *ring[1:]]
+    assert words not in judge(case, other, numbers="rational").diagnosis
+
+
 @pytest.mark.parametrize(("numbers", "verdict"), [("rational", "unsound"), ("integer", "within")])
 def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
     numbers: str, verdict: str

@@ -74,19 +74,19 @@ def test_right_answers_of_any_shape_are_exact() -> None:
             "exact_fits",
             lambda fits: [],
             lambda case: case.exact_fits,
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
         (
             "inner_exact_fits",
             lambda fits: [],
             lambda case: case.inner_exact_fits,
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
         (
             "exact_fits",
             lambda fits: [fit for fit in fits if fit[0] != fit[1]],
             lambda case: any(p == q for p, q in case.exact_fits),
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
     ],
 )

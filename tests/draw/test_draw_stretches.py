@@ -6,14 +6,14 @@ from hypothesis import given, settings
 from strategies import pairs, points
 
 from exactsweep import Point, Polygon, Sweep, sweep
-from exactsweep.draw import Stretch, stretches
+from exactsweep.draw import ContactStretch, stretches
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 
 any_pair = pairs("CC") | pairs("CM") | pairs("MM")
 
 
-def middle(stretch: Stretch) -> Point:
+def middle(stretch: ContactStretch) -> Point:
     (ax, ay), (bx, by) = stretch.start, stretch.end
     return Point((ax + bx) / 2, (ay + by) / 2)
 
@@ -64,14 +64,14 @@ def test_an_edge_is_cut_where_its_contact_changes() -> None:
     right, left = Contact("EE", 0, 2), Contact("EE", 0, 5)
     a, b, c, d = points((8, 0), (3, 0), (2, 0), (-3, 0))
     assert over == [
-        Stretch(2, a, b, (right,)),
-        Stretch(2, b, c, (right, left)),
-        Stretch(2, c, d, (left,)),
+        ContactStretch(2, a, b, (right,)),
+        ContactStretch(2, b, c, (right, left)),
+        ContactStretch(2, c, d, (left,)),
     ]
 
 
 def test_contacts_of_several_events_at_once_say_so() -> None:
     at = Point(Fraction(0), Fraction(0))
     contacts = (Contact("EV", 0, 0), Contact("VE", 1, 1), Contact("EV", 1, 2))
-    assert Stretch(0, at, at, contacts).event == "several"
-    assert Stretch(0, at, at, contacts[::2]).event == "EV"
+    assert ContactStretch(0, at, at, contacts).event == "several"
+    assert ContactStretch(0, at, at, contacts[::2]).event == "EV"

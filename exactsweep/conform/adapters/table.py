@@ -19,7 +19,7 @@ from exactsweep.corpus.case_json import expected_rings
 
 COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),
-    "but for exact fits": (Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,),
+    "except for exact fits": (Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,),
     "within": (Verdict.WITHIN,),
     "conservative": (Verdict.CONSERVATIVE,),
     "unsound": (Verdict.UNSOUND,),

@@ -28,7 +28,7 @@ from heapq import heappop, heappush
 from itertools import count
 from math import isqrt, lcm
 
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import PointRings
 
 IntPair = tuple[int, int]
 
@@ -41,7 +41,6 @@ _LONG = 8192
 
 Squares = tuple[Fraction, Fraction]
 
-Rings = Sequence[Sequence[Point]]
 
 _CUTS = 1000
 _MOST_LOOKED_AT = 1_500_000
@@ -237,7 +236,7 @@ def _rounded(value: Fraction) -> Fraction:
 _End = tuple[Fraction, LoopEdge]  # of a piece: the share of its edge, and an edge nearest to it
 
 
-def distance_squared(first: Rings, second: Rings) -> Squares:
+def distance_squared(first: PointRings, second: PointRings) -> Squares:
     """Bound the square of the Hausdorff distance of two sets of rings.
 
     Args:
@@ -252,6 +251,7 @@ def distance_squared(first: Rings, second: Rings) -> Squares:
     Cost: O((m + n + c) (m + n)) operations on rationals for c cuts.
 
     Example:
+        >>> from exactsweep import Point
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]
         >>> dented = [*square[:3], Point(Fraction(2), Fraction(1)), square[3]]
         >>> distance_squared([square], [dented])

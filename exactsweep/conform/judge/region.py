@@ -26,9 +26,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, PointRings
 
-Rings = Iterable[Sequence[Point]]
 Height = tuple[Fraction, Fraction]
 
 MAX_WORK = 300_000
@@ -37,7 +36,7 @@ MAX_WORK = 300_000
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
 
-class Cell(NamedTuple):
+class Trapezoid(NamedTuple):
     """An open trapezoid in exactly one of two regions, with two vertical sides.
 
     Attributes:
@@ -71,7 +70,7 @@ class Cell(NamedTuple):
                 yield Point(x, simplest(low + c * (high - low), low + d * (high - low)))
 
 
-class _Edge(NamedTuple):
+class _RegionEdge(NamedTuple):
     left: Point
     right: Point
     slope: Fraction
@@ -81,14 +80,14 @@ class _Edge(NamedTuple):
         return self.left.y + (x - self.left.x) * self.slope if x != self.left.x else self.left.y
 
 
-Ordered = Sequence[tuple[Height, _Edge]]
+Ordered = Sequence[tuple[Height, _RegionEdge]]
 
 
 class RegionError(ExactSweepError):
     """Rings with too many edges above each other, or that cross too often."""
 
 
-def differences(first: Rings, second: Rings) -> Iterator[Cell]:
+def differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
     Args:
@@ -96,7 +95,7 @@ def differences(first: Rings, second: Rings) -> Iterator[Cell]:
         second: rings of the second region.
 
     Yields:
-        Cells with disjoint interiors. There are none exactly when the regions are the same but
+        Trapezoids with disjoint interiors. None exactly when the regions are the same except
         for a set without area.
 
     Raises:
@@ -158,7 +157,7 @@ def _list_bits(number: int) -> Iterator[int]:
         number ^= 1 << low
 
 
-def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
+def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
     """Yield slabs inside which no edge ends or crosses another one, with the edges across each.
 
     Raises:
@@ -166,7 +165,7 @@ def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
     """
     edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
-    active: list[_Edge] = []
+    active: list[_RegionEdge] = []
     started = work = 0
     for left, right in pairwise(cuts):
         active = [edge for edge in active if edge.right.x > left]
@@ -187,7 +186,7 @@ def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
             yield a, b, _ordered(a, b, active) if inner else ordered
 
 
-def area(cells: Iterable[Cell]) -> Fraction:
+def area(cells: Iterable[Trapezoid]) -> Fraction:
     """Return the sum of areas, added in pairs so that numbers of equal length meet."""
     terms = [cell.area for cell in cells]
     while len(terms) > 1:
@@ -220,21 +219,21 @@ def simplest(low: Fraction, high: Fraction) -> Fraction:
     return value
 
 
-def _edges(rings: Rings, region: int) -> Iterator[_Edge]:
+def _edges(rings: PointRings, region: int) -> Iterator[_RegionEdge]:
     for ring in rings:
         for k, p in enumerate(ring):
             left, right = sorted((ring[k - 1], p))
             if left.x < right.x:
-                yield _Edge(left, right, (right.y - left.y) / (right.x - left.x), region)
+                yield _RegionEdge(left, right, (right.y - left.y) / (right.x - left.x), region)
 
 
-def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Cell]:
+def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Trapezoid]:
     """Yield the cells of a slab in which no edge ends or crosses another one."""
     inside = [False, False]
     for (bottom, edge), (top, _) in pairwise(ordered):
         inside[edge.region] = not inside[edge.region]
         if inside[0] != inside[1] and bottom != top:
-            yield Cell(inside[0], left, right, bottom, top)
+            yield Trapezoid(inside[0], left, right, bottom, top)
 
 
 def _crossings(ordered: Ordered) -> Iterator[Fraction]:
@@ -250,6 +249,6 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
         below.insert(k, heights)
 
 
-def _ordered(left: Fraction, right: Fraction, edges: Sequence[_Edge]) -> Ordered:
+def _ordered(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
     """The edges with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

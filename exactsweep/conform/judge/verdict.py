@@ -7,7 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.classify import Verdict as Classified
+from exactsweep.check.classify import Meeting
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 
@@ -47,8 +47,8 @@ class Verdict(StrEnum):
 
     Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
     they may be. Where they are only missing, too short, invented in free space or rounded, the part
-    is "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
-    or equivalent.
+    is "equivalent except for exact fits", which is thus the verdict on an answer whose loops are
+    exact or equivalent.
 
     The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
     could be judged; and undecided, where there is one that could not be compared in time, by no
@@ -61,7 +61,7 @@ class Verdict(StrEnum):
 
     EXACT = "exact"
     EQUIVALENT = "equivalent"
-    EQUIVALENT_BUT_FOR_EXACT_FITS = "equivalent but for exact fits"
+    EQUIVALENT_EXCEPT_FOR_EXACT_FITS = "equivalent except for exact fits"
     WITHIN = "within"
     CONSERVATIVE = "conservative"
     UNSOUND = "unsound"
@@ -96,7 +96,7 @@ class Witness:
 
     says: str
     translation: Point | None = None
-    classified: Classified | None = None
+    classified: Meeting | None = None
     point: Point | None = None
 
     def to_json(self) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Witnesses: positions and points at which an answer is wrong, each checked before it is shown.
 
 Let P be the region inside the exact trajectory of G's origin: the translations t at which G + t
-overlaps D, but for exact fits, and their limits. The translations that put G onto a point p are
+overlaps D, except for exact fits, and their limits. The translations that put G onto a point p are
 the polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
 
 - p is inside the outer loop if and only if H(p) overlaps P: some of the positions that put G onto p
@@ -15,22 +15,19 @@ or outside; or the point itself, when there is none.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.location import locate
-from exactsweep.conform.judge.region import Cell, differences
+from exactsweep.conform.judge.region import Trapezoid, differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.words import pair
-
-Rings = Sequence[Sequence[Point]]
-
 
 LOOP_NAMES = {
     "trajectory": "trajectory",
@@ -74,7 +71,7 @@ class WitnessError(ExactSweepError):
     """A case whose expected answer is refuted by the definition; the message names the place."""
 
 
-def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witness:
+def witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
     """Show that an answered loop is wrong.
 
     Args:
@@ -103,7 +100,7 @@ def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witn
     raise WitnessError(f"case {case.id}: its {name} is refuted near {pair(point)}")
 
 
-def is_inside(point: Point, rings: Rings) -> bool:
+def is_inside(point: Point, rings: PointRings) -> bool:
     """Whether an odd number of rings' windings are around a point on none of their edges."""
     return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
 

@@ -163,7 +163,7 @@ def _about(value: Fraction) -> str:
 
 
 @dataclass(frozen=True)
-class Shape:
+class SvgPath:
     """One thing to draw: a class of the style sheet, and the data of an SVG path."""
 
     name: str
@@ -181,7 +181,7 @@ class Panel:
     """
 
     caption: str
-    shapes: tuple[Shape, ...]
+    shapes: tuple[SvgPath, ...]
     witness: tuple[float, float] | None
 
 
@@ -310,7 +310,7 @@ def _panel(scene: _Scene, window: Window, caption: str) -> Panel:
     )
     return Panel(
         caption,
-        tuple(Shape(name, data) for name, data in paths if data),
+        tuple(SvgPath(name, data) for name, data in paths if data),
         window.place(scene.witness) if scene.witness else None,
     )
 

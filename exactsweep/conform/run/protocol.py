@@ -37,12 +37,12 @@ from fractions import Fraction
 from typing import Any, Literal, Self, cast, get_args
 
 from exactsweep.corpus import Case
-from exactsweep.corpus.case import SHAPES, Fit, Ring, Shapes
+from exactsweep.corpus.case import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import described, parse_certificate
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import format_fraction, quoted
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -297,7 +297,7 @@ def scaled(case: Case) -> Case:
     def point(p: Point) -> Point:
         return Point(p.x * k, p.y * k)
 
-    def ring(points: Ring) -> Ring:
+    def ring(points: Loop) -> Loop:
         return tuple(map(point, points))
 
     return replace(
@@ -323,7 +323,7 @@ def _referred(case: Case, reference: Point) -> Case:
     return replace(moved, reference=reference)
 
 
-def _with_positions(case: Case, put: Callable[[Ring], Ring]) -> Case:
+def _with_positions(case: Case, put: Callable[[Loop], Loop]) -> Case:
     """Return the case with all that is told of the reference point put elsewhere."""
 
     def loop(polygon: Polygon) -> Polygon:

@@ -4,7 +4,7 @@ Most are sets of squares, which fit each other as a matter of course, or random 
 grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and moves both polygons.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 
@@ -21,7 +21,7 @@ from exactsweep.corpus.generator.cells import (
     outline,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import walk
+from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -160,7 +160,7 @@ def comb_pair(random: Prng) -> Regions:
     return outline({(-x, -y) for x, y in comb()}), outline(comb())
 
 
-def place(random: Prng, draw: Draw) -> Regions:
+def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
     """Draw a pair, and shear, scale and move both of it; now and then with exchanged roles."""
     while True:
         try:
@@ -170,7 +170,7 @@ def place(random: Prng, draw: Draw) -> Regions:
             continue
     if random.chance(1, 5):
         g, d = d, g
-    shear, scale = random.choice(SHEARS), random.choice(SCALES)
+    shear, scale = random.choice(SHEARS), random.choice(scales)
 
     def placed(shape: Region) -> Region:
         return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
@@ -233,28 +233,6 @@ def _untangled(random: Prng, most: int, side: int) -> Polygon:
         n = random.between(3, most)
         points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]
         try:
-            return Polygon(_turn_crossings(list(dict.fromkeys(points))))
+            return Polygon(untangle(dict.fromkeys(points)))
         except PolygonError:
             continue
-
-
-def _turn_crossings(ring: list[Cell]) -> list[Cell]:
-    def turn(a: Cell, b: Cell, c: Cell) -> int:
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-    def first_crossing() -> tuple[int, int] | None:
-        for i in range(n):
-            for j in range(i + 2, n):
-                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
-                if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
-                    return i, j
-        return None
-
-    n = len(ring)
-    for _ in range(20 * n):
-        found = first_crossing()
-        if found is None:
-            break
-        i, j = found
-        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
-    return ring

@@ -4,12 +4,12 @@ from fractions import Fraction
 
 from exactsweep.corpus.generator.growing import bumps, comb
 from exactsweep.corpus.generator.numeric import RationalRings
-from exactsweep.corpus.generator.plain import Rings, grid_pair, monotone_pair
+from exactsweep.corpus.generator.plain import RingPair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, Pair, Ring, convex, monotone
+from exactsweep.corpus.generator.shapes import Grid, IntegerPoint, Ring, convex, monotone
 
 
-def lower_bound_pair(random: Prng) -> Rings:
+def lower_bound_pair(random: Prng) -> RingPair:
     """Figure 10's pair, sheared; or a comb around which a convex polygon turns at every tooth."""
     if random.chance(1, 2):
         sizes = random.choice([(2, 4, 6), (2, 6, 6), (4, 4, 6), (2, 4, 8), (4, 4, 4), (4, 6, 4)])
@@ -23,7 +23,7 @@ def lower_bound_pair(random: Prng) -> Rings:
     return generatrix, comb(4 * random.between(2, 5), max(1, 2 * width // share), 100 * width)
 
 
-def long_pair(random: Prng) -> Rings:
+def long_pair(random: Prng) -> RingPair:
     """Two monotone polygons of up to 60 vertices, with a wall here and there."""
     grid = Grid(cells=(10, 25), widths=(1, 2, 3), height=9, walls=1)
     return monotone(random, grid), monotone(random, grid)
@@ -41,5 +41,5 @@ def unequal_pair(random: Prng) -> RationalRings:
 
 
 def _sheared(ring: Ring, slope: int) -> Ring:
-    sheared: list[Pair] = [(x, y + slope * x) for x, y in ring]
+    sheared: list[IntegerPoint] = [(x, y + slope * x) for x, y in ring]
     return sheared

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
 
-Pair = tuple[int, int]
-Ring = list[Pair]
+IntegerPoint = tuple[int, int]
+Ring = list[IntegerPoint]
 
 
 class Grid(NamedTuple):
@@ -24,7 +24,7 @@ class Grid(NamedTuple):
         pointed: how many times in eight an end is a point and not a vertical edge.
     """
 
-    cells: Pair
+    cells: tuple[int, int]
     widths: Sequence[int]
     height: int
     walls: int = 0
@@ -61,7 +61,7 @@ def convex(random: Prng, most: int, side: int) -> Ring:
     return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 
-def walk(steps: Iterable[Pair]) -> Ring:
+def walk(steps: Iterable[IntegerPoint]) -> Ring:
     """The points that steps lead to, from the origin on."""
     chain: Ring = [(0, 0)]
     for dx, dy in steps:
@@ -87,7 +87,7 @@ def _chain(random: Prng, grid: Grid) -> Ring:
     return chain
 
 
-def rectilinear(random: Prng, cells: Pair, widths: Sequence[int], height: int) -> Ring:
+def rectilinear(random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int) -> Ring:
     """Horizontal and vertical edges only."""
 
     def chain() -> Ring:
@@ -126,7 +126,7 @@ def turned(ring: Ring) -> Ring:
     return [(-x, -y) for x, y in ring]
 
 
-def untangle(points: Iterable[Pair]) -> Ring:
+def untangle(points: Iterable[IntegerPoint]) -> Ring:
     """A way through points on which parts are turned round until no two edges cross.
 
     Each turn makes the way shorter, so that it ends. Edges may still touch one another.
@@ -141,10 +141,10 @@ def untangle(points: Iterable[Pair]) -> Ring:
     return ring
 
 
-def _crossing(ring: Ring) -> Pair | None:
+def _crossing(ring: Ring) -> IntegerPoint | None:
     """Two edges that cross, by their first vertices, if there are any."""
 
-    def side(p: Pair, q: Pair, r: Pair) -> int:
+    def side(p: IntegerPoint, q: IntegerPoint, r: IntegerPoint) -> int:
         return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
     for i, j in combinations(range(len(ring)), 2):

@@ -15,7 +15,7 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.geometry.point import Fit, Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, offset, segment
 from exactsweep.paper.checks.planar import free_parts, swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
@@ -23,8 +23,6 @@ from exactsweep.paper.checks.section2 import CAVE
 from exactsweep.paper.claim import Effort, Evidence, first_failure
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
-
-Fits = Iterable[tuple[Point, Point]]
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = SweepPair(
@@ -59,7 +57,7 @@ def no_fit_is_the_definition(pair: SweepPair) -> str:
     return ""
 
 
-def _show(fits: Fits) -> str:
+def _show(fits: Iterable[Fit]) -> str:
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.draw import Stretch, placed_generatrix, stretches
+from exactsweep.draw import ContactStretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
@@ -42,7 +42,7 @@ class Frozen(NamedTuple):
     right: Point
 
 
-def _at(s: Sweep, stretch: Stretch, at: Point) -> Frozen:
+def _at(s: Sweep, stretch: ContactStretch, at: Point) -> Frozen:
     """The contact at a position on a stretch, by the events that last there."""
     spots = [p for c in stretch.contacts for p in Features(s).spot(c, at)]
     return Frozen(at, min(spots), max(spots))

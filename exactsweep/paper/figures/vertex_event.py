@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.draw import Stretch, placed_generatrix, stretches
+from exactsweep.draw import ContactStretch, placed_generatrix, stretches
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
@@ -31,7 +31,7 @@ OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
 """Where the name of an event is written, in points from the contact."""
 
 
-def moment(event: str, contacts: int) -> Stretch:
+def moment(event: str, contacts: int) -> ContactStretch:
     """The last stretch of the lower sweep of Figure 7b with an event and so many contacts."""
     found = [
         stretch
