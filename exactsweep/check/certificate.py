@@ -35,7 +35,7 @@ _T = TypeVar("_T")
 
 # Where in a certificate something is, to be written out only if it is wrong: a key, or a place and
 # what follows it, the number of an entry or a key in it.
-Place = str | tuple["Place", int | str]
+KeyPath = str | tuple["KeyPath", int | str]
 
 
 class CertificateError(ExactSweepError):
@@ -98,13 +98,13 @@ def read(certificate: Any) -> Certificate:
     with limits(max_digits=area_digits(certificate["inner"], certificate["outer"])):
         area = read_number(certificate["area"], "area")
 
-    def contact(item: Any, place: Place) -> ListedContact:
+    def contact(item: Any, place: KeyPath) -> ListedContact:
         event, i, j = read_tuple(item, place, 3)
         if event not in ("EV", "VE", "EE"):
             raise flaw(place, "not EV, VE or EE")
         return event, _index(i, len(g), place), _index(j, len(d), place)
 
-    def drawing(item: Any, place: Place) -> ListedDrawing:
+    def drawing(item: Any, place: KeyPath) -> ListedDrawing:
         position, feature = read_tuple(item, place, 2)
         return _feature(position, len(t), place), _feature(feature, len(g), place)
 
@@ -149,7 +149,7 @@ def is_exactly(item: Any, kind: type, value: object) -> bool:
     return type(item) is kind and bool(item == value)
 
 
-def flaw(place: Place, what: str, witness: Point | None = None) -> CertificateError:
+def flaw(place: KeyPath, what: str, witness: Point | None = None) -> CertificateError:
     """The error that says what is wrong at a place."""
     path = ""
     while isinstance(place, tuple):
@@ -158,21 +158,21 @@ def flaw(place: Place, what: str, witness: Point | None = None) -> CertificateEr
     return CertificateError(f"{place}{path}: {what}", witness)
 
 
-def read_list(item: Any, place: Place, entry: Callable[[Any, Place], _T]) -> tuple[_T, ...]:
+def read_list(item: Any, place: KeyPath, entry: Callable[[Any, KeyPath], _T]) -> tuple[_T, ...]:
     """Read a list, each entry with its place."""
     if type(item) is not list:
         raise flaw(place, f"a {type(item).__name__}, not a list")
     return tuple(entry(value, (place, k)) for k, value in enumerate(item))
 
 
-def read_tuple(item: Any, place: Place, length: int) -> list[Any]:
+def read_tuple(item: Any, place: KeyPath, length: int) -> list[Any]:
     """Take a list of a known length apart."""
     if type(item) is not list or len(item) != length:
         raise flaw(place, f"not a list of {length}")
     return item
 
 
-def read_number(item: Any, place: Place) -> Fraction:
+def read_number(item: Any, place: KeyPath) -> Fraction:
     """Read a rational in lowest terms."""
     if type(item) is not str:
         raise flaw(place, f"a {type(item).__name__}, not a number in a string")
@@ -186,12 +186,12 @@ def read_number(item: Any, place: Place) -> Fraction:
     return value
 
 
-def _point(item: Any, place: Place) -> Point:
+def _point(item: Any, place: KeyPath) -> Point:
     x, y = read_tuple(item, place, 2)
     return Point(read_number(x, (place, 0)), read_number(y, (place, 1)))
 
 
-def read_loop(item: Any, name: Place) -> Loop:
+def read_loop(item: Any, name: KeyPath) -> Loop:
     """Read a loop of at least three points, the least one first."""
     points = read_list(item, name, _point)
     if len(points) < 3:
@@ -201,7 +201,7 @@ def read_loop(item: Any, name: Place) -> Loop:
     return points
 
 
-def read_fit(item: Any, place: Place) -> Fit:
+def read_fit(item: Any, place: KeyPath) -> Fit:
     """Read a pair of points."""
     hanging, end = read_tuple(item, place, 2)
     return _point(hanging, (place, 0)), _point(end, (place, 1))
@@ -223,13 +223,13 @@ def _read_long_int(text: str) -> int | Fraction:
     return value.numerator if is_long else value
 
 
-def _index(item: Any, length: int, place: Place) -> int:
+def _index(item: Any, length: int, place: KeyPath) -> int:
     if type(item) is not int or not 0 <= item < length:
         raise flaw(place, f"not an index below {length}")
     return item
 
 
-def _feature(item: Any, length: int, place: Place) -> ListedFeature:
+def _feature(item: Any, length: int, place: KeyPath) -> ListedFeature:
     kind, index = read_tuple(item, place, 2)
     if kind not in ("vertex", "edge"):
         raise flaw(place, "neither a vertex nor an edge")
@@ -237,7 +237,7 @@ def _feature(item: Any, length: int, place: Place) -> ListedFeature:
 
 
 def _evidence(
-    item: Any, name: str, edges: int, entry: Callable[[Any, Place], _T]
+    item: Any, name: str, edges: int, entry: Callable[[Any, KeyPath], _T]
 ) -> tuple[tuple[_T, ...], ...]:
     lists = read_list(item, name, lambda listed, place: read_list(listed, place, entry))
     if len(lists) != edges:

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from exactsweep.check.certificate import (
     INPUT_DIGITS,
     CertificateError,
-    Place,
+    KeyPath,
     check_keys,
     flaw,
     is_exactly,
@@ -115,11 +115,11 @@ def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
     return SweepClaim(no_fit, inner, outer, unswept, area)
 
 
-def _loops(item: Any, place: Place) -> tuple[Loop, ...]:
+def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:
     return read_list(item, place, read_loop)
 
 
-def _read_shape(item: Any, place: Place) -> ClaimedShape:
+def _read_shape(item: Any, place: KeyPath) -> ClaimedShape:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
         raise flaw(place, "not an object of exterior and holes")
     exterior = read_loop(item["exterior"], (place, ".exterior"))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from exactsweep.check.certificate import ListedDrawing, ListedFeature, Place, flaw
+from exactsweep.check.certificate import KeyPath, ListedDrawing, ListedFeature, flaw
 from exactsweep.check.chain import Line, Node
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import Rational
@@ -62,7 +62,11 @@ def middle(extent: LineInterval, line: Line) -> Node:
 
 
 def check_covered(
-    place: Place, edge: LineInterval, pieces: Collection[LineInterval], line: Line, frame: NodeFrame
+    place: KeyPath,
+    edge: LineInterval,
+    pieces: Collection[LineInterval],
+    line: Line,
+    frame: NodeFrame,
 ) -> None:
     """Raise CertificateError if pieces of a line leave a gap on an edge."""
     reach, end = edge
