@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from operator import eq
+from operator import eq, floordiv
 from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.number import ratios
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
@@ -146,6 +147,20 @@ def _refuse_conflicts(
         )
     low, high = sorted((edges[first], edges[second]))
     raise PolygonError(f"the boundary crosses itself: edges {low} and {high} cross")
+
+
+def find_least(points: Sequence[Point]) -> int:
+    """Return the number of the lexicographically least point, the first of equal ones.
+
+    Cost: O(n); Fractions are compared where the ints below them are equal, which is seldom.
+
+    Example:
+        >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
+        1
+    """
+    floors = [*map(floordiv, *ratios([x for x, _ in points]))]
+    least = min(floors)
+    return min((k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__)
 
 
 def doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
