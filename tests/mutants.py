@@ -5,7 +5,7 @@ lines run in a copy of the checkout, the quickest first, until one fails; which 
 measured once (`reach`). Mutants that are the same program, or one that differs in time alone, are
 known by their lines in `equivalent_mutants.toml`, with the reason.
 
-A test that takes three times as long as without the mutant, and 6 seconds more, notices it, too.
+A test that takes three times as long as without the mutant, and 3 seconds more, notices it, too.
 Seconds are those of the processor, so that it does not matter what else the machine does.
 """
 

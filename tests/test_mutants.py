@@ -15,6 +15,7 @@ def least(a: int | None, b: int = 3) -> int:
     if not (a < b) and True:
         raise ValueError(f"{a + b}")
     b += -a
+    zip((), (), strict=True)
     return min(a, b)
 '''
 
@@ -33,6 +34,7 @@ def test_each_operator_makes_its_mutants() -> None:
         "pass",
         "b -= -a",
         "b += +a",
+        "pass",
         "return max(a, b)",
     ]
 

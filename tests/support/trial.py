@@ -23,7 +23,7 @@ from operators import Mutant
 from reach import OPTIONS
 
 MEMORY = 4 << 30
-SPARE = 6  # seconds that any test may take more
+SPARE = 3  # seconds that any test may take more
 FIRST = (*OPTIONS, "-x", "--tb=no")
 
 
