@@ -18,7 +18,9 @@ from typing import Any, NamedTuple
 from exactsweep.check.certificate import (
     INPUT_DIGITS,
     CertificateError,
+    KeyPath,
     check_keys,
+    flaw,
     is_exactly,
     read_fit,
     read_list,
@@ -113,12 +115,12 @@ def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
     return SweepClaim(no_fit, inner, outer, unswept, area)
 
 
-def _loops(item: Any, place: str) -> tuple[Loop, ...]:
+def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:
     return read_list(item, place, read_loop)
 
 
-def _read_shape(item: Any, place: str) -> ClaimedShape:
+def _read_shape(item: Any, place: KeyPath) -> ClaimedShape:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise CertificateError(f"{place}: not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], f"{place}.exterior")
-    return ClaimedShape(exterior, _loops(item["holes"], f"{place}.holes"))
+        raise flaw(place, "not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], (place, ".exterior"))
+    return ClaimedShape(exterior, _loops(item["holes"], (place, ".holes")))

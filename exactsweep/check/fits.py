@@ -57,9 +57,8 @@ def _lower_fits(a: LowerChain, b: LowerChain) -> Iterator[tuple[int, Fraction, F
 
 
 def _jumps(chain: LowerChain) -> tuple[list[int], list[int]]:
-    falls, rises = [chain.edges[0].left[0]], [chain.edges[-1].right[0]]
-    for edge, after in pairwise(chain.edges):
-        (x, before_y, _), (_, after_y, _) = edge.right, after.left
+    falls, rises = [chain.edges[0][0][0]], [chain.edges[-1][1][0]]
+    for (_, (x, before_y, _), _), ((_, after_y, _), _, _) in pairwise(chain.edges):
         if before_y != after_y:
             (falls if after_y < before_y else rises).append(x)
     return falls, rises

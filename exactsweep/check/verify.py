@@ -41,10 +41,7 @@ from exactsweep.check.fits import list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, common_scale
 from exactsweep.check.sums import check_sum_within, steps_within
-from exactsweep.geometry.point import Fit, Point
-
-_ORIGIN = Point(Fraction(0), Fraction(0))
-
+from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8
@@ -75,10 +72,11 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
         Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
         raised, whatever the certificate.
 
-    Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
-    the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
-    those only that are over G), and c log k for c pairs of convex corners, unless all three loops
-    of a sum are convex. For polygons of any shape that of `reference_no_fit` and its like.
+    Cost: with m and n edges, a look-up for each edge and corner that may touch, and each pair of
+    convex corners that have a slope in common, O(m + n) for convex polygons and O(mn) for others;
+    k (m + n) steps for k concave corners of the trajectory, k (t + n) for k of the outer loop
+    around a trajectory of t edges (of m and t those only that are over G). For polygons of any
+    shape that of `reference_no_fit` and its like.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
@@ -98,11 +96,11 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 def _prove(c: Certificate, max_steps: int) -> None:
     frame = NodeFrame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
-        "generatrix": frame.enter(c.generatrix, _ORIGIN),
-        "directrix": frame.enter(c.directrix, _ORIGIN),
+        "generatrix": frame.enter(c.generatrix, ORIGIN),
+        "directrix": frame.enter(c.directrix, ORIGIN),
         "trajectory": frame.enter(c.trajectory, c.reference),
-        "inner": frame.enter(c.inner, _ORIGIN),
-        "outer": frame.enter(c.outer, _ORIGIN),
+        "inner": frame.enter(c.inner, ORIGIN),
+        "outer": frame.enter(c.outer, ORIGIN),
     }
     check_size(placed.values(), len(c.generatrix) * len(c.directrix), max_steps)
     g, d, trajectory, inner, outer = (

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from operator import eq
+from operator import eq, floordiv
 from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.number import split_ratios
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
@@ -18,13 +19,15 @@ class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
     `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
-    `convex` says whether all turns are to the left.
+    `convex` says whether all turns are to the left, and `monotone` whether it is monotone to the
+    X axis.
     """
 
     points: tuple[Vertex, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
     convex: bool
+    monotone: bool
 
 
 def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
@@ -70,11 +73,12 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
         corners = starts = [*corners[least:], *corners[:least]]
         found = [*found[least:], *found[:least]]
     convex = min(turns) > 0 or max(turns) < 0
-    if not is_simple_monotone(found, convex=convex):
+    monotone = is_simple_monotone(found, convex=convex)
+    if not monotone:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
-    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex)
+    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
 def _join_equal(
@@ -143,6 +147,20 @@ def _refuse_conflicts(
         )
     low, high = sorted((edges[first], edges[second]))
     raise PolygonError(f"the boundary crosses itself: edges {low} and {high} cross")
+
+
+def find_least(points: Sequence[Point]) -> int:
+    """Return the number of the lexicographically least point, the first of equal ones.
+
+    Cost: O(n); Fractions are compared where the ints below them are equal, which is seldom.
+
+    Example:
+        >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
+        1
+    """
+    floors = [*map(floordiv, *split_ratios([x for x, _ in points]))]
+    least = min(floors)
+    return min((k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__)
 
 
 def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:

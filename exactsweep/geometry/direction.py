@@ -251,7 +251,7 @@ def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
 
     Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
     """
-    if is_monotone(generatrix, X_AXIS) and is_monotone(directrix, X_AXIS):
+    if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
     for direction in _SMALL:
         if is_monotone(generatrix, direction, strict=True) and is_monotone(

@@ -13,9 +13,10 @@ from exactsweep.geometry.canonical import (
 )
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
 from exactsweep.geometry.number import abridge, divide_all
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_interface, read_point
+from exactsweep.geometry.simplicity import are_chains_monotone
 from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:
@@ -46,9 +47,17 @@ class Polygon(PointSet):
         Polygon([(0, 0), ('1/2', 1), (0, 2)])
     """
 
-    __slots__ = ("_convex", "_edge_index", "_lattice", "_vertex_index", "_vertices")
+    __slots__ = (
+        "_convex",
+        "_edge_index",
+        "_lattice",
+        "_monotone",
+        "_vertex_index",
+        "_vertices",
+    )
 
     _convex: bool | None
+    _monotone: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[Vertex, ...]] | None
     _vertex_index: Sequence[int]
@@ -57,7 +66,7 @@ class Polygon(PointSet):
     def __init__(self, vertices: "Polygon | Iterable[Iterable[object]]") -> None:
         if isinstance(vertices, Polygon):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
-            self._convex = vertices._convex
+            self._convex, self._monotone = vertices._convex, vertices._monotone
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
         scale, points = _read(vertices)
@@ -65,13 +74,14 @@ class Polygon(PointSet):
         self._vertices = None
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
-        self._convex = ring.convex
+        self._convex, self._monotone = ring.convex, ring.monotone
 
     @classmethod
     def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
         """Trust that the vertices are canonical."""
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice, polygon._convex = tuple(vertices), None, None
+        polygon._vertices, polygon._lattice = tuple(vertices), None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(vertices))
         return polygon
 
@@ -80,7 +90,7 @@ class Polygon(PointSet):
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
-        polygon._convex = None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 
@@ -90,7 +100,7 @@ class Polygon(PointSet):
         if self._vertices is None:
             scale, points = self.lattice()
             xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
-            self._vertices = tuple(map(Point, xs, ys))
+            self._vertices = tuple(make_points(xs, ys))
         return self._vertices
 
     @property
@@ -148,6 +158,14 @@ class Polygon(PointSet):
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
             self._convex = min(find_turns(points)) > 0
         return self._convex
+
+    @property
+    def is_x_monotone(self) -> bool:
+        """Whether every vertical line that meets it does so in one piece."""
+        if self._monotone is None:
+            points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
+            self._monotone = are_chains_monotone(points)
+        return self._monotone
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from exactsweep import Polygon, Sweep
-from exactsweep.check.certificate import CertificateError, ListedContact
+from exactsweep.check.certificate import CertificateError
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import ORIGIN
@@ -23,11 +23,7 @@ def contacts_are_right(s: Sweep) -> str:
     directrix = MonotoneLoop(frame.enter(d.vertices, ORIGIN), "directrix", frame)
     of_g, of_d = _numbers(g), _numbers(d)
     listed = [
-        [
-            ListedContact(event, of_g[event[0], i], of_d[event[1], j])
-            for event, i, j in found
-            if event != "VV"
-        ]
+        [(event, of_g[event[0], i], of_d[event[1], j]) for event, i, j in found if event != "VV"]
         for found in s.contacts
     ]
     try:
