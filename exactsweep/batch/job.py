@@ -45,7 +45,7 @@ class Job(NamedTuple):
     path: str | None
 
     def chunks(self, start: int) -> Iterator[Chunk]:
-        """Yield the pairs from one on, in order."""
+        """Yield the pairs in order, beginning with one of them."""
         size = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         if self.path is not None:
             return _chunks_of_lines(self.path, start, self.total, size)

@@ -33,7 +33,7 @@ class Counts(NamedTuple):
 
 
 class PendingRecords(Protocol):
-    """What a chunk gives, some time."""
+    """The records of a chunk, once they are computed."""
 
     def result(self) -> Sequence[bytes]:
         """Wait for it, and return it."""

@@ -1,4 +1,4 @@
-"""Flags that can be seen from a pair and its answer, so that nobody has to be believed for them."""
+"""Flags that can be seen from a pair and its answer, so that none is taken on trust."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction

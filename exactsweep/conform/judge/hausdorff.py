@@ -183,7 +183,7 @@ class Edges:
 def find_equally_near(
     edge: LoopEdge, start: Fraction, end: Fraction, near_start: LoopEdge, near_end: LoopEdge
 ) -> Fraction:
-    """Where on a piece of an edge another one takes over from that which is nearest to its start.
+    """Find where, on a piece of an edge, the edge nearest to its end becomes the nearest one.
 
     Args:
         edge: the edge.
