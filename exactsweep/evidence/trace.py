@@ -21,7 +21,13 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, along, covered, offset, segment
+from exactsweep.geometry.segment import (
+    Segment,
+    choose_cover,
+    find_offset,
+    make_segment,
+    measure_along,
+)
 
 
 class Feature(NamedTuple):
@@ -52,7 +58,7 @@ class Tracer:
         self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
         self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
         self._g_corners: defaultdict[frozenset[Vector], list[Vertex]] = defaultdict(list)
-        segments = [segment(edge) for edge in generatrix.edges]
+        segments = [make_segment(edge) for edge in generatrix.edges]
         for i, (edge, own) in enumerate(zip(generatrix.edges, segments, strict=True)):
             self._g_edges[own.direction].append((i, edge, own))
             self._g_lines[own.direction, own.offset].append(own)
@@ -62,7 +68,7 @@ class Tracer:
         self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
             list
         )
-        pieces = [(segment(edge), k) for k, edge in enumerate(path.edges)]
+        pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
             self._paths[piece.direction].append((piece, k))
@@ -79,7 +85,7 @@ class Tracer:
 
         Raises ValueError when nothing draws the edge: it is not one of this sweep's.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         pieces: list[tuple[Segment, int]] = []
         traces: list[Trace] = []
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
@@ -87,7 +93,7 @@ class Tracer:
                 if piece.offset == whole.offset and piece.shares_piece(whole):
                     pieces.append((piece, len(traces)))
                     traces.append(trace)
-            chosen = covered(whole, pieces)
+            chosen = choose_cover(whole, pieces)
             if chosen is not None:
                 return [traces[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
@@ -104,7 +110,7 @@ class Tracer:
 
         Returns the two ends of that piece, which may be equal, or None if there is none.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         u = whole.direction
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
@@ -124,7 +130,7 @@ class Tracer:
         Cost: O(s) for s edges of the chain and each such vertex, and O(t) to find a translation on
         the trajectory.
         """
-        wholes = [segment(edge) for edge in pairwise(chain)]
+        wholes = [make_segment(edge) for edge in pairwise(chain)]
         for w in self._g_corners.get(frozenset(whole.direction for whole in wholes[:2]), ()):
             t = minus(chain[1], w)
             if all(self._covers(whole, t) for whole in wholes) and self._passes(t):
@@ -132,9 +138,9 @@ class Tracer:
         return None
 
     def _covers(self, whole: Segment, t: Vertex) -> bool:
-        line = whole.direction, whole.offset - offset(whole.direction, t)
+        line = whole.direction, whole.offset - find_offset(whole.direction, t)
         own = self._g_lines.get(line, ())
-        return covered(whole, [(piece.moved(t), 0) for piece in own]) is not None
+        return choose_cover(whole, [(piece.moved(t), 0) for piece in own]) is not None
 
     def _passes(self, t: Vertex) -> bool:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
@@ -154,7 +160,7 @@ class Tracer:
         if not paths:
             return
         by_offset = self._vertices_by_offset(u)
-        span = [along(u, w) for w in self._generatrix.vertices]
+        span = [measure_along(u, w) for w in self._generatrix.vertices]
         low = whole.low - max(span) - self._longest[u]
         high = whole.high - min(span)
         first = bisect_left(paths, low, key=lambda item: item[0].low)
@@ -165,7 +171,7 @@ class Tracer:
                 w = self._generatrix.vertices[i]
                 position = Feature("edge", k)
                 if self._generatrix.after[i] in ends:
-                    own = segment(self._generatrix.edge(i), u)
+                    own = make_segment(self._generatrix.edge(i), u)
                     total = Segment(u, whole.offset, path.low + own.low, path.high + own.high)
                     yield total, Trace(position, Feature("edge", i))
                 else:
@@ -175,7 +181,7 @@ class Tracer:
         if u not in self._g_by_offset:
             self._g_by_offset[u] = defaultdict(list)
             for i, w in enumerate(self._generatrix.vertices):
-                self._g_by_offset[u][offset(u, w)].append(i)
+                self._g_by_offset[u][find_offset(u, w)].append(i)
         return self._g_by_offset[u]
 
     def _at_all(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
@@ -196,7 +202,7 @@ class Tracer:
         if u not in self._t_by_offset:
             found = self._t_by_offset[u] = defaultdict(list)
             for k, t in enumerate(self._path.vertices):
-                found[offset(u, t)].append((along(u, t), k))
+                found[find_offset(u, t)].append((measure_along(u, t), k))
             for positions in found.values():
                 positions.sort()
         return self._t_by_offset[u]
@@ -204,5 +210,5 @@ class Tracer:
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:
     """The point of the line p q with a coordinate along it."""
-    share = Fraction(coordinate - along(u, p)) / (along(u, q) - along(u, p))
+    share = Fraction(coordinate - measure_along(u, p)) / (measure_along(u, q) - measure_along(u, p))
     return p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError
-from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.simplicity import Conflict, find_conflict
 
@@ -69,7 +69,7 @@ def agrees(points: list[Vertex]) -> bool:
     """Compare with the definition; tell whether the ring is simple."""
     expected = is_simple(points)
     try:
-        canonical_ring(points)
+        canonicalize_ring(points)
     except PolygonError:
         assert not expected, points
     else:

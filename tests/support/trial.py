@@ -181,7 +181,7 @@ def function_code(mutant: Mutant, text: bytes, file: str) -> CodeType | None:
         if not isinstance(node, ast.FunctionDef):
             continue
         if node.body[0].lineno <= mutant.line <= (node.end_lineno or 0):
-            first = min(line.lineno for line in (node, *node.decorator_list))
+            first = min([node.lineno, *(line.lineno for line in node.decorator_list)])
             codes = _codes(compile(mutant.applied(text), file, "exec"))
             return next(
                 code for code in codes if (code.co_firstlineno, code.co_name) == (first, node.name)
