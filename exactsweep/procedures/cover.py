@@ -58,8 +58,8 @@ class Cover:
             for k in (0, 1)
         ]
         self.side = max(1, max(spans) // columns)
-        cells_left, cells_low, cells = _squares_in(stationary, self.side)
-        points_left, points_low, points = _points_in(moving, self.side)
+        cells_left, cells_low, cells = squares_in(stationary, self.side)
+        points_left, points_low, points = points_in(moving, self.side)
         rows = max(map(int.bit_length, cells), default=0)
         rows += max(map(int.bit_length, points), default=0)
         stride = rows + 1
@@ -142,7 +142,7 @@ def _grid(rings: Rings, side: int) -> tuple[int, int, int, int]:
     return left, low, right - left + 1, high - low + 1
 
 
-def _squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
+def squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
     """The closed squares that lie in a shape: first column, first row, and the rows of each column.
 
     A square lies in the shape if no edge comes near it and the number of edges below it, on the
@@ -171,8 +171,8 @@ def _squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
     return left, low, [o & ~n & full for o, n in zip(odd, near, strict=True)]
 
 
-def _points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The grid points in the interior of a shape, as for `_squares_in`, by grid lines."""
+def points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
+    """The grid points in the interior of a shape, as for `squares_in`, by grid lines."""
     left, low, width, height = _grid(rings, side)
     full = (1 << height) - 1
     on, odd = [0] * width, [0] * width
