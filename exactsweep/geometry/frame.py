@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.number import quotient, quotients
-from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex
+from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex, make_points
 from exactsweep.geometry.polygon import Polygon
 
 
@@ -55,7 +55,7 @@ class Frame(NamedTuple):
         if shift != ORIGIN:
             dx, dy = shift
             xs, ys = [x + dx for x in xs], [y + dy for y in ys]
-        return list(map(Point._make, zip(xs, ys, strict=True)))
+        return make_points(xs, ys)
 
 
 def _plain(value: Fraction) -> Rational:

@@ -34,12 +34,14 @@ from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.chain import convex_parts
 from exactsweep.procedures.envelope import Break, Envelope, Piece, bound_slope, take_edges
 
-Box = tuple[Rational, Rational, Rational, Rational | float, Rational | float]
-"""Bounds of a convex part: (left, right, low, flattest, steepest).
+Box = tuple[Rational, Rational, Rational]
+"""Bounds of a convex part: (left, right, low), of its x-range and its least y, rounded to ints."""
 
-They are those of its x-range, its least y, and the slopes in which it matters. x and y are rounded
-outwards to ints. Slopes are ints as `bound_slope` gives them, or infinite where the other polygon
-turns about an end of the part.
+Slopes = tuple[Rational | float, Rational | float]
+"""Bounds of the slopes in which a convex part matters: (flattest, steepest).
+
+They are ints as `bound_slope` gives them, or infinite where the other polygon turns about an end of
+the part.
 """
 
 _height = itemgetter(1)
@@ -67,14 +69,17 @@ class ConvexPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box."""
-        points, (left, left_d), (right, right_d), turns_left, turns_right, edges = self
-        return (
-            left // left_d,
-            -(-right // right_d),
-            min(points, key=_height)[1],
-            -inf if turns_left else bound_slope(edges[0]),
-            inf if turns_right else bound_slope(edges[-1]),
-        )
+        return (*self.x_range, min(self.points, key=_height)[1])
+
+    @property
+    def x_range(self) -> tuple[Rational, Rational]:
+        """Its x-range, rounded outwards to ints."""
+        return round_outwards(self.left, self.right)
+
+    @property
+    def slopes(self) -> Slopes:
+        """The slopes in which it matters."""
+        return bound_slopes(self.edges, self.turns_left, self.turns_right)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -137,19 +142,22 @@ class CrossingPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
-        edges, breaks, turns_left, turns_right = self
-        (left, left_d), (right, right_d) = breaks[0], breaks[-1]
+        edges, breaks, _, _ = self
         lows = [
             (dy * n + c * d) // (dx * d)
             for (dx, dy, c, _, _), (n, d) in zip((*edges, edges[-1]), breaks, strict=True)
         ]
-        return (
-            left // left_d,
-            -(-right // right_d),
-            min(lows),
-            -inf if turns_left else bound_slope(edges[0]),
-            inf if turns_right else bound_slope(edges[-1]),
-        )
+        return (*self.x_range, min(lows))
+
+    @property
+    def x_range(self) -> tuple[Rational, Rational]:
+        """Its x-range, rounded outwards to ints."""
+        return round_outwards(self.breaks[0], self.breaks[-1])
+
+    @property
+    def slopes(self) -> Slopes:
+        """The slopes in which it matters."""
+        return bound_slopes(self.edges, self.turns_left, self.turns_right)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -189,6 +197,20 @@ class CrossingPart(NamedTuple):
         return Envelope(found, pieces)
 
 
+def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
+    """The least x-range between ints that holds two breaks. Cost: O(1)."""
+    (n, d), (m, e) = start, end
+    return n // d, -(-m // e)
+
+
+def bound_slopes(edges: Sequence[Piece], turns_left: bool, turns_right: bool) -> Slopes:
+    """The slopes in which a convex part of some edges matters. Cost: O(1)."""
+    return (
+        -inf if turns_left else bound_slope(edges[0]),
+        inf if turns_right else bound_slope(edges[-1]),
+    )
+
+
 def _find_what_matters(
     part: ConvexPart | CrossingPart, chain: ConvexPart
 ) -> tuple[int, int, int, int]:
@@ -198,21 +220,21 @@ def _find_what_matters(
     """
     own, others = part.edges, chain.edges
     i, last_i, j, last_j = 0, len(own), 0, len(others)
-    if not part.turns_left:  # (2)
-        dx, dy, _, _, _ = own[0]
+    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[0], others[0]
+    turn = edx * dy - edy * dx
+    if turn > 0 and not part.turns_left:  # (2)
         while j < last_j and others[j][1] * dx < others[j][0] * dy:
             j += 1
-    if not part.turns_right:  # (3)
-        dx, dy, _, _, _ = own[-1]
+    elif turn < 0 and not chain.turns_left:  # (4)
+        while i < last_i and own[i][1] * edx < own[i][0] * edy:
+            i += 1
+    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[-1], others[-1]
+    turn = edx * dy - edy * dx
+    if turn < 0 and not part.turns_right:  # (3)
         while j < last_j and others[last_j - 1][1] * dx > others[last_j - 1][0] * dy:
             last_j -= 1
-    if not chain.turns_left:  # (4)
-        dx, dy, _, _, _ = others[0]
-        while i < last_i and own[i][1] * dx < own[i][0] * dy:
-            i += 1
-    if not chain.turns_right:  # (4)
-        dx, dy, _, _, _ = others[-1]
-        while i < last_i and own[last_i - 1][1] * dx > own[last_i - 1][0] * dy:
+    elif turn > 0 and not chain.turns_right:  # (4)
+        while i < last_i and own[last_i - 1][1] * edx > own[last_i - 1][0] * edy:
             last_i -= 1
     return i, last_i, j, last_j
 

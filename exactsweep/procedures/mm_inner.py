@@ -18,7 +18,7 @@ touches D. So R has to be computed over the gaps between touched points only.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise, repeat
 from typing import cast
 
@@ -106,16 +106,14 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     return found
 
 
-def open_gaps(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """An envelope without what it has over gaps, given from left to right. Cost: O(n log n)."""
-    left_over = Envelope([envelope.breaks[0]], [])
-    end = envelope.breaks[-1]
-    for left, right in [*gaps, (end, end)]:
-        since = left_over.breaks[-1]
-        if precedes(since, left):
-            left_over.take(envelope, envelope.edge_after(since), envelope.edge_before(left), left)
-        left_over.take_gap(right)
-    return left_over
+def close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """An envelope with another one in its place over gaps, given from left to right. Cost: O(n)."""
+    joined = Envelope([floor.breaks[0]], [])
+    for left, right in gaps:
+        joined.take_between(floor, joined.breaks[-1], left)
+        joined.take_between(closed, left, right)
+    joined.take_between(floor, joined.breaks[-1], floor.breaks[-1])
+    return joined
 
 
 def inner_mm(
@@ -137,12 +135,12 @@ def inner_mm(
     chains = split_parts(inverse(generatrix_top))
     inside = take_inside(trajectory)
     slots = list(split_envelope(inside))
-    # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
-    guess: list[set[int]] = [set() for _ in chains]
-    owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
-    for source, k in zip(inside.sources, owners, strict=True):
-        guess[source // len(parts)].add(k)
+
+    def guess() -> Iterator[tuple[int, int]]:
+        # The part of G_t that draws the trajectory likely reaches deepest into the gap beside it.
+        owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
+        return ((source // len(parts), k) for source, k in zip(inside.sources, owners, strict=True))
+
     floor = Envelope.of(inverse(complement(directrix)))
-    boundary = sweep_pairs(chains, slots, open_gaps(floor, open_spans), open_spans, guess)
-    boundary = boundary.restrict(-directrix[-1][0], -directrix[0][0])
-    return inverse(complement(list(boundary)))
+    closed = sweep_pairs(chains, slots, open_spans, guess)
+    return inverse(complement(list(close_gaps(floor, closed, open_spans))))

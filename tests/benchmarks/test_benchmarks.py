@@ -10,6 +10,7 @@ from benchmarks import scaling
 from benchmarks.__main__ import main
 from benchmarks.families import FAMILIES
 from benchmarks.outlines import OUTLINES, part_pairs
+from benchmarks.spent import COUNTED, count
 from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
 from exactsweep.paper.claim import Effort
@@ -144,3 +145,18 @@ def test_scaling_says_by_its_exit_code_whether_all_is_within(
     result = CliRunner().invoke(main, ["scaling", "--quick"])
     assert result.exit_code == 1
     assert "operations of Trajectory_CC on cc" in result.output
+
+
+def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
+    pair = [Polygon(ring) for ring in FAMILIES["stair"](8, 8, 0)]
+    size = len(sweep(*pair).trajectory)
+    first, second = (count(lambda: sweep(*pair).trajectory.vertices) for _ in "ab")
+    assert first == second
+    assert all(first[name] for name in COUNTED)
+    assert 2 * size <= first["Fractions"] <= 3 * size
+
+
+def test_instructions_are_counted_by_what_they_do() -> None:
+    x = 3
+    found = count(lambda: ([x * x, x // 2], x < 6))
+    assert [found[name] for name in COUNTED[1:]] == [1, 2, 0, 2, 1]
