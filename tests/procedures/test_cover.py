@@ -12,7 +12,7 @@ from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.contact_lines import Stretch, contact_stretches
 from exactsweep.procedures.cover import Cover, points_in
 from exactsweep.procedures.crossings import cut_at_crossings
 from exactsweep.procedures.free_positions import free_positions
@@ -67,6 +67,11 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     covered = sum(bits.bit_count() for bits in cover.columns)
     # Of 32 x 32 squares of O those that do not touch its boundary, less a row each way.
     assert 28 * 28 <= covered <= 30 * 30
+    for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
+        assert not [*cover.uncovered(Stretch((dx, dy, 1), -30, 30, True, True))]
+    (left,) = cover.uncovered(Stretch((1, 0, 0), -64, 30, True, True))
+    assert left.low[0] == -64
+    assert -60 <= left.high[0] <= -56
 
 
 @given(polyominoes(9, 4), MATRICES, st.integers(1, 8))
