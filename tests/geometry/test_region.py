@@ -67,6 +67,7 @@ def test_indices_count_through_the_rings_as_given() -> None:
         ([[(0, 1), (2, 1), (2, 2), (0, 2)]], "edge 3.*the exterior, edge 3 run along each other$"),
         ([SMALL, [(2, 2), (4, 2), (4, 4), (2, 4)]], "^hole [01], edge .*, and hole [01],.* cross$"),
         ([SMALL, [(3, 1), (4, 1), (4, 3), (3, 3)]], "run along each other$"),
+        ([[(2, 1), (6, 3), (4, 4)], [(4, 2), (5, 1), (8, 4)]], "run along each other$"),
         ([SMALL, SMALL], "run along each other$"),
         ([[(1, 1), (5, 1), (5, 5), (1, 5)], [(2, 2), (3, 2), (2, 3)]], "^hole 1 is inside hole 0$"),
         ([[(2, 2), (3, 2), (2, 3)], [(1, 1), (5, 1), (5, 5), (1, 5)]], "^hole 0 is inside hole 1$"),
