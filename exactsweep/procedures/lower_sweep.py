@@ -34,7 +34,7 @@ class LowerSweep:
         self.bottom = bottom
         self.directrix = directrix
 
-    @cached_property
+    @property
     def path(self) -> list[Vertex]:
         """T(G_t, D_b) as a chain, from left to right."""
         if self.kind == "CC":
