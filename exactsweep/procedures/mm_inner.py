@@ -38,7 +38,6 @@ from exactsweep.procedures.envelope import (
 )
 from exactsweep.procedures.part_pairs import sweep_pairs
 
-
 FEW_EDGES = 8
 """So few are sooner walked along than searched."""
 
