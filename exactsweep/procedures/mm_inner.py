@@ -105,9 +105,10 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
         if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
         for begin, end in of_edge:
-            if precedes(reach, begin):
+            (n, d), (m, e), (o, f) = reach, begin, end
+            if n * e < m * d:
                 found.append((reach, begin))
-            if precedes(reach, end):
+            if n * f < o * d:
                 reach = end
     return found
 
