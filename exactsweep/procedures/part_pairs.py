@@ -189,7 +189,10 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    facing = find_facing(rows, columns)
+    if gaps is None and len(rows) * len(columns) <= FEW_PAIRS:
+        facing = [list(range(len(columns)))] * len(rows)
+    else:
+        facing = find_facing(rows, columns)
     if gaps is not None:
         facing = keep_over(gaps, facing, rows, columns)
 
