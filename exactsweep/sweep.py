@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from exactsweep.view import InlinePage
 
 
-class Answer:
+class EqualByQuestion:
     """What equals another if the same was asked of the same polygons.
 
     Polygons are equal as sets of points: in which order their vertices were given shows in the
@@ -49,7 +49,7 @@ class Answer:
         return hash(tuple(getattr(self, name) for name in self.asked))
 
 
-class Sweep(Answer, Swept):
+class Sweep(EqualByQuestion, Swept):
     """A sweep that shows itself; made by `sweep`. What is computed is said in `Swept`."""
 
     asked = ("generatrix", "directrix", "direction", "reference")
@@ -91,7 +91,7 @@ class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
 
 
-class NoFitPolygon(Answer, no_fit.NoFitPolygon):
+class NoFitPolygon(EqualByQuestion, no_fit.NoFitPositions):
     """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
 
     asked = ("stationary", "orbiting", "reference")
@@ -109,17 +109,17 @@ class NoFitPolygon(Answer, no_fit.NoFitPolygon):
         return plot_no_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import no_fit_html
+        from exactsweep.draw.notebook import show_no_fit
 
-        return no_fit_html(self)
+        return show_no_fit(self)
 
 
-class InnerFit(Answer, no_fit.InnerFit):
+class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
     """An inner fit that shows itself; made by `inner_fit_polygon`."""
 
     asked = ("container", "part", "reference")
@@ -137,14 +137,14 @@ class InnerFit(Answer, no_fit.InnerFit):
         return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import inner_fit_html
+        from exactsweep.draw.notebook import show_inner_fit
 
-        return inner_fit_html(self)
+        return show_inner_fit(self)
 
 
 def sweep(

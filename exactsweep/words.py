@@ -52,10 +52,10 @@ def size(vertices: int, area: Fraction) -> str:
     return f"{vertices} vertices, area {abridged(area)}"
 
 
-def heading(vector: Vertex) -> str:
+def name_heading(vector: Vertex) -> str:
     """Say where a vector points.
 
-    >>> heading((-3, 1)), heading((0, -1))
+    >>> name_heading((-3, 1)), name_heading((0, -1))
     ('left and up', 'down')
     """
     x, y = vector
@@ -65,10 +65,10 @@ def heading(vector: Vertex) -> str:
     return " and ".join(words)
 
 
-def degrees(vector: Vertex) -> str:
+def write_degrees(vector: Vertex) -> str:
     """Write by how much a vector is turned from the X axis, counter-clockwise, about.
 
-    >>> degrees((1, -2)), degrees((0, 10**400)), degrees((-1, 1))
+    >>> write_degrees((1, -2)), write_degrees((0, 10**400)), write_degrees((-1, 1))
     ('-63.4', '90', '135')
     """
     across, up = map(Fraction, vector)
@@ -77,10 +77,10 @@ def degrees(vector: Vertex) -> str:
     return f"{atan2(y, x) * 180 / pi:.1f}".removesuffix(".0")
 
 
-def suggestion(word: str, words: Iterable[str]) -> str:
+def suggest(word: str, words: Iterable[str]) -> str:
     """Ask whether a similar word is meant, if there is one.
 
-    >>> suggestion("brakcet", ["plate", "bracket"])
+    >>> suggest("brakcet", ["plate", "bracket"])
     "; did you mean 'bracket'?"
     """
     near = get_close_matches(word, words, n=1, cutoff=0.5)

@@ -4,7 +4,7 @@ Imports are read from the source, those inside functions and under TYPE_CHECKING
 """
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -182,3 +182,37 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
         if len(path.read_text(encoding="utf-8").splitlines()) > 400
     ]
     assert not long
+
+
+def named_types(source: str) -> Iterator[str]:
+    """The classes and type aliases of a source, without leading underscores."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            yield node.name.lstrip("_")
+    for node in tree.body:
+        if isinstance(node, ast.Assign):
+            names = [ast.unparse(target).lstrip("_") for target in node.targets]
+            # Constants are in capitals; what holds a value of a type is in small letters.
+            yield from (name for name in names if name[:1].isupper() and not name.isupper())
+
+
+def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """The names that more than one type has, each with the modules; of pairs module, source."""
+    homes: dict[str, list[str]] = {}
+    for module, source in sources:
+        for name in named_types(source):
+            homes.setdefault(name, []).append(module)
+    return {name: places for name, places in homes.items() if len(places) > 1}
+
+
+def test_no_two_types_have_one_name() -> None:
+    # One word for one thing: a reader who meets a name knows which type it is.
+    found = namesakes((name, path.read_text(encoding="utf-8")) for name, path in modules().items())
+    assert not found, found
+
+
+def test_namesakes_are_found() -> None:
+    one = "class Ring: ...\n"
+    other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
+    assert namesakes([("a", one), ("b", other)]) == {"Ring": ["a", "b"]}

@@ -58,14 +58,14 @@ class Cluster:
         self.connection = self.client.scheduler_comm
         self.pool = self.client.get_executor(pure=False)
 
-    def submit(self, chunk: Chunk) -> _Answer:
+    def submit(self, chunk: Chunk) -> _RecordsOfCluster:
         """Compute a chunk in some process.
 
         Raises:
             CancelledError: the scheduler is gone.
         """
         try:
-            return _Answer(self.pool.submit(_compute, chunk, self.name), self)
+            return _RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
             raise CancelledError from None
 
@@ -85,7 +85,7 @@ class Cluster:
             self.own.close()
 
 
-class _Answer:
+class _RecordsOfCluster:
     """What a chunk gives, some time."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:

@@ -53,7 +53,7 @@ class Job(NamedTuple):
         return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
 
 
-def all_pairs(
+def take_all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
     what: str = "loops",
@@ -76,7 +76,7 @@ def all_pairs(
     Example:
         >>> from exactsweep import Polygon
         >>> square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
-        >>> all_pairs([square], [square, square]).total
+        >>> take_all_pairs([square], [square, square]).total
         2
     """
     work = Work(_known(what), _unique(generatrices), _unique(directrices), rounding)
@@ -84,7 +84,7 @@ def all_pairs(
     return Job(work, total, _digest(work, b"all pairs"), None)
 
 
-def pairs_of(
+def take_listed_pairs(
     path: str,
     parts: Iterable[NamedPolygon | Part] = (),
     what: str = "loops",
@@ -98,7 +98,7 @@ def pairs_of(
             Empty lines do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops", "areas" or "nfp".
-        rounding: as for `all_pairs`.
+        rounding: as for `take_all_pairs`.
 
     Returns:
         A Job for `run`.

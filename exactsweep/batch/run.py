@@ -32,7 +32,7 @@ class Counts(NamedTuple):
     resumed: int
 
 
-class Answer(Protocol):
+class PendingRecords(Protocol):
     """What a chunk gives, some time."""
 
     def result(self) -> Sequence[bytes]:
@@ -45,7 +45,7 @@ class Processes(Protocol):
     count: int
     lost: tuple[type[BaseException], ...]
 
-    def submit(self, chunk: Chunk) -> Answer:
+    def submit(self, chunk: Chunk) -> PendingRecords:
         """Compute a chunk in some process."""
 
     def close(self) -> None:
@@ -64,7 +64,7 @@ def run(
     """Compute a batch, or go on with one that was interrupted.
 
     Args:
-        job: of `all_pairs` or `pairs_of`.
+        job: of `take_all_pairs` or `take_listed_pairs`.
         output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
             ".parquet", for a table of them. Until the last record is there, they are in
             `output` + ".part".
@@ -120,7 +120,7 @@ def _processes(work: Work, workers: int | None, scheduler: str | None) -> Proces
     return Cluster(work, scheduler, workers or count_cores())
 
 
-_Pending = tuple[Chunk, Answer]
+_Pending = tuple[Chunk, PendingRecords]
 
 
 def _in_order(
@@ -135,7 +135,9 @@ def _in_order(
         yield _result(*pending.popleft(), processes, work)
 
 
-def _result(chunk: Chunk, answer: Answer, processes: Processes, work: Work) -> Sequence[bytes]:
+def _result(
+    chunk: Chunk, answer: PendingRecords, processes: Processes, work: Work
+) -> Sequence[bytes]:
     try:
         return answer.result()
     except processes.lost:

@@ -18,8 +18,9 @@ from typing import Any, NamedTuple
 from exactsweep.check.certificate import (
     INPUT_DIGITS,
     CertificateError,
-    Loop,
+    KeyPath,
     check_keys,
+    flaw,
     is_exactly,
     read_fit,
     read_list,
@@ -28,12 +29,10 @@ from exactsweep.check.certificate import (
 )
 from exactsweep.check.length import answer_digits, area_digits
 from exactsweep.geometry.number import allowed_digits, limits
-from exactsweep.geometry.point import Point
-
-Fits = tuple[tuple[Point, Point], ...]
+from exactsweep.geometry.point import Fit, Loop
 
 
-class Outline(NamedTuple):
+class ClaimedShape(NamedTuple):
     """A polygon with holes, not checked yet."""
 
     exterior: Loop
@@ -43,20 +42,20 @@ class Outline(NamedTuple):
 class NoFitClaim(NamedTuple):
     """All positions at which G touches D without overlap: loops, and exact fits."""
 
-    directrix: Outline
-    generatrix: Outline
+    directrix: ClaimedShape
+    generatrix: ClaimedShape
     exterior: Loop
     holes: tuple[Loop, ...]
-    exact_fits: Fits
+    exact_fits: tuple[Fit, ...]
 
 
 class InnerFitClaim(NamedTuple):
     """All positions of a part inside a container: regions, and exact fits."""
 
-    container: Outline
-    part: Outline
-    regions: tuple[Outline, ...]
-    exact_fits: Fits
+    container: ClaimedShape
+    part: ClaimedShape
+    regions: tuple[ClaimedShape, ...]
+    exact_fits: tuple[Fit, ...]
 
 
 class SweepClaim(NamedTuple):
@@ -69,7 +68,7 @@ class SweepClaim(NamedTuple):
     area: Fraction
 
 
-Claim = NoFitClaim | InnerFitClaim | SweepClaim
+ShapeClaim = NoFitClaim | InnerFitClaim | SweepClaim
 
 _SWEPT = ("kind", "inner", "outer", "unswept", "area")
 _KEYS = {
@@ -79,7 +78,7 @@ _KEYS = {
 }
 
 
-def read_claim(certificate: dict[Any, Any]) -> Claim:
+def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
     """Read a certificate that has the key `claim`.
 
     Returns:
@@ -96,11 +95,11 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
     check_keys(certificate, ("claim", *_KEYS[name]))
     shapes = ("container", "part") if name == "inner_fit" else ("directrix", "generatrix")
     with limits(max_digits=max(INPUT_DIGITS, allowed_digits())):
-        d, g = (_outline(certificate[key], key) for key in shapes)
+        d, g = (_read_shape(certificate[key], key) for key in shapes)
     with limits(max_digits=answer_digits(*(certificate[key] for key in shapes))):
         fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
         if name == "inner_fit":
-            regions = read_list(certificate["regions"], "regions", _outline)
+            regions = read_list(certificate["regions"], "regions", _read_shape)
             return InnerFitClaim(d, g, regions, fits)
         exterior = read_loop(certificate["exterior"], "exterior")
         no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
@@ -116,12 +115,12 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
     return SweepClaim(no_fit, inner, outer, unswept, area)
 
 
-def _loops(item: Any, place: str) -> tuple[Loop, ...]:
+def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:
     return read_list(item, place, read_loop)
 
 
-def _outline(item: Any, place: str) -> Outline:
+def _read_shape(item: Any, place: KeyPath) -> ClaimedShape:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise CertificateError(f"{place}: not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], f"{place}.exterior")
-    return Outline(exterior, _loops(item["holes"], f"{place}.holes"))
+        raise flaw(place, "not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], (place, ".exterior"))
+    return ClaimedShape(exterior, _loops(item["holes"], (place, ".holes")))

@@ -17,7 +17,13 @@ What a number of the answer has beyond that cannot be true, and is refused befor
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import Any
+
+_LEVELS = 8
+
+# What loops are made of is told by words and indices: no string of it is read as a number.
+_WITHOUT_NUMBERS = ("contacts", "inner_drawn", "outer_drawn")
 
 
 def answer_digits(*inputs: Any) -> int:
@@ -39,6 +45,8 @@ def reading_steps(certificate: Any) -> int:
 
     Cost: linear in the number of strings.
     """
+    if isinstance(certificate, dict):
+        certificate = [item for key, item in certificate.items() if key not in _WITHOUT_NUMBERS]
     return sum(1 + len(text) ** 2 // 20_000 for text in _strings(certificate))
 
 
@@ -46,10 +54,10 @@ def _total(item: Any) -> int:
     return sum(map(len, _strings(item)))
 
 
-def _strings(item: Any, depth: int = 7) -> Iterator[str]:
-    """All strings of data as JSON has it; numbers are not nested more deeply."""
-    if isinstance(item, str):
-        yield item
-    elif depth and isinstance(item, dict | list | tuple):
-        for entry in item.values() if isinstance(item, dict) else item:
-            yield from _strings(entry, depth - 1)
+def _strings(item: Any) -> Iterator[str]:
+    """All strings of data as JSON has it, level by level; numbers are not nested more deeply."""
+    level = [item]
+    for _ in range(_LEVELS):
+        yield from (entry for entry in level if isinstance(entry, str))
+        lists = [entry for entry in level if isinstance(entry, (list, tuple, dict))]
+        level = [*chain.from_iterable(e.values() if isinstance(e, dict) else e for e in lists)]

@@ -6,7 +6,7 @@ import click
 
 from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.output import takes_output
-from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
@@ -39,7 +39,7 @@ def convert_command(
     form: str | None,
     free: bool,
     rounding: Rounding | None,
-    reading: Reading,
+    reading: ReadingOptions,
     output: str,
 ) -> None:
     """Write the polygons of files in another format.

@@ -20,7 +20,7 @@ def example_command(name: str | None, output: str) -> None:
     Each of them speaks the protocol and does convex pairs only. Without NAME, their paths are
     printed; with NAME, such as convex.py, the program, or it is copied by -o FILE.
     """
-    from exactsweep.corpus.names import known
+    from exactsweep.corpus.names import require_known
 
     folder = files("exactsweep.conform.examples")
     programs = {entry.name: entry for entry in folder.iterdir() if entry.name.startswith("convex.")}
@@ -29,4 +29,7 @@ def example_command(name: str | None, output: str) -> None:
         return
     if output != "-" and Path(output).exists():
         raise FormatError(f"{file_name(output)}: is there already")
-    write(programs[known(name, sorted(programs), "example")].read_text(encoding="utf-8"), output)
+    write(
+        programs[require_known(name, sorted(programs), "example")].read_text(encoding="utf-8"),
+        output,
+    )

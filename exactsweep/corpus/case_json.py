@@ -12,11 +12,11 @@ from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import described, read_number, read_point, read_vertices
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import format_fraction, quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-Loop = tuple[tuple[Point, ...], Polygon]
+GivenRing = tuple[Loop, Polygon]
 
 
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -159,7 +159,7 @@ def _regions(value: object, path: str) -> tuple[Region, ...]:
     return tuple(regions)
 
 
-def _fits(value: object, path: str) -> tuple[tuple[Point, Point], ...]:
+def _fits(value: object, path: str) -> tuple[Fit, ...]:
     fits = []
     for k, fit in enumerate(_list(value, "exact_fits", path)):
         ends = read_vertices(fit, f"{path}.exact_fits[{k}]")
@@ -233,16 +233,16 @@ def _text(value: object, path: str) -> str:
     return value
 
 
-def _ring(value: object, name: str, path: str) -> Loop:
+def _ring(value: object, name: str, path: str) -> GivenRing:
     return _loop(_member(value, name, path), f"{path}.{name}")
 
 
-def _rings(value: object, name: str, path: str) -> tuple[Loop, ...]:
+def _rings(value: object, name: str, path: str) -> tuple[GivenRing, ...]:
     found = enumerate(_list(value, name, path))
     return tuple(_loop(ring, f"{path}.{name}[{k}]") for k, ring in found)
 
 
-def _loop(value: object, path: str) -> Loop:
+def _loop(value: object, path: str) -> GivenRing:
     """Read a ring as it is given, and as a Polygon."""
     points = read_vertices(value, path)
     try:
@@ -257,7 +257,7 @@ OF_POSITIONS = ("trajectory", "no_fit", "inner_fit", *FITS)
 """Parts of an answer that are positions of the reference point."""
 
 
-def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
+def list_expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     """Return the rings, or the segments, of a part of the answer, as a case has them as JSON.
 
     Args:
@@ -267,7 +267,7 @@ def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
-        >>> expected_rings(data, "no_fit")
+        >>> list_expected_rings(data, "no_fit")
         [[['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]]
     """
     expected = data["expected"]

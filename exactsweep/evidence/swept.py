@@ -22,6 +22,7 @@ from exactsweep.evidence.contact import (
 from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
+from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import abridged
@@ -32,8 +33,6 @@ from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once
 from exactsweep.words import vector
-
-Vertices = Polygon | Iterable[Iterable[object]]
 
 
 class Swept:
@@ -88,12 +87,7 @@ class Swept:
             loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
             points = self._frame.leave(loop, shift)
             if self.direction != X_AXIS:
-                # Ints are compared in a fraction of the time.
-                floors = [x.numerator // x.denominator for x, _ in points]
-                least = min(floors)
-                first = min(
-                    (k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__
-                )
+                first = find_least(points)
                 loop, points = loop[first:] + loop[:first], points[first:] + points[:first]
             return loop, Polygon._from_canonical(points)
 

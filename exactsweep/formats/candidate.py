@@ -11,10 +11,10 @@ from exactsweep.geometry.number import NumberError, quoted
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import count, suggestion
+from exactsweep.words import count, suggest
 
 _SHOWN = 4
-_Shape = TypeVar("_Shape", Polygon, Region)
+_PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 _Read = TypeVar("_Read")
 
 
@@ -91,7 +91,7 @@ class Candidate(NamedTuple):
         """Read it as the Region that it is if there are holes, else as a Polygon."""
         return self.region() if self.holes() else self.polygon()
 
-    def _read(self, shape: Callable[[], _Shape]) -> _Shape:
+    def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:
             return shape()
         except PolygonError as error:
@@ -196,7 +196,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     found = named or [one for one in layered if not one.fault] or layered
     if found:
         return found
-    near = suggestion(choice, [n for o in candidates for n in (o.name, o.layer) if n])
+    near = suggest(choice, [n for o in candidates for n in (o.name, o.layer) if n])
     raise FormatError(
         f"no polygon has the name, index or layer {quoted(choice)}"
         f"{near or f'; there are {len(candidates)}'}"

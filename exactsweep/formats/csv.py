@@ -16,7 +16,7 @@ from exactsweep.geometry.point import Point
 _NAMES = ("name", "id", "part", "polygon")
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
-_Rings = dict[str, list[tuple[int, str, str]]]
+_RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
@@ -55,7 +55,7 @@ def parse_csv(text: str) -> list[Candidate]:
     sample = text.lstrip().partition("\n")[0]
     separator = max(",;\t", key=sample.count)
     rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
-    polygons: dict[tuple[str, str], _Rings] = {}
+    polygons: dict[tuple[str, str], _RowsByRing] = {}
     columns: dict[str, int] | None = None
     try:
         for row in rows:
@@ -79,7 +79,7 @@ def parse_csv(text: str) -> list[Candidate]:
     return [_candidate(name, rings) for (_, name), rings in polygons.items()]
 
 
-def _candidate(name: str, rings: _Rings) -> Candidate:
+def _candidate(name: str, rings: _RowsByRing) -> Candidate:
     exterior, *holes = (
         Candidate(f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values()
     )

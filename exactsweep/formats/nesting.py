@@ -10,7 +10,7 @@ from math import lcm
 from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError, doubled_area
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, LatticePoint, Point
+from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 
 MAX_DEPTH = 100
@@ -170,9 +170,7 @@ def _may_overlap(first: Polygon, second: Polygon) -> bool:
     return a.x < d.x and c.x < b.x and a.y < d.y and c.y < b.y
 
 
-def _is_around(
-    outer: Sequence[LatticePoint], inner: Sequence[LatticePoint], names: tuple[str, str]
-) -> bool:
+def _is_around(outer: Sequence[Vertex], inner: Sequence[Vertex], names: tuple[str, str]) -> bool:
     """Whether one of two counter-clockwise rings lies in the other, not outside of it."""
     if not Overlap([outer], [inner]).at(ORIGIN):
         return False

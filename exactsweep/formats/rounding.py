@@ -33,7 +33,6 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
 Side = Literal["closest", "outward", "inward"]
-_Ring = Sequence[Point]
 # How many cells away a point for a right turn is looked for.
 _REACH = 3
 
@@ -187,7 +186,7 @@ class _Moved(NamedTuple):
     distance: Fraction
 
 
-def _move(ring: _Ring, grid: Fraction) -> _Moved | None:
+def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     """Move a ring to the grid, to its right; None if no ring is left."""
     points = [Point(x / grid, y / grid) for x, y in ring]
     old = Polygon(points)
@@ -231,7 +230,7 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
     return contains(Region(outer), Region(inner))
 
 
-def _chains(corners: _Ring) -> list[list[Point]]:
+def _chains(corners: Sequence[Point]) -> list[list[Point]]:
     """The new vertices for each corner; none where there is no point for a right turn."""
     found = []
     for i, v in enumerate(corners):
@@ -281,7 +280,7 @@ def _closest(v: Point, e: Point, f: Point) -> list[Point]:
     return [min(near)[1]] if near else []
 
 
-def _ears(corners: _Ring) -> list[tuple[Fraction, int]]:
+def _ears(corners: Sequence[Point]) -> list[tuple[Fraction, int]]:
     """The right turns: twice the area that is filled without each, and its place."""
     found = []
     for i, v in enumerate(corners):
@@ -291,7 +290,7 @@ def _ears(corners: _Ring) -> list[tuple[Fraction, int]]:
     return found
 
 
-def _hull(points: _Ring) -> list[Point]:
+def _hull(points: Sequence[Point]) -> list[Point]:
     """The convex hull of the cells around points (Andrew's monotone chain)."""
     corners = sorted(
         {
@@ -312,7 +311,9 @@ def _hull(points: _Ring) -> list[Point]:
     return sides[0] + sides[1]
 
 
-def _distance(points: _Ring, alive: Sequence[int], chains: Sequence[Sequence[Point]]) -> Fraction:
+def _distance(
+    points: Sequence[Point], alive: Sequence[int], chains: Sequence[Sequence[Point]]
+) -> Fraction:
     """How far old and new ring are apart, at most.
 
     Along an edge the distance is largest at an end; what was left out lies along one new edge.
@@ -328,7 +329,7 @@ def _distance(points: _Ring, alive: Sequence[int], chains: Sequence[Sequence[Poi
     return root_above(largest)
 
 
-def _square_to_ring(p: Point, ring: _Ring) -> Fraction:
+def _square_to_ring(p: Point, ring: Sequence[Point]) -> Fraction:
     return min(_square_to_edge(p, ring[k - 1], ring[k]) for k in range(len(ring)))
 
 

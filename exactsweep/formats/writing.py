@@ -12,12 +12,11 @@ from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
 from exactsweep.geometry.number import quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-Fit = tuple[Point, Point]
-_Row = list[tuple[str, str]]
+_Decimals = list[tuple[str, str]]
 
 
 def format_polygons(
@@ -194,12 +193,12 @@ def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     return csv_rows(rows)
 
 
-def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Row]:
+def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Decimals]:
     for k, fit in enumerate(fits):
         yield _row(f"exact fit {k}", list(dict.fromkeys(fit)), form)
 
 
-def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Row]]:
+def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]]:
     """The vertices of the rings of each region as decimals, those of the holes clockwise."""
     for k, region in enumerate(regions):
         exterior, *holes = [_row(*ring, form) for ring in _named_rings(k, region).items()]
@@ -221,7 +220,7 @@ def _named_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}
 
 
-def _row(name: str, points: Sequence[Point], form: str) -> _Row:
+def _row(name: str, points: Sequence[Point], form: str) -> _Decimals:
     row = []
     for i, (x, y) in enumerate(points):
         try:

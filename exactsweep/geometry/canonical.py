@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from operator import eq
+from operator import eq, floordiv
 from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.number import ratios
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
@@ -14,7 +15,7 @@ class PolygonError(ExactSweepError):
     """Vertices that do not bound a simple polygon; the message names indices in the input."""
 
 
-class Ring(NamedTuple):
+class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
     `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
@@ -22,14 +23,14 @@ class Ring(NamedTuple):
     X axis.
     """
 
-    points: tuple[LatticePoint, ...]
+    points: tuple[Vertex, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
     convex: bool
     monotone: bool
 
 
-def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
+def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
     Args:
@@ -37,7 +38,7 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
             vertices may lie inside straight edges.
 
     Returns:
-        The same polygon as a Ring.
+        The same polygon as a CanonicalRing.
 
     Raises:
         PolygonError: fewer than three distinct points, all on one line, a spike, or a line that
@@ -77,12 +78,12 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
-    return Ring(tuple(found), tuple(corners), tuple(starts), convex, monotone)
+    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
 def _join_equal(
-    points: Sequence[LatticePoint],
-) -> tuple[Sequence[LatticePoint], Sequence[int], Sequence[int]]:
+    points: Sequence[Vertex],
+) -> tuple[Sequence[Vertex], Sequence[int], Sequence[int]]:
     """Take each run of equal neighbours, round the end, for one vertex.
 
     Returns the vertices, the least index of each run, and the last, at which its edge starts.
@@ -96,7 +97,7 @@ def _join_equal(
     return [points[i] for i in starts], vertices, edges
 
 
-def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
+def turn_products(ring: Sequence[Vertex]) -> list[int | Fraction]:
     """Return at each vertex the cross product of the edges before and after it. Cost: O(n)."""
     turns = []
     (ax, ay), (bx, by) = ring[-2], ring[-1]
@@ -109,7 +110,7 @@ def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
     return turns[1:] + turns[:1]
 
 
-def _refuse_flat(points: Sequence[LatticePoint], turns: Sequence[int | Fraction]) -> None:
+def _refuse_flat(points: Sequence[Vertex], turns: Sequence[int | Fraction]) -> None:
     if not any(turns):
         distinct = len(set(points))
         if distinct < 3:
@@ -120,7 +121,7 @@ def _refuse_flat(points: Sequence[LatticePoint], turns: Sequence[int | Fraction]
 
 
 def _refuse_spikes(
-    ring: Sequence[LatticePoint], turns: Sequence[int | Fraction], names: Sequence[int]
+    ring: Sequence[Vertex], turns: Sequence[int | Fraction], names: Sequence[int]
 ) -> None:
     n = len(ring)
     for i, turn in enumerate(turns):
@@ -131,7 +132,7 @@ def _refuse_spikes(
 
 
 def _refuse_conflicts(
-    ring: Sequence[LatticePoint], vertices: Sequence[int], edges: Sequence[int]
+    ring: Sequence[Vertex], vertices: Sequence[int], edges: Sequence[int]
 ) -> None:
     conflict = find_conflict(ring)
     if conflict is None:
@@ -148,7 +149,21 @@ def _refuse_conflicts(
     raise PolygonError(f"the boundary crosses itself: edges {low} and {high} cross")
 
 
-def doubled_area(ring: Sequence[LatticePoint]) -> int | Fraction:
+def find_least(points: Sequence[Point]) -> int:
+    """Return the number of the lexicographically least point, the first of equal ones.
+
+    Cost: O(n); Fractions are compared where the ints below them are equal, which is seldom.
+
+    Example:
+        >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
+        1
+    """
+    floors = [*map(floordiv, *ratios([x for x, _ in points]))]
+    least = min(floors)
+    return min((k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__)
+
+
+def doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring. Cost: O(n)."""
     return sum(
         ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, (*ring[1:], ring[0]), strict=True)

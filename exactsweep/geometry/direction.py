@@ -22,9 +22,9 @@ from operator import ne, sub
 
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quoted, to_fraction
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.words import degrees, vector
+from exactsweep.words import vector, write_degrees
 
 Vector = tuple[int, int]
 
@@ -142,9 +142,9 @@ class Directions:
         if all(self.after):
             return "all directions"
         arcs = [
-            f"all from {vector(u)} to {vector(v)}, {degrees(u)} to {degrees(v)} degrees"
+            f"all from {vector(u)} to {vector(v)}, {write_degrees(u)} to {write_degrees(v)} degrees"
             if u != v
-            else f"just {vector(u)}, {degrees(u)} degrees"
+            else f"just {vector(u)}, {write_degrees(u)} degrees"
             for u, v in self.arcs()
         ]
         return " and ".join(arcs) or "no direction"
@@ -154,7 +154,7 @@ class Directions:
         return bisect_right(self.critical, angle_key(primitive(direction)), key=angle_key) - 1
 
 
-def primitive(direction: LatticePoint) -> Vector:
+def primitive(direction: Vertex) -> Vector:
     """Reduce a direction to coprime ints, the first one positive or both (0, 1).
 
     >>> from fractions import Fraction
@@ -269,12 +269,13 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
     """Refuse a polygon that is not monotone to a direction that somebody asked for."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
-            f"the {name} is not monotone to {vector(direction)}, {degrees(direction)} degrees; "
+            f"the {name} is not monotone to {vector(direction)}, "
+            f"{write_degrees(direction)} degrees; "
             f"its directions of monotonicity: {monotone_directions(polygon)}"
         )
 
 
-def _edges(ring: Sequence[LatticePoint]) -> list[LatticePoint]:
+def _edges(ring: Sequence[Vertex]) -> list[Vertex]:
     return [(ring[k][0] - ring[k - 1][0], ring[k][1] - ring[k - 1][1]) for k in range(len(ring))]
 
 

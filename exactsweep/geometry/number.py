@@ -25,7 +25,7 @@ _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 # JSON's grammar of numbers, and fractions.
 _NUMBER = re.compile(
     r"(?P<numerator>-?(?:0|[1-9][0-9]*))"
-    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?P<tail>(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?))"
+    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?)"
 )
 
 
@@ -246,18 +246,24 @@ def format_fraction(value: Fraction) -> str:
         >>> format_fraction(Fraction(-7, 2))
         '-7/2'
     """
+    numerator = _digits(value.numerator)
+    return numerator if value.denominator == 1 else f"{numerator}/{_digits(value.denominator)}"
+
+
+def _digits(number: int) -> str:
     # Decimal converts ints exactly and, unlike str(int), whatever the interpreter's digit limit.
-    numerator = str(Decimal(value.numerator))
-    return numerator if value.denominator == 1 else f"{numerator}/{Decimal(value.denominator)}"
+    return str(number) if number.bit_length() < _SHORT else str(Decimal(number))
 
 
 def _from_string(text: str) -> Fraction:
+    digits = text.removeprefix("-")
+    is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
+    if is_int and len(text) <= _SHORT and len(text) <= _max_digits.get():
+        return _reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
-    numerator, denominator, tail, exponent = match.groups()
-    if tail == "" and len(text) <= min(_SHORT, _max_digits.get()):
-        return _reduced(int(text), 1)
+    numerator, denominator, exponent = match.groups()
     if denominator is not None:
         if denominator == "0":
             raise NumberError(f"{quoted(text)} has a zero denominator")
@@ -297,7 +303,10 @@ def _check_before_reduction(shown: object, digits: int) -> None:
 
 
 def _check(shown: object, value: Fraction) -> Fraction:
-    if max(abs(value.numerator), value.denominator) >= _power_of_ten(_max_digits.get()):
+    digits, longest = _max_digits.get(), max(abs(value.numerator), value.denominator)
+    # 2**b < 10**d if 0.30103 b < d: then the power, which may be far longer, need not be made.
+    is_short = longest.bit_length() * 30_103 < digits * 100_000
+    if not is_short and longest >= _power_of_ten(digits):
         raise _too_long(shown)
     return value
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -43,12 +43,11 @@ ORIGIN = Point(Fraction(0), Fraction(0))
 
 
 Rational = int | Fraction
-
-
 Vertex = tuple[Rational, Rational]
-
-
 Edge = tuple[Vertex, Vertex]
-
-
-LatticePoint = tuple[int | Fraction, int | Fraction]
+Loop = tuple[Point, ...]
+"""The vertices of a closed line; the last one is not the first one again."""
+Fit = tuple[Point, Point]
+"""An exact fit by its ends, which are equal where it is a single position."""
+PointRings = Sequence[Sequence[Point]]
+"""Rings, in which the last vertex is not the first one again."""

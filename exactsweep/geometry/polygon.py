@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
 from exactsweep.geometry.number import abridged, quotients
-from exactsweep.geometry.point import LatticePoint, Point, make_points
+from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_point, rings_of_interface
 from exactsweep.geometry.simplicity import are_chains_monotone
@@ -54,7 +54,7 @@ class Polygon(PointSet):
     _convex: bool | None
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
-    _lattice: tuple[int, tuple[LatticePoint, ...]] | None
+    _lattice: tuple[int, tuple[Vertex, ...]] | None
     _vertex_index: Sequence[int]
     _edge_index: Sequence[int]
 
@@ -81,7 +81,7 @@ class Polygon(PointSet):
         return polygon
 
     @classmethod
-    def _from_lattice(cls, points: Sequence[LatticePoint], scale: int = 1) -> Self:
+    def _from_lattice(cls, points: Sequence[Vertex], scale: int = 1) -> Self:
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
@@ -103,7 +103,7 @@ class Polygon(PointSet):
         """The vertices, as those of the only ring of its boundary."""
         return (self.vertices,)
 
-    def lattice(self) -> tuple[int, tuple[LatticePoint, ...]]:
+    def lattice(self) -> tuple[int, tuple[Vertex, ...]]:
         """Return the polygon on the coarsest integer lattice that holds it.
 
         Returns:

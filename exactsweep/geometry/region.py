@@ -12,7 +12,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import named
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.overlap import Places, is_inside, points_between, touch
-from exactsweep.geometry.point import LatticePoint, Point, Vertex
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import rings_of_interface
@@ -90,7 +90,7 @@ class Region(PointSet):
         """The vertices of all `rings`, one after another."""
         return tuple(chain.from_iterable(self.rings))
 
-    def lattice(self) -> tuple[int, tuple[tuple[LatticePoint, ...], ...]]:
+    def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return the region on the coarsest integer lattice that holds it.
 
         Returns:
@@ -235,6 +235,31 @@ def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
         for k in range(size):
             yield first + (k - 1) % size, first + k, first + (k + 1) % size
         first += size
+
+
+def number_features(
+    shape: Polygon | Region,
+) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+    """Find the features of a shape by the numbers that they have in the input.
+
+    Returns:
+        The vertices by number, and of each edge by number the numbers of its two ends.
+
+    Cost: linear.
+
+    Example:
+        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
+        >>> sorted(corners), edges[2]
+        ([0, 1, 2], (0, 2))
+    """
+    numbers = [shape.vertex_index(k) for k in range(len(shape))]
+    return (
+        dict(zip(numbers, shape.vertices, strict=True)),
+        {
+            shape.edge_index(k): (numbers[k], numbers[following])
+            for _, k, following in around(shape)
+        },
+    )
 
 
 def _named(ring: Vertices, name: str) -> Polygon:

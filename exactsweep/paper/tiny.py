@@ -17,14 +17,14 @@ from exactsweep.paper.claim import Counterexample, Evidence
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
-Shape = Callable[[Ring], bool]
+RingTest = Callable[[Ring], bool]
 
 
 @cache
-def polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
+def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
     """All strictly X-monotone polygons with a number of corners on a grid, moved to (0, 0).
 
-    >>> polygons(2, 3)[0]
+    >>> list_polygons(2, 3)[0]
     ((0, 0), (1, 0), (2, 1))
     """
     found = set()
@@ -66,7 +66,9 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
-def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[SweepPair]:
+def list_tiny_pairs(
+    side: int, most: int, generatrix: RingTest, directrix: RingTest
+) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
     for total in range(6, most + 1):
         pairs = []
@@ -78,12 +80,16 @@ def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Ite
 
 
 @cache
-def _chosen(side: int, vertices: int, shape: Shape) -> list[Ring]:
-    return [ring for ring in map(list, polygons(side, vertices)) if shape(ring)]
+def _chosen(side: int, vertices: int, shape: RingTest) -> list[Ring]:
+    return [ring for ring in map(list, list_polygons(side, vertices)) if shape(ring)]
 
 
 def search_grid(
-    side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[SweepPair], str]
+    side: int,
+    most: int,
+    generatrix: RingTest,
+    directrix: RingTest,
+    fails: Callable[[SweepPair], str],
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
 
@@ -104,7 +110,7 @@ def search_grid(
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
-    return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
+    return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)
 
 
 def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where: str) -> Evidence:

@@ -130,7 +130,8 @@ def sweep_inner_cm(
         i, left, in_left = _contact(reversed_edges, before, pieces[k - 1], at, rightmost=True)
         j, right, in_right = _contact(reversed_edges, after, pieces[k], at, rightmost=False)
         step = height(pieces[k - 1], pieces[k], at)
-        # Vertices of G inside edges of D_b are corners; all else may be straight, or repeated.
+        # Vertices of G are corners. A contact may be straight, or be the vertex of G beside it,
+        # unless both are inside edges of D_b.
         plain = step == 0 and in_left and in_right
         higher = trajectory.point(k if step < 0 else k - 1, at)
         inner += before[done : i + 1]
@@ -139,7 +140,7 @@ def sweep_inner_cm(
         inner += _placed(top, higher, at, left, right, touching=not plain)
         inner.append(point_on((after[j], after[j + 1]), right))
         if not plain:
-            joints |= {first, first + 1, len(inner) - 2, len(inner) - 1}
+            joints |= {first, len(inner) - 1}
         done = j + 1
     inner += parts[sources[-1]][done:]
     return corners(inner, joints)

@@ -24,12 +24,9 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from exactsweep.geometry.number import quotient
-from exactsweep.geometry.point import Point
-from exactsweep.procedures.contact_lines import Stretch, Vertex
+from exactsweep.geometry.point import Fit, Point
+from exactsweep.procedures.contact_lines import ReducedPoint, Stretch
 from exactsweep.procedures.envelope import Break
-
-Loop = list[Point]
-Fit = tuple[Point, Point]
 
 
 class Free(NamedTuple):
@@ -44,12 +41,12 @@ class Free(NamedTuple):
     Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
     """
 
-    around: list[Loop]
-    within: list[Loop]
+    around: list[list[Point]]
+    within: list[list[Point]]
     fits: list[Fit]
 
 
-_Piece = tuple[Vertex, Vertex, int, int]
+_FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
 """A piece of a stretch between crossings: start, end, direction; a free region is on its right."""
 
 
@@ -68,9 +65,9 @@ def free_positions(
     Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
     but the free ones, each piece with segments both ways, and each position that (6) leaves.
     """
-    pieces: list[_Piece] = []
-    both_ways: list[tuple[Stretch, Vertex, Vertex]] = []
-    suspects: set[Vertex] = set()
+    pieces: list[_FreeEdge] = []
+    both_ways: list[tuple[Stretch, ReducedPoint, ReducedPoint]] = []
+    suspects: set[ReducedPoint] = set()
     for stretch in stretches:
         for low, high in _left_over(stretch, suspects):
             p, q = stretch.vertex(low), stretch.vertex(high)
@@ -86,15 +83,15 @@ def free_positions(
     known = bounding | {end for fit in fits for end in fit}
     alone = [p for p in suspects - known if not overlap(_leave(p, 1))]
     fits += [(p, p) for p in alone if not any(_lies_on(p, fit) for fit in fits)]
-    around: list[Loop] = []
-    within: list[Loop] = []
+    around: list[list[Point]] = []
+    within: list[list[Point]] = []
     for ring in rings:
         loop, is_around = _canonical(ring, scale)
         (around if is_around else within).append(loop)
     return Free(around, within, sorted(_hang(fit, bounding, scale) for fit in fits))
 
 
-def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Break]]:
+def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Break, Break]]:
     """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
 
     Cost: O(k log k) for k cuts.
@@ -140,10 +137,10 @@ def _goes_on(stretch: Stretch, place: Break) -> bool:
 
 
 def _rings(
-    pieces: Sequence[_Piece], overlap: Callable[[Point], bool]
-) -> Iterator[Sequence[_Piece]]:
+    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool]
+) -> Iterator[Sequence[_FreeEdge]]:
     """The rings of free pieces, by (5)."""
-    leaving: defaultdict[Vertex, list[int]] = defaultdict(list)
+    leaving: defaultdict[ReducedPoint, list[int]] = defaultdict(list)
     for number, piece in enumerate(pieces):
         leaving[piece[0]].append(number)
     undecided, on_way, done = 0, 1, 2
@@ -163,7 +160,7 @@ def _rings(
             state[number] = done
 
 
-def _next(pieces: Sequence[_Piece], piece: _Piece, leaving: Sequence[int]) -> int | None:
+def _next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
     """The first piece counter-clockwise from the way back."""
     if len(leaving) < 2:
         return leaving[0] if leaving else None
@@ -184,10 +181,10 @@ def _next(pieces: Sequence[_Piece], piece: _Piece, leaving: Sequence[int]) -> in
     return min(map(turned, leaving), key=cmp_to_key(compare))[1]
 
 
-def _simple(ring: Iterable[_Piece]) -> Iterator[Sequence[_Piece]]:
+def _simple(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
     """Part a ring where it comes back to a point: positions of overlap in several pieces touch."""
-    way: list[_Piece] = []
-    places: dict[Vertex, int] = {}
+    way: list[_FreeEdge] = []
+    places: dict[ReducedPoint, int] = {}
     for piece in ring:
         since = places.setdefault(piece[0], len(way))
         if since < len(way):
@@ -199,7 +196,7 @@ def _simple(ring: Iterable[_Piece]) -> Iterator[Sequence[_Piece]]:
     yield way
 
 
-def _canonical(ring: Sequence[_Piece], scale: int) -> tuple[Loop, bool]:
+def _canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
     corners = [
         (_leave(start, scale), (bx, by), (dx, dy))
@@ -215,24 +212,24 @@ def _canonical(ring: Sequence[_Piece], scale: int) -> tuple[Loop, bool]:
     return [points[0], *points[:0:-1]], False
 
 
-def _leave(vertex: Vertex, scale: int) -> Point:
+def _leave(vertex: ReducedPoint, scale: int) -> Point:
     """A vertex of the lattice or between, divided by the scale."""
     xn, xd, yn, yd = vertex
     return Point(quotient(xn, xd * scale), quotient(yn, yd * scale))
 
 
-def _middle(p: Vertex, q: Vertex) -> Point:
+def _middle(p: ReducedPoint, q: ReducedPoint) -> Point:
     a, b = _leave(p, 2), _leave(q, 2)
     return Point(a.x + b.x, a.y + b.y)
 
 
 def _join(
-    fits: Iterable[tuple[Stretch, Vertex, Vertex]], bounding: Container[Vertex]
-) -> Iterator[tuple[Vertex, Vertex]]:
+    fits: Iterable[tuple[Stretch, ReducedPoint, ReducedPoint]], bounding: Container[ReducedPoint]
+) -> Iterator[tuple[ReducedPoint, ReducedPoint]]:
     """Join exact fits that go on in one line, unless they meet a loop there."""
     for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c)):
-        start: Vertex | None = None
-        end: Vertex | None = None
+        start: ReducedPoint | None = None
+        end: ReducedPoint | None = None
         for _, p, q in group:
             if start is None or end is None:
                 start = p
@@ -245,12 +242,14 @@ def _join(
         yield start, end
 
 
-def _lies_on(vertex: Vertex, fit: tuple[Vertex, Vertex]) -> bool:
+def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bool:
     p, (a, b) = _leave(vertex, 1), sorted(_leave(end, 1) for end in fit)
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and a <= p <= b
 
 
-def _hang(fit: tuple[Vertex, Vertex], bounding: Container[Vertex], scale: int) -> Fit:
+def _hang(
+    fit: tuple[ReducedPoint, ReducedPoint], bounding: Container[ReducedPoint], scale: int
+) -> Fit:
     """Put the end on a loop first, if only one is, else the lesser one; and leave the lattice."""
     (p, first), (q, second) = sorted((_leave(end, scale), end) for end in fit)
     return (q, p) if second in bounding and first not in bounding else (p, q)

@@ -11,8 +11,8 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import abridged
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region, around
-from exactsweep.words import CLASSES, count, heading, pair
+from exactsweep.geometry.region import Region, around, number_features
+from exactsweep.words import CLASSES, count, name_heading, pair
 
 _HALVES: dict[Half, str] = {
     "lower": "Below D: the lower sweep (G_t, D_b)",
@@ -50,7 +50,7 @@ def tell(s: Swept) -> Iterator[str]:
             yield f"-- {_HALVES[half]} --"
             yield ""
         yield (
-            f"Step {k}: {heading(step.direction)}, along {pair(step.direction)}, "
+            f"Step {k}: {name_heading(step.direction)}, along {pair(step.direction)}, "
             f"from {pair(step.start)} to {pair(step.end)}"
         )
         for line in teller.step(step, steps[(k + 1) % len(steps)]):
@@ -61,14 +61,14 @@ def tell(s: Swept) -> Iterator[str]:
     yield from teller.fits()
 
 
-class _Features:
+class _FeatureNames:
     """How the features of a polygon are called, by index."""
 
     def __init__(self, shape: Polygon | Region, letter: str) -> None:
         self.vertices: dict[int, str] = {}
         self.edges: dict[int, str] = {}
-        self.corners: dict[int, Point] = {}
-        self.ends: dict[int, set[int]] = {}
+        self.corners, ends = number_features(shape)
+        self.ends = {j: set(numbers) for j, numbers in ends.items()}
         self.reflex: set[int] = set()
         corners = shape.vertices
         for before, k, after in around(shape):
@@ -76,8 +76,6 @@ class _Features:
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
             self.vertices[i] = f"vertex {i} of {letter}, {pair((x, y))}"
             self.edges[j] = f"edge {j} of {letter}, {pair((x, y))}-{pair((qx, qy))}"
-            self.corners[i] = corners[k]
-            self.ends[j] = {i, shape.vertex_index(after)}
             # What is inside of a hole is outside of the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
@@ -88,8 +86,8 @@ class _Teller:
 
     def __init__(self, s: Swept) -> None:
         self.sweep = s
-        self.g = _Features(s.generatrix, "G")
-        self.d = _Features(s.directrix, "D")
+        self.g = _FeatureNames(s.generatrix, "G")
+        self.d = _FeatureNames(s.directrix, "D")
 
     def opening(self, steps: Sequence[Step]) -> Iterator[str]:
         s = self.sweep
@@ -146,7 +144,7 @@ class _Teller:
                 "G is free inside --"
             )
             for start, end, contacts in zip(loop, (*loop[1:], loop[0]), along, strict=True):
-                way = heading((end.x - start.x, end.y - start.y))
+                way = name_heading((end.x - start.x, end.y - start.y))
                 yield f"{way[0].upper()}{way[1:]}, from {pair(start)} to {pair(end)}"
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
@@ -163,7 +161,7 @@ class _Teller:
                     d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
                     yield f"  {event}: {g}, is on {d}"
             else:
-                way = heading((end.x - start.x, end.y - start.y))
+                way = name_heading((end.x - start.x, end.y - start.y))
                 yield f"-- Exact fit {k}: G could go {way}, from {pair(start)} to {pair(end)} --"
                 yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
 
@@ -254,7 +252,7 @@ class _Teller:
         hanging, inside = self.sweep.exact_fits[landmark.number]
         if hanging != landmark.position:
             hanging, inside = inside, hanging
-        way = heading((inside.x - hanging.x, inside.y - hanging.y))
+        way = name_heading((inside.x - hanging.x, inside.y - hanging.y))
         return (
             f"exact fit {landmark.number} hangs: G could go {way} to {pair(inside)}, "
             "touching D on both sides"

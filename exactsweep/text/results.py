@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
@@ -48,7 +48,7 @@ def sweep_to_json(sweep: Swept) -> str:
     return _object(texts)
 
 
-def no_fit_to_json(n: NoFitPolygon) -> str:
+def no_fit_to_json(n: NoFitPositions) -> str:
     """Write a no-fit polygon, its input included, as JSON.
 
     Args:
@@ -63,8 +63,8 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
     """
     return _object(
         {
-            "stationary": _written(as_json(n.stationary)),
-            "orbiting": _written(as_json(n.orbiting)),
+            "stationary": _written(write_json_value(n.stationary)),
+            "orbiting": _written(write_json_value(n.orbiting)),
             "kind": _written(n.kind),
             "reference": _written(n.reference),
             "exterior": _written(n.exterior.vertices),
@@ -75,7 +75,7 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
     )
 
 
-def inner_fit_to_json(f: InnerFit) -> str:
+def inner_fit_to_json(f: InnerFitPositions) -> str:
     """Write the positions of a part inside a container, its input included, as JSON.
 
     Args:
@@ -89,8 +89,8 @@ def inner_fit_to_json(f: InnerFit) -> str:
     """
     return _object(
         {
-            "container": _written(as_json(f.container)),
-            "part": _written(as_json(f.part)),
+            "container": _written(write_json_value(f.container)),
+            "part": _written(write_json_value(f.part)),
             "reference": _written(f.reference),
             "regions": _written([_rings(region) for region in f.regions]),
             "exact_fits": _written(f.exact_fits),
@@ -99,7 +99,7 @@ def inner_fit_to_json(f: InnerFit) -> str:
     )
 
 
-def as_json(shape: Polygon | Region) -> object:
+def write_json_value(shape: Polygon | Region) -> object:
     """Make the list of vertices of a shape, or of one with holes the object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
@@ -112,7 +112,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Swept | NoFitPolygon | InnerFit) -> str:
+def certificate_to_json(result: Swept | NoFitPositions | InnerFitPositions) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
@@ -148,8 +148,8 @@ def explanation_to_json(sweep: Swept) -> str:
             **_input(sweep),
             "features": _written(
                 {
-                    "generatrix": _numbers(sweep.generatrix),
-                    "directrix": _numbers(sweep.directrix),
+                    "generatrix": list_numbers(sweep.generatrix),
+                    "directrix": list_numbers(sweep.directrix),
                 }
             ),
             "undercuts": _written([_undercut(undercut) for undercut in sweep.undercuts]),
@@ -188,8 +188,8 @@ def verification_to_json(verification: Verification) -> str:
 
 def _input(sweep: Swept) -> dict[str, str]:
     return {
-        "generatrix": _written(as_json(sweep.generatrix)),
-        "directrix": _written(as_json(sweep.directrix)),
+        "generatrix": _written(write_json_value(sweep.generatrix)),
+        "directrix": _written(write_json_value(sweep.directrix)),
         "kind": _written(sweep.kind),
         "direction": direction_to_json(sweep.direction),
         "reference": _written(sweep.reference),
@@ -203,11 +203,12 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def _numbers(polygon: Polygon | Region) -> dict[str, list[int]]:
-    size = len(polygon)
+def list_numbers(shape: Polygon | Region) -> dict[str, list[int]]:
+    """List the numbers that the caller gave the vertices, and the edges that start there."""
+    size = len(shape)
     return {
-        "vertices": [polygon.vertex_index(k) for k in range(size)],
-        "edges": [polygon.edge_index(k) for k in range(size)],
+        "vertices": [shape.vertex_index(k) for k in range(size)],
+        "edges": [shape.edge_index(k) for k in range(size)],
     }
 
 
@@ -241,12 +242,12 @@ def sweep_to_regions(sweep: Swept) -> list[NamedRegion]:
     return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
 
 
-def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
+def no_fit_to_regions(n: NoFitPositions) -> list[NamedRegion]:
     """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
 
 
-def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
+def inner_fit_to_regions(f: InnerFitPositions) -> list[NamedRegion]:
     """Name the regions of an inner fit: "region 0" and so on."""
     return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
 
@@ -270,7 +271,7 @@ def sweep_to_wkt(sweep: Swept) -> str:
     return "".join(wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
-def no_fit_to_wkt(n: NoFitPolygon) -> str:
+def no_fit_to_wkt(n: NoFitPositions) -> str:
     """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
 
     Args:
@@ -293,7 +294,7 @@ def no_fit_to_wkt(n: NoFitPolygon) -> str:
     return _area_to_wkt("", n.exterior, n.holes) + wkt_fits(n.exact_fits)
 
 
-def inner_fit_to_wkt(f: InnerFit) -> str:
+def inner_fit_to_wkt(f: InnerFitPositions) -> str:
     """Write the positions of a part inside a container as WKT.
 
     Args:

@@ -210,7 +210,7 @@ def test_every_difference_of_vertices_is_in_the_closed_trajectory(pair: Pair) ->
 @given(any_pair, st.data())
 @often
 def test_side_of_the_trajectory_is_the_verdict(pair: Pair, data: st.DataObject) -> None:
-    """Inside there is overlap, but for exact fits; on it contact; outside nothing."""
+    """Inside there is overlap, except for exact fits; on it contact; outside nothing."""
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     p, q = data.draw(st.sampled_from(edges(s.trajectory)))

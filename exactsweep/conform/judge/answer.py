@@ -9,13 +9,11 @@ from typing import NamedTuple
 from exactsweep.formats.exact_json import described
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, quoted, to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Loop, Point
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
 """What an answer may hold: the loops of a sweep, and the rings of the two fits."""
 MAX_VERTICES = 10_000
-
-Ring = tuple[Point, ...]
 
 
 class AnswerError(ExactSweepError):
@@ -30,7 +28,7 @@ class AnsweredLoop(NamedTuple):
         has_floats: whether a coordinate was a float.
     """
 
-    rings: tuple[Ring, ...]
+    rings: tuple[Loop, ...]
     has_floats: bool
 
     @property

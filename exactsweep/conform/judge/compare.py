@@ -19,9 +19,10 @@ from exactsweep.conform.judge.fits import INSIDE, NAME, judge_fits
 from exactsweep.conform.judge.loops import judge_loop
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import Segment, strip_whiskers
+from exactsweep.conform.judge.whiskers import strip_whiskers
 from exactsweep.corpus import Case
 from exactsweep.geometry.number import quoted
+from exactsweep.geometry.point import Fit
 
 
 def compare(
@@ -88,7 +89,7 @@ def compare(
         return granted if claim is None else limit_claim(case, claim, granted)
 
     parts = []
-    whiskers: list[Segment] = []
+    whiskers: list[Fit] = []
     for name in LOOPS:
         if name == "inner_fit" and case.inner_regions is None:
             continue

@@ -90,7 +90,7 @@ class Selection:
                 yield case
 
 
-def distinct(cases: Iterable[Case]) -> Iterator[Case]:
+def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
     """Yield cases as long as no id comes twice.
 
     Raises:
@@ -118,7 +118,7 @@ def read_cases(path: str) -> Iterator[Case]:
     name = file_name(path)
     try:
         if path == "-":
-            yield from read_lines(standard_input(), path, _read_line)
+            yield from read_lines(open_standard_input(), path, _read_line)
         else:
             with open(path, "rb") as file:
                 yield from read_lines(file, path, _read_line)
@@ -126,7 +126,7 @@ def read_cases(path: str) -> Iterator[Case]:
         raise FormatError(f"{name}: {error.strerror or error}") from None
 
 
-def standard_input() -> BinaryIO:
+def open_standard_input() -> BinaryIO:
     """Return standard input, in bytes.
 
     Raises:

@@ -16,12 +16,11 @@ from exactsweep.formats.exact_json import described, parse_json, read_vertices
 from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.number import quoted
-from exactsweep.geometry.point import ORIGIN, Point
-from exactsweep.words import suggestion
+from exactsweep.geometry.point import ORIGIN, Point, PointRings
+from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")
 _MEMBERS = (*_ROLES, "reference", "id")
-_Rings = Sequence[Sequence[Point]]
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
@@ -90,7 +89,7 @@ def _read_pair(number: int, line: str) -> Case:
         raise FormatError(f"$ is {described(document)}, not an object")
     for member in document:
         if member not in _MEMBERS:
-            raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+            raise FormatError(f"$ has {quoted(member)}{suggest(member, _MEMBERS)}")
     for role in _ROLES:
         if role not in document:
             raise FormatError(f"$ has no {role}")
@@ -102,12 +101,14 @@ def _read_pair(number: int, line: str) -> Case:
     return _make_case(id, d, g, reference)
 
 
-def _make_case(id: str, directrix: _Rings, generatrix: _Rings, reference: Point = ORIGIN) -> Case:
+def _make_case(
+    id: str, directrix: PointRings, generatrix: PointRings, reference: Point = ORIGIN
+) -> Case:
     (d, *d_holes), (g, *g_holes) = directrix, generatrix
     return Case.of(id, "", d, g, reference, directrix_holes=d_holes, generatrix_holes=g_holes)
 
 
-def _read_rings(candidate: Candidate, name: str) -> _Rings:
+def _read_rings(candidate: Candidate, name: str) -> PointRings:
     """Read a polygon and its holes, vertices as they are given."""
     try:
         candidate.shape()
@@ -116,7 +117,7 @@ def _read_rings(candidate: Candidate, name: str) -> _Rings:
         raise FormatError(f"{name}: {error}") from None
 
 
-def _name(candidates: Sequence[Candidate]) -> list[tuple[str, _Rings]]:
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:
     """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
     names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.protocol import Hello, as_numbers
+from exactsweep.conform.run.protocol import Hello, convert_numbers
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import described
 from exactsweep.geometry.point import Point
@@ -135,4 +135,4 @@ class CallablePeer:
 
     def _points(self, points: Sequence[Point]) -> list[Any]:
         numbers = self.hello.numbers
-        return [(as_numbers(x, numbers), as_numbers(y, numbers)) for x, y in points]
+        return [(convert_numbers(x, numbers), convert_numbers(y, numbers)) for x, y in points]

@@ -20,7 +20,7 @@ from exactsweep.processes import Pool
 _ENDED = "the process that judges has ended"
 
 # The id of a case, and what a process is to call for it.
-_Job = tuple[str, Callable[..., Outcome], tuple[object, ...]]
+_Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
@@ -88,7 +88,7 @@ class Judges:
         Raises:
             JudgeError: a case cannot be judged; outcomes that are under way are lost.
         """
-        jobs: Iterator[_Job] = ((case.id, _judge, (case,)) for case in cases)
+        jobs: Iterator[_Call] = ((case.id, _judge, (case,)) for case in cases)
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
@@ -124,7 +124,7 @@ class Judges:
     def __exit__(self, *error: object) -> None:
         self.kill()
 
-    def _work_on(self, jobs: Iterable[_Job]) -> Iterator[tuple[str, Outcome]]:
+    def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
         pending: dict[Future[Outcome], str] = {}
         for id, function, arguments in jobs:
             try:

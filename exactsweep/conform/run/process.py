@@ -19,9 +19,9 @@ from exactsweep.conform.run.protocol import (
     MAX_LINE,
     Hello,
     ProtocolError,
-    case_line,
     read_hello,
     read_object,
+    write_case_line,
 )
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import described
@@ -86,7 +86,7 @@ class ProcessPeer:
             self._channel = None
 
     def _exchange(self, channel: Channel, case: Case) -> Answer:
-        channel.send(case_line(case, self.hello))
+        channel.send(write_case_line(case, self.hello))
         try:
             result = read_object(channel.receive(self._seconds))
             if result.get("id") != case.id:

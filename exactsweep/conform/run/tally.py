@@ -14,7 +14,7 @@ from exactsweep.corpus.case import KINDS
 ALL = "all"
 _MOST_DIAGNOSES = 1000
 
-ACCEPTED = Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
 """The worst verdict that passes, unless the caller says otherwise."""
 
 

@@ -4,7 +4,7 @@ Most are sets of squares, which fit each other as a matter of course, or random 
 grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and moves both polygons.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 
@@ -18,10 +18,10 @@ from exactsweep.corpus.generator.cells import (
     grow,
     map_region,
     move,
-    outline,
+    trace_outline,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import walk
+from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -43,7 +43,7 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyomino_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return outline(_clump(random, 8)), outline(_clump(random, 24))
+    return trace_outline(_clump(random, 8)), trace_outline(_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
@@ -54,7 +54,7 @@ def jigsaw_pair(random: Prng) -> Regions:
         beside = sorted(set(around(part)) & cells)
         if beside and len(cells) > len(part) + 1:
             part.add(random.choice(beside))
-    return outline(part), outline(connect(cells - part))
+    return trace_outline(part), trace_outline(connect(cells - part))
 
 
 def mould_pair(random: Prng) -> Regions:
@@ -63,7 +63,9 @@ def mould_pair(random: Prng) -> Regions:
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
-    return outline(part), outline(connect(block(width + 2, height + 2, -1, -1) - inside))
+    return trace_outline(part), trace_outline(
+        connect(block(width + 2, height + 2, -1, -1) - inside)
+    )
 
 
 def cave_pair(random: Prng) -> Regions:
@@ -77,7 +79,7 @@ def cave_pair(random: Prng) -> Regions:
     part = block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
         part = set(_clump(random, 5))
-    return outline(part), outline(connect(solid))
+    return trace_outline(part), trace_outline(connect(solid))
 
 
 def spiral_pair(random: Prng) -> Regions:
@@ -88,7 +90,7 @@ def spiral_pair(random: Prng) -> Regions:
     part = set(_clump(random, 5))
     if random.chance(3, 5):
         part = block(random.between(1, gap), random.between(1, gap))
-    return outline(part), outline(walk(steps))
+    return trace_outline(part), trace_outline(walk(steps))
 
 
 def ring_pair(random: Prng) -> Regions:
@@ -98,7 +100,7 @@ def ring_pair(random: Prng) -> Regions:
     inner = frame(width, height)
     if random.chance(3, 10):
         inner.discard((1, 0))
-    return outline(frame(width + more[0], height + more[1])), outline(connect(inner))
+    return trace_outline(frame(width + more[0], height + more[1])), trace_outline(connect(inner))
 
 
 def star_pair(random: Prng) -> Regions:
@@ -157,10 +159,10 @@ def comb_pair(random: Prng) -> Regions:
                 x += 1
         return cells
 
-    return outline({(-x, -y) for x, y in comb()}), outline(comb())
+    return trace_outline({(-x, -y) for x, y in comb()}), trace_outline(comb())
 
 
-def place(random: Prng, draw: Draw) -> Regions:
+def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
     """Draw a pair, and shear, scale and move both of it; now and then with exchanged roles."""
     while True:
         try:
@@ -170,7 +172,7 @@ def place(random: Prng, draw: Draw) -> Regions:
             continue
     if random.chance(1, 5):
         g, d = d, g
-    shear, scale = random.choice(SHEARS), random.choice(SCALES)
+    shear, scale = random.choice(SHEARS), random.choice(scales)
 
     def placed(shape: Region) -> Region:
         return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
@@ -233,28 +235,6 @@ def _untangled(random: Prng, most: int, side: int) -> Polygon:
         n = random.between(3, most)
         points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]
         try:
-            return Polygon(_turn_crossings(list(dict.fromkeys(points))))
+            return Polygon(untangle(dict.fromkeys(points)))
         except PolygonError:
             continue
-
-
-def _turn_crossings(ring: list[Cell]) -> list[Cell]:
-    def turn(a: Cell, b: Cell, c: Cell) -> int:
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-    def first_crossing() -> tuple[int, int] | None:
-        for i in range(n):
-            for j in range(i + 2, n):
-                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
-                if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
-                    return i, j
-        return None
-
-    n = len(ring)
-    for _ in range(20 * n):
-        found = first_crossing()
-        if found is None:
-            break
-        i, j = found
-        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
-    return ring

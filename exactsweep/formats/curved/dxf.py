@@ -34,13 +34,13 @@ _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEAD
 _NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL = Fraction(360)
-_Points = Callable[[], Sequence[Point]]
+_PointReader = Callable[[], Sequence[Point]]
 
 
 class _Drawn(NamedTuple):
     """What an entity draws: its points, and the ends and the shape of an OpenLine if it is open."""
 
-    points: _Points
+    points: _PointReader
     ends: Sequence[Point] = ()
     shape: Hashable = ()
     is_exact: bool = True
@@ -104,7 +104,7 @@ def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
     return reader(placed.entity, placed.image, reading)
 
 
-def _naming(place: str, points: _Points) -> Sequence[Point]:
+def _naming(place: str, points: _PointReader) -> Sequence[Point]:
     try:
         return points()
     except FormatError as error:

@@ -15,16 +15,14 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.geometry.point import Fit, Rational, Vertex
 from exactsweep.geometry.segment import Segment, along, offset, segment
-from exactsweep.paper.checks.planar import free_parts, swept_polygons
+from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
-from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
-
-Fits = Iterable[tuple[Point, Point]]
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = SweepPair(
@@ -59,7 +57,7 @@ def no_fit_is_the_definition(pair: SweepPair) -> str:
     return ""
 
 
-def _show(fits: Fits) -> str:
+def _show(fits: Iterable[Fit]) -> str:
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
@@ -231,7 +229,7 @@ def find_touching_loops(effort: Effort) -> Evidence:
             failures.append(f"a loop is off {place}")
         if len(found.exact_fits) != (not loops):
             failures.append(f"exact fits {_show(found.exact_fits)}")
-    return Evidence("And 3 cases by hand.", first_failure(iter(failures)))
+    return Evidence("And 3 cases by hand.", find_first_failure(iter(failures)))
 
 
 def find_room(effort: Effort) -> Evidence:
@@ -266,6 +264,8 @@ def swept_area_leaves_its_loops(pair: SweepPair) -> str:
     """What G passes over leaves as many parts of the plane free as there are loops."""
     s = sweep(*pair)
     corners = s.trajectory.vertices
-    parts = free_parts(swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]]))))
+    parts = count_free_parts(
+        list_swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]])))
+    )
     loops = 2 + len(s.unswept)
     return "" if parts == loops else f"{parts} parts of the plane are free, for {loops} loops"
