@@ -99,6 +99,13 @@ def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
     assert found.holes == (Polygon(box(2, 2, 4, 4)), Polygon(box(4, 4, 6, 6)))
 
 
+def test_three_loops_that_touch_in_two_points_stay_three_rings() -> None:
+    """One walk around them comes to each of the points twice."""
+    defects = [box(5, 7, 6, 8), box(7, 5, 8, 6), box(9, 7, 10, 8)]
+    (found,) = inner_fit_polygon(Region(box(0, 0, 13, 13), defects), UNIT).regions
+    assert found.holes == tuple(map(Polygon, [box(4, 6, 6, 8), box(6, 4, 8, 6), box(8, 6, 10, 8)]))
+
+
 def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
     diamond, part = [(2, 5), (3, 4), (4, 5), (3, 6)], [(0, 0), (2, 1), (0, 2)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 10, 10), [diamond]), part).regions
