@@ -225,3 +225,10 @@ def test_overlap_on_the_grid_is_a_shared_square(x: int, y: int, d: Cells, g: Cel
     overlap = Overlap(region(d).lattice()[1], region(g).lattice()[1])
     shared = any((u + x, v + y) in d for u, v in g)
     assert overlap.at(Point(Fraction(x), Fraction(y))) == shared
+
+
+def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
+    """3 / 2**40 and 1 / 2**41 are the same in units of 2**-32."""
+    d = [(0, 0), (2**41, 1), (2**41 + 2**40, 4), (0, 10)]
+    g = [(0, -10), (2**41, 3), (0, 0)]
+    assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory
