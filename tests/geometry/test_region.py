@@ -140,3 +140,10 @@ def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells)
     if shares:
         with pytest.raises(PolygonError):
             Region(frame, [loops[0], moved])
+
+
+def test_only_a_region_without_holes_may_be_convex() -> None:
+    box = [(0, 0), (9, 0), (9, 9), (0, 9)]
+    assert Region(box).is_convex
+    assert not Region(box, [[(1, 1), (2, 1), (1, 2)]]).is_convex
+    assert not Region([*box, (1, 5)]).is_convex
