@@ -31,7 +31,7 @@ from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.lower_sweep import Kind, LowerSweep
+from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once
 from exactsweep.words import write_vector
 
 
@@ -59,16 +59,16 @@ class Swept:
             "MM" if not generatrix.is_convex else "CC" if directrix.is_convex else "CM"
         )
 
-    @cached_property
+    @made_once
     def _frame(self) -> Frame:
         return Frame(self.direction, lcm(self.generatrix.lattice()[0], self.directrix.lattice()[0]))
 
-    @cached_property
+    @made_once
     def _polygons(self) -> tuple[list[Vertex], list[Vertex]]:
         """G and D in the frame: all is computed there, and left as it is handed out."""
         return self._frame.enter(self.generatrix), self._frame.enter(self.directrix)
 
-    @cached_property
+    @made_once
     def _halves(self) -> tuple[LowerSweep, LowerSweep]:
         (g_bottom, g_top), (d_bottom, d_top) = map(split, self._polygons)
         return (
@@ -91,16 +91,16 @@ class Swept:
                 loop, points = loop[first:] + loop[:first], points[first:] + points[:first]
             return loop, Polygon._from_canonical(points)
 
-    @cached_property
+    @made_once
     def _trajectory(self) -> tuple[list[Vertex], Polygon]:
         """The path of G's origin in the frame; and that of the reference point."""
         return self._loop(lambda half: half.path, self.reference)
 
-    @cached_property
+    @made_once
     def _inner(self) -> tuple[list[Vertex], Polygon]:
         return self._loop(lambda half: half.inner)
 
-    @cached_property
+    @made_once
     def _outer(self) -> tuple[list[Vertex], Polygon]:
         return self._loop(lambda half: half.outer)
 

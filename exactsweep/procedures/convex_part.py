@@ -90,11 +90,14 @@ class ConvexPart(NamedTuple):
 
         Returns an envelope, which has no pieces if nothing matters. Cost: O(m_i + n_t).
         """
-        points, (left, left_d), (right, right_d), _, _, own = self
-        others = chain.edges
-        i, last_i, j, last_j = _find_what_matters(self, chain)
-        (x, y), (ox, oy) = points[i], chain.points[j]
-        x, y = x + ox, y + oy
+        points, (left, left_d), (right, right_d), turns_left, turns_right, own = self
+        origins, _, _, chain_left, chain_right, others = chain
+        i, last_i, j, last_j = _find_what_matters(
+            own, turns_left, turns_right, others, chain_left, chain_right
+        )
+        (x, y), (ox, oy) = points[i], origins[j]
+        x += ox
+        y += oy
         # Whole, an end edge goes beyond the break; it may have been left out for its slope, (4).
         cuts_left = i == 0 < last_i and left != points[0][0] * left_d
         cuts_right = i < last_i == len(own) and right != points[-1][0] * right_d
@@ -113,11 +116,13 @@ class ConvexPart(NamedTuple):
                     dx, dy = dx + edx, dy + edy
                     j += 1
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
-            x, y = x + dx, y + dy
+            x += dx
+            y += dy
             breaks.append((x, 1))
         for dx, dy, _, _, _ in own[i:last_i] or others[j:last_j]:
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
-            x, y = x + dx, y + dy
+            x += dx
+            y += dy
             breaks.append((x, 1))
         if cuts_right:
             breaks[-1] = right + (x - points[-1][0]) * right_d, right_d
@@ -167,9 +172,11 @@ class CrossingPart(NamedTuple):
 
         Arguments, result and cost as for `ConvexPart.sweep`.
         """
-        own, breaks, _, _ = self
-        points, steps = chain.points, chain.edges
-        first, last, at, end = _find_what_matters(self, chain)
+        own, breaks, turns_left, turns_right = self
+        points, _, _, chain_left, chain_right, steps = chain
+        first, last, at, end = _find_what_matters(
+            own, turns_left, turns_right, steps, chain_left, chain_right
+        )
         n, d = breaks[first]
         pieces: list[Piece] = []
         found: list[Break] = [(n + points[at][0] * d, d)]
@@ -212,28 +219,44 @@ def bound_slopes(edges: Sequence[Piece], turns_left: bool, turns_right: bool) ->
 
 
 def _find_what_matters(
-    part: ConvexPart | CrossingPart, chain: ConvexPart
+    own: Sequence[Piece],
+    turns_left: bool,
+    turns_right: bool,
+    others: Sequence[Piece],
+    chain_left: bool,
+    chain_right: bool,
 ) -> tuple[int, int, int, int]:
     """Which edges of a part and of a part of reversed G_t matter.
 
+    Args:
+        own: the edges of the part.
+        turns_left: whether the other polygon has to turn about its left end, (5).
+        turns_right: the same for its right end.
+        others: the edges of the part of reversed G_t.
+        chain_left: whether the other polygon has to turn about its left end.
+        chain_right: the same for its right end.
+
     Returns (first of the part, first that does not matter after it, the same two of the other).
     """
-    own, others = part.edges, chain.edges
     i, last_i, j, last_j = 0, len(own), 0, len(others)
     (dx, dy, _, _, _), (edx, edy, _, _, _) = own[0], others[0]
     turn = edx * dy - edy * dx
-    if turn > 0 and not part.turns_left:  # (2)
+    if turn > 0 and not turns_left:  # (2)
+        j = 1
         while j < last_j and others[j][1] * dx < others[j][0] * dy:
             j += 1
-    elif turn < 0 and not chain.turns_left:  # (4)
+    elif turn < 0 and not chain_left:  # (4)
+        i = 1
         while i < last_i and own[i][1] * edx < own[i][0] * edy:
             i += 1
     (dx, dy, _, _, _), (edx, edy, _, _, _) = own[-1], others[-1]
     turn = edx * dy - edy * dx
-    if turn < 0 and not part.turns_right:  # (3)
+    if turn < 0 and not turns_right:  # (3)
+        last_j -= 1
         while j < last_j and others[last_j - 1][1] * dx > others[last_j - 1][0] * dy:
             last_j -= 1
-    elif turn > 0 and not chain.turns_right:  # (4)
+    elif turn > 0 and not chain_right:  # (4)
+        last_i -= 1
         while i < last_i and own[last_i - 1][1] * edx > own[last_i - 1][0] * edy:
             last_i -= 1
     return i, last_i, j, last_j

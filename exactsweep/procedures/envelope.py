@@ -84,13 +84,7 @@ class Envelope:
 
     def point(self, k: int, at: Break) -> Vertex:
         """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
-        dx, dy, c, start, _ = self.pieces[k]
-        n, d = at
-        if start is not None and n == start[0] * d:
-            return start
-        if not dx:
-            raise ChainError("the envelope has a gap: its chains do not overlap in x")
-        return ratio(n, d), ratio(dy * n + c * d, dx * d)
+        return find_point(self.pieces[k], at)
 
     def edge_before(self, at: Break, first: int = 0) -> int:
         """The number of the piece, from the first, that holds just left of a break.
@@ -176,25 +170,37 @@ class Envelope:
 
     def __iter__(self) -> Iterator[Vertex]:
         breaks, pieces = self.breaks, self.pieces
-        found = [self.point(0, breaks[0])]
-        adx, ady, ac, _, _ = pieces[0]
-        for k in range(1, len(pieces)):
-            bdx, bdy, bc, start, _ = pieces[k]
-            n, d = at = breaks[k]
+        before = pieces[0]
+        found = [find_point(before, breaks[0])]
+        adx, ady, ac, _, _ = before
+        for piece, at in zip(pieces[1:], breaks[1:], strict=False):
+            bdx, bdy, bc, start, _ = piece
+            n, d = at
             u = ady * bdx - bdy * adx
             step = u * n + (ac * bdx - bc * adx) * d
             if step:
-                found.append(self.point(k - 1, at))
+                found.append(find_point(before, at))
             if step or u:
                 if start is None or n != start[0] * d:
-                    start = self.point(k, at)
+                    start = find_point(piece, at)
                 found.append(start)
-            adx, ady, ac = bdx, bdy, bc
-        found.append(self.point(len(pieces) - 1, breaks[-1]))
+            before, adx, ady, ac = piece, bdx, bdy, bc
+        found.append(find_point(before, breaks[-1]))
         return iter(found)
 
     def __str__(self) -> str:
         return " ".join(f"({x}, {y})" for x, y in self)
+
+
+def find_point(piece: Piece, at: Break) -> Vertex:
+    """The point of a piece at a break. Raises ChainError where there is a gap. Cost: O(1)."""
+    dx, dy, c, start, _ = piece
+    n, d = at
+    if start is not None and n == start[0] * d:
+        return start
+    if not dx:
+        raise ChainError("the envelope has a gap: its chains do not overlap in x")
+    return ratio(n, d), ratio(dy * n + c * d, dx * d)
 
 
 def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:

@@ -38,6 +38,9 @@ from exactsweep.procedures.envelope import (
 )
 from exactsweep.procedures.part_pairs import sweep_pairs
 
+FEW_EDGES = 8
+"""So few are sooner walked along than searched."""
+
 
 def take_inside(trajectory: Envelope) -> Envelope:
     """The inverse of the complement of a lower trajectory, its edges as lines. Cost: O(t)."""
@@ -68,10 +71,13 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     """
     touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
     last, v, turn = -1, 0, cast(Rational, 0)
+    points, spans = parts[0], touched[0]
+    breaks = trajectory.breaks
     for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
-        points, spans = parts[source % len(parts)], touched[source % len(parts)]
         if source != last:
-            last, v = source, count_flatter(points, dx, dy)
+            last, part = source, source % len(parts)
+            points, spans = parts[part], touched[part]
+            v = count_flatter(points, dx, dy) if len(spans) > FEW_EDGES else 0
         # Edges from one source become steeper.
         while v < len(spans):
             (left, y), (right, z) = points[v], points[v + 1]
@@ -81,12 +87,12 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
             v += 1
         if v == len(spans) or turn > 0:
             at = points[v][0], 1
-            spans[min(v, len(spans) - 1)].append((at, at))
+            spans[v - (v == len(spans))].append((at, at))
             continue
         # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
         x, _ = cast(Vertex, start)
-        (n, d), g_right = trajectory.breaks[k], x + dx - right
-        (m, e), g_left = trajectory.breaks[k + 1], x - left
+        (n, d), g_right = breaks[k], x + dx - right
+        (m, e), g_left = breaks[k + 1], x - left
         spans[v].append(
             (
                 (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
@@ -99,9 +105,10 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
         if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
         for begin, end in of_edge:
-            if precedes(reach, begin):
+            (n, d), (m, e), (o, f) = reach, begin, end
+            if n * e < m * d:
                 found.append((reach, begin))
-            if precedes(reach, end):
+            if n * f < o * d:
                 reach = end
     return found
 

@@ -189,7 +189,10 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    facing = find_facing(rows, columns)
+    if gaps is None and len(rows) * len(columns) <= FEW_PAIRS:
+        facing = [list(range(len(columns)))] * len(rows)
+    else:
+        facing = find_facing(rows, columns)
     if gaps is not None:
         facing = keep_over(gaps, facing, rows, columns)
 
@@ -279,11 +282,12 @@ def add_to_run(run: Envelope, piece: Envelope) -> bool:
     Returns whether it did. Cost: as for `lower_envelope_cm`.
     """
     (a, a_d), (b, b_d) = run.breaks[0], run.breaks[-1]
-    (start, start_d), (end, end_d) = piece.breaks[0], piece.breaks[-1]
+    (start, start_d), (b, b_d) = piece.breaks[0], run.breaks[-1]
     if b * start_d <= start * b_d:
         run.take_all(piece)
-    elif start * a_d >= a * start_d and end * b_d >= b * end_d:
+        return True
+    (a, a_d), (end, end_d) = run.breaks[0], piece.breaks[-1]
+    if start * a_d >= a * start_d and end * b_d >= b * end_d:
         lower_envelope_cm(run, piece)
-    else:
-        return False
-    return True
+        return True
+    return False

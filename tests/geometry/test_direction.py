@@ -136,6 +136,7 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
         return
     strict = {u for u in shared if is_strictly_monotone(one, u) and is_strictly_monotone(other, u)}
     chosen = choose_direction(one, other)
+    assert chosen == (find_monotone_directions(one) & find_monotone_directions(other)).simplest()
     assert chosen == reduce_direction(chosen)
     if X_AXIS in shared:
         assert chosen == X_AXIS
@@ -181,6 +182,13 @@ def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
     # (0, 1) is shared, but perpendicular to edges. Of the slopes beyond 2, (1, 3) and (1, -3)
     # are the simplest.
     assert choose_direction(Polygon(NOTCHED), Polygon(UNIT)) == (1, -3)
+    # Beyond 2/3; (1, -1) comes before (1, 1).
+    shallow = Polygon([(0, 0), (6, 0), (4, 3), (6, 6), (0, 6)])
+    assert choose_direction(shallow, Polygon(UNIT)) == (1, -1)
+    # Four points, along X and Y, that go to (2, 1) and (2, -1).
+    points = [(1, -1), (5, 0), (1, 1), (0, 5), (-1, 1), (-5, 0), (-1, -1), (0, -5)]
+    star = Polygon([(x + y, 2 * x - 2 * y) for x, y in points])
+    assert choose_direction(star, Polygon(UNIT)) == (2, -1)
 
 
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:

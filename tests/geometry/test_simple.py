@@ -1,6 +1,7 @@
 """The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
 
 import random
+from fractions import Fraction
 from itertools import combinations
 
 import pytest
@@ -191,3 +192,9 @@ def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
     assert not agrees(ring)
     assert not agrees(ring[::-1])
     assert not agrees([(-x, -y) for x, y in ring])
+
+
+def test_one_slight_turn_to_the_other_side_is_no_convex_ring() -> None:
+    ring = canonicalize_ring([(0, 0), (0, 4), (4, 4), (4, 0), (2, Fraction(1, 10))])
+    assert ring.points == ((0, 0), (2, Fraction(1, 10)), (4, 0), (4, 4), (0, 4))
+    assert not ring.convex
