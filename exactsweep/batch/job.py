@@ -15,10 +15,10 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import MAX_BYTES, file_name
+from exactsweep.formats.files import MAX_BYTES, show_path
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.geometry.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
 """How many pairs a process is given at a time in a small batch."""
@@ -111,7 +111,7 @@ def take_listed_pairs(
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():
         if count > 1:
-            raise BatchError(f"{count} parts have the name {quoted(name)}")
+            raise BatchError(f"{count} parts have the name {quote(name)}")
     seen, total = sha256(), 0
     for line in _lines(path):
         seen.update(line)
@@ -124,7 +124,7 @@ def _known(what: str) -> Quantities:
     for known in QUANTITIES:
         if what == known:
             return known
-    raise BatchError(f"{quoted(what)} is none of {', '.join(QUANTITIES)}")
+    raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
 
 
 def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
@@ -172,7 +172,7 @@ def _lines(path: str) -> Iterator[bytes]:
     try:
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
-            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be read twice")
+            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
         with open(path, "rb") as lines:
             while line := lines.readline(MAX_BYTES + 1):
                 end = line
@@ -181,4 +181,4 @@ def _lines(path: str) -> Iterator[bytes]:
                 if line.strip():
                     yield line if len(line) <= MAX_BYTES else b""
     except OSError as error:
-        raise BatchError(f"{file_name(path)}: {error.strerror or error}") from None
+        raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None

@@ -10,11 +10,11 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import Quantities, write_error_line, write_result_line
 from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import described, parse_certificate, parse_json
+from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
 from exactsweep.formats.polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
@@ -121,7 +121,7 @@ class Work:
         text = decode_text(line)
         document = parse_json(text)
         if not isinstance(document, dict):
-            raise FormatError(f"$ is {described(document)}, not an object")
+            raise FormatError(f"$ is {describe_kind(document)}, not an object")
         if document.get("id") is not None:
             names |= _identity(text)
         for member in ("generatrix", "directrix"):
@@ -129,7 +129,7 @@ class Work:
                 names[member] = document[member]
         for member in document:
             if member not in _MEMBERS:
-                raise FormatError(f"$ has {quoted(member)}{suggest(member, _MEMBERS)}")
+                raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
         options: dict[str, Any] = {
             name: _pair(document[name], name) for name in _OPTIONS if document.get(name) is not None
         }
@@ -143,7 +143,7 @@ class Work:
         if isinstance(value, str):
             if value not in self._by_name:
                 near = suggest(value, self._by_name)
-                raise FormatError(f"$.{name}: there is no part {quoted(value)}{near}")
+                raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
         try:
             return choose(find_candidates(value), None).region()
@@ -167,11 +167,11 @@ def _identity(text: str) -> Names:
     assert isinstance(document, dict)
     identity = document["id"]
     if not isinstance(identity, (str, int)) or isinstance(identity, bool):
-        raise FormatError(f"$.id is {described(identity)}, not a string or an integer")
+        raise FormatError(f"$.id is {describe_kind(identity)}, not a string or an integer")
     return {"id": identity}
 
 
 def _pair(value: object, name: str) -> list[object]:
     if not isinstance(value, list) or len(value) != 2:
-        raise FormatError(f"$.{name} is {described(value)}, not a pair of numbers")
+        raise FormatError(f"$.{name} is {describe_kind(value)}, not a pair of numbers")
     return value

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from exactsweep.check.cone import by_turn, cross, divide, subtract
 from exactsweep.check.uncovered import LinePiece, OpenSets
-from exactsweep.geometry.canonical import canonical_ring, doubled_area
+from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
 
@@ -30,7 +30,7 @@ class WalkedLoop(NamedTuple):
     @property
     def is_hole(self) -> bool:
         """Whether what is free is inside: the loop is walked counter-clockwise."""
-        return doubled_area(self.points) > 0
+        return find_doubled_area(self.points) > 0
 
 
 class Boundary(NamedTuple):
@@ -42,7 +42,7 @@ class Boundary(NamedTuple):
 
 def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
     """The canonical form of a simple loop."""
-    return canonical_ring(points).points
+    return canonicalize_ring(points).points
 
 
 def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets) -> Boundary:

@@ -22,7 +22,7 @@ from exactsweep.check.cone import dot, find_common_direction, find_direction_ins
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
 from exactsweep.check.shape import LatticeShape, bring_to_one_lattice, list_rings
-from exactsweep.geometry.error import named
+from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.reading import read_point
 
@@ -63,9 +63,9 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     ['FREE', 'CONTACT', 'OVERLAP']
     """
     x, y = read_point(t, "the position")
-    with named("directrix"):
+    with name_refusals("directrix"):
         polygons = [list_rings(directrix)]
-    with named("generatrix"):
+    with name_refusals("generatrix"):
         polygons.append(list_rings(generatrix))
     scale, (d, g) = bring_to_one_lattice(polygons, (x.denominator, y.denominator))
     dx, dy = int(x * scale), int(y * scale)

@@ -28,7 +28,7 @@ from exactsweep.check.piecewise import (
     take_least_sum,
 )
 from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
-from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Edge, Fit, Point, Rational, Vertex
@@ -163,7 +163,7 @@ class _IntegerFrame:
         return_ = [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
         finer = lcm(*(c.denominator for xy in there + return_ for c in xy))
         ring = [self._back(int(x * finer), int(y * finer)) for x, y in there + return_]
-        return self._leave(canonical_ring(ring).points, finer)
+        return self._leave(canonicalize_ring(ring).points, finer)
 
 
 def _lower_halves(

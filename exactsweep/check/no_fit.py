@@ -44,7 +44,7 @@ from exactsweep.check.shape import (
     to_points,
 )
 from exactsweep.check.uncovered import OpenSets
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 
@@ -202,7 +202,7 @@ def _fits(found: Boundary, scale: int) -> tuple[Fit, ...]:
 def _regions(loops: Sequence[WalkedLoop], scale: int) -> tuple[tuple[Loop, tuple[Loop, ...]], ...]:
     """Give each hole of a region to the least exterior around it."""
     exteriors = [loop for loop in loops if loop.is_hole]
-    exteriors.sort(key=lambda loop: doubled_area(loop.points))
+    exteriors.sort(key=lambda loop: find_doubled_area(loop.points))
     holes: list[list[Loop]] = [[] for _ in exteriors]
     for loop in loops:
         if not loop.is_hole:

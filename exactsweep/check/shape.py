@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from math import lcm
 from typing import Any
 
-from exactsweep.geometry.number import quotient
+from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 
@@ -65,4 +65,4 @@ def bring_to_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[La
 
 def to_points(ring: Iterable[Vertex], scale: int) -> tuple[Point, ...]:
     """Leave the lattice."""
-    return tuple(Point(quotient(x, scale), quotient(y, scale)) for x, y in ring)
+    return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)

@@ -13,8 +13,8 @@ from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
-from exactsweep.formats import file_name
-from exactsweep.geometry.number import quoted
+from exactsweep.formats import show_path
+from exactsweep.geometry.number import quote
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
     try:
         found = [int(word) for word in text.split(",")]
     except ValueError:
-        raise click.BadParameter(f"{quoted(text)} is not a list of integers") from None
+        raise click.BadParameter(f"{quote(text)} is not a list of integers") from None
     if any(degrees % 90 for degrees in found):
         raise click.BadParameter("other angles than multiples of 90 degrees are irrational")
     return found
@@ -157,7 +157,7 @@ def batch_command(
         text += f"; {summary.resumed} of the records were there already"
     write(f"{text}\n", "-")
     if summary.pairs and summary.refused == summary.pairs:
-        raise click.ClickException(f"all pairs were refused; {file_name(output)} says why")
+        raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
 
 
 def _job(

@@ -5,7 +5,7 @@ import click
 from exactsweep import Point, Sweep
 from exactsweep.cli.pair import PATH, takes_pair, takes_way_up
 from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
-from exactsweep.formats import FormatError, file_name
+from exactsweep.formats import FormatError, show_path
 from exactsweep.geometry.number import to_fraction
 
 
@@ -13,7 +13,7 @@ def _with_suffix(ctx: click.Context, option: click.Parameter, path: str) -> str:
     try:
         read_suffix(path)
     except ValueError as error:
-        raise click.BadParameter(f"{file_name(path)}: {error}") from None
+        raise click.BadParameter(f"{show_path(path)}: {error}") from None
     return path
 
 
@@ -81,4 +81,4 @@ def draw_command(
     try:
         save(figure, output)
     except OSError as error:
-        raise FormatError(f"{file_name(output)}: {error.strerror or error}") from None
+        raise FormatError(f"{show_path(output)}: {error.strerror or error}") from None

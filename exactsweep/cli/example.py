@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from exactsweep.cli.output import takes_output, write
-from exactsweep.formats import FormatError, file_name
+from exactsweep.formats import FormatError, show_path
 
 
 @click.command("example")
@@ -28,7 +28,7 @@ def example_command(name: str | None, output: str) -> None:
         write("".join(f"{programs[each]}\n" for each in sorted(programs)), output)
         return
     if output != "-" and Path(output).exists():
-        raise FormatError(f"{file_name(output)}: is there already")
+        raise FormatError(f"{show_path(output)}: is there already")
     write(
         programs[require_known(name, sorted(programs), "example")].read_text(encoding="utf-8"),
         output,

@@ -10,7 +10,7 @@ from typing import TypeVar
 import click
 
 from exactsweep.cli.pair import PATH
-from exactsweep.formats import FormatError, file_name
+from exactsweep.formats import FormatError, show_path
 
 Command = TypeVar("Command", bound=Callable[..., None])
 
@@ -45,7 +45,7 @@ def write(text: str, output: str) -> None:
     except BrokenPipeError:
         raise
     except OSError as error:
-        name = file_name(output)
+        name = show_path(output)
         if output == "-":
             # What could not be written is still in the buffer and would fail again on exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

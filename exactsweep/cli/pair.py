@@ -9,7 +9,7 @@ import click
 
 from exactsweep import Point, Region, sweep
 from exactsweep.cli.parts import read_named
-from exactsweep.formats import NamedRegion, file_name, read_region
+from exactsweep.formats import NamedRegion, read_region, show_path
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
@@ -77,7 +77,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
             if generatrix is None or directrix is None:
                 raise
             raise DirectionError(
-                f"{file_name(generatrix)}, {file_name(directrix)}: {error}"
+                f"{show_path(generatrix)}, {show_path(directrix)}: {error}"
             ) from None
         command(result, **options)
 

@@ -5,7 +5,7 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, write
 from exactsweep.cli.pair import name_files_of_pair, takes_pair, takes_way_up
-from exactsweep.formats import file_name
+from exactsweep.formats import show_path
 
 
 @click.command("view")
@@ -26,7 +26,7 @@ def view_command(result: Sweep, y_down: bool, output: str) -> None:
     from exactsweep.view import make_page
 
     files = name_files_of_pair()
-    names = None if files is None else (file_name(files[0]), file_name(files[1]))
+    names = None if files is None else (show_path(files[0]), show_path(files[1]))
     with words() as tell:
         text = make_page(result, names=names, y_down=y_down, tell=tell)
     write(text, output)

@@ -17,7 +17,7 @@ from exactsweep.corpus.representable import find_types
 from exactsweep.draw.notebook import sweep_svg
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.writing import wkt_points, wkt_polygon
+from exactsweep.formats.writing import write_wkt_points, write_wkt_polygon
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 
@@ -93,8 +93,8 @@ def _wkt(figure: Figure) -> str:
     name, closed, (exterior, *holes) = figure
     if closed:
         inner = {f"{name}, hole {k}": hole for k, hole in enumerate(holes)}
-        return wkt_polygon({name: exterior, **inner}).rstrip()
-    return f"{'POINT' if len(exterior) == 1 else 'LINESTRING'} {wkt_points(name, exterior)}"
+        return write_wkt_polygon({name: exterior, **inner}).rstrip()
+    return f"{'POINT' if len(exterior) == 1 else 'LINESTRING'} {write_wkt_points(name, exterior)}"
 
 
 def _row(*fields: str) -> str:

@@ -3,7 +3,7 @@
 from collections.abc import Collection
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.words import suggest
 
 
@@ -25,7 +25,7 @@ def require_known(name: str, names: Collection[str], thing: str) -> str:
     if name in names:
         return name
     near = suggest(name, names) or f"; {_some(names)}"
-    raise UnknownNameError(f"no {thing} {quoted(name)}{near}")
+    raise UnknownNameError(f"no {thing} {quote(name)}{near}")
 
 
 def _some(names: Collection[str]) -> str:

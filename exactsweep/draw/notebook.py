@@ -16,9 +16,9 @@ from exactsweep.draw.sweeps import (
     place_generatrix,
     trace_anchor,
 )
-from exactsweep.geometry.number import abridged
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import Point
-from exactsweep.words import CLASSES, pair, size
+from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
@@ -91,13 +91,13 @@ def show_no_fit(n: NoFitPositions) -> str:
     """Show a no-fit polygon as HTML: its picture, class, and sizes."""
     rows = [
         ("class", CLASSES[n.kind]),
-        ("reference", pair(n.reference)),
-        ("stationary", size(len(n.stationary), n.stationary.area)),
-        ("orbiting", size(len(n.orbiting), n.orbiting.area)),
-        ("exterior", size(len(n.exterior), n.exterior.area)),
+        ("reference", write_pair(n.reference)),
+        ("stationary", write_size(len(n.stationary), n.stationary.area)),
+        ("orbiting", write_size(len(n.orbiting), n.orbiting.area)),
+        ("exterior", write_size(len(n.exterior), n.exterior.area)),
         ("holes", str(len(n.holes))),
         ("exact fits", str(len(n.exact_fits))),
-        ("area", abridged(n.area)),
+        ("area", abridge(n.area)),
     ]
     return put_beside(draw_positions(n), rows)
 
@@ -105,12 +105,12 @@ def show_no_fit(n: NoFitPositions) -> str:
 def show_inner_fit(f: InnerFitPositions) -> str:
     """Show an inner fit as HTML: its picture and sizes."""
     rows = [
-        ("reference", pair(f.reference)),
-        ("container", size(len(f.container), f.container.area)),
-        ("part", size(len(f.part), f.part.area)),
+        ("reference", write_pair(f.reference)),
+        ("container", write_size(len(f.container), f.container.area)),
+        ("part", write_size(len(f.part), f.part.area)),
         ("regions", str(len(f.regions))),
         ("exact fits", str(len(f.exact_fits))),
-        ("area", abridged(f.area)),
+        ("area", abridge(f.area)),
     ]
     return put_beside(draw_positions(f), rows)
 
@@ -119,8 +119,8 @@ def sweep_html(s: Swept) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
-        ("monotone to", "no shared direction" if s.direction is None else pair(s.direction)),
-        ("reference", pair(s.reference)),
+        ("monotone to", "no shared direction" if s.direction is None else write_pair(s.direction)),
+        ("reference", write_pair(s.reference)),
     ]
     loops = {
         "generatrix": s.generatrix,
@@ -129,10 +129,10 @@ def sweep_html(s: Swept) -> str:
         "inner loop": s.inner,
         "outer loop": s.outer,
     }
-    rows += [(name, size(len(loop), loop.area)) for name, loop in loops.items()]
-    rows += [(f"unswept {k}", size(len(loop), loop.area)) for k, loop in enumerate(s.unswept)]
+    rows += [(name, write_size(len(loop), loop.area)) for name, loop in loops.items()]
+    rows += [(f"unswept {k}", write_size(len(loop), loop.area)) for k, loop in enumerate(s.unswept)]
     rows += [
-        ("swept area", abridged(s.area)),
+        ("swept area", abridge(s.area)),
         ("undercuts", str(len(s.undercuts))),
         ("exact fits", str(len(s.exact_fits))),
     ]

@@ -23,7 +23,7 @@ from typing import Any, Literal, NamedTuple
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, direction_of, segment
+from exactsweep.geometry.segment import Segment, find_direction, make_segment
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -66,7 +66,7 @@ def find_edge_contacts(
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges):
-        piece = segment(edge)
+        piece = make_segment(edge)
         lines[piece.direction, piece.offset].append((piece, k))
     for line in lines.values():
         line.sort(key=_low)
@@ -74,7 +74,7 @@ def find_edge_contacts(
     found: list[set[Contact]] = [set() for _ in edges]
 
     def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
-        touching = segment((first, last))
+        touching = make_segment((first, last))
         key = touching.direction, touching.offset
         if key not in lines:
             return
@@ -87,14 +87,14 @@ def find_edge_contacts(
 
     directions = {direction for direction, _ in lines}
     g_edges, d_edges = (
-        {k: edge for k, edge in enumerate(shape.edges) if direction_of(edge) in directions}
+        {k: edge for k, edge in enumerate(shape.edges) if find_direction(edge) in directions}
         for shape in (generatrix, directrix)
     )
     parallel: defaultdict[Vector, list[int]] = defaultdict(list)
     for j, edge in d_edges.items():
-        parallel[direction_of(edge)].append(j)
+        parallel[find_direction(edge)].append(j)
     for i, (p, q) in g_edges.items():
-        for j in parallel[direction_of((p, q))]:
+        for j in parallel[find_direction((p, q))]:
             r, s = d_edges[j]
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
@@ -195,9 +195,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         own = [i] if event == "EV" else [i, generatrix.before[i]]
         others = [j] if event == "VE" else [j, directrix.before[j]]
         for e in own:
-            piece = segment(generatrix.edge(e))
+            piece = make_segment(generatrix.edge(e))
             for d in others:
-                other = segment(directrix.edge(d))
+                other = make_segment(directrix.edge(d))
                 if piece.direction != other.direction:
                     continue
                 moved = piece.moved(t)
@@ -239,4 +239,4 @@ def _angle(edge: Edge) -> tuple[bool, Any]:
     """A key that orders directed edges by angle, from -90 degrees, exclusive, all round."""
     (px, py), (qx, qy) = edge
     backward = qx < px or (qx == px and qy < py)
-    return backward, angle_key(direction_of(edge))
+    return backward, angle_key(find_direction(edge))

@@ -5,14 +5,19 @@ from fractions import Fraction
 from math import lcm
 from typing import TYPE_CHECKING, Any, Self
 
-from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
+from exactsweep.geometry.canonical import (
+    PolygonError,
+    canonicalize_ring,
+    find_doubled_area,
+    find_turns,
+)
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
-from exactsweep.geometry.number import abridged, quotients
+from exactsweep.geometry.number import abridge, divide_all
 from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
-from exactsweep.geometry.reading import read_point, rings_of_interface
+from exactsweep.geometry.reading import read_interface, read_point
 from exactsweep.geometry.simplicity import are_chains_monotone
-from exactsweep.words import pair, size
+from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:
     import sympy
@@ -65,7 +70,7 @@ class Polygon(PointSet):
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
         scale, points = _read(vertices)
-        ring = canonical_ring(points)
+        ring = canonicalize_ring(points)
         self._vertices = None
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
@@ -94,7 +99,7 @@ class Polygon(PointSet):
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
             scale, points = self.lattice()
-            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
+            xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
             self._vertices = tuple(make_points(xs, ys))
         return self._vertices
 
@@ -144,14 +149,14 @@ class Polygon(PointSet):
         if self._lattice is None:
             return _area(self.vertices)
         scale, points = self._lattice
-        return Fraction(doubled_area(points), 2 * scale * scale)
+        return Fraction(find_doubled_area(points), 2 * scale * scale)
 
     @property
     def is_convex(self) -> bool:
         """Whether all turns are to the left."""
         if self._convex is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
-            self._convex = min(turn_products(points)) > 0
+            self._convex = min(find_turns(points)) > 0
         return self._convex
 
     @property
@@ -241,19 +246,19 @@ class Polygon(PointSet):
 
     def __repr__(self) -> str:
         shown = [
-            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridged, v))})"
+            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridge, v))})"
             for v in self._head()
         ]
         return f"Polygon([{', '.join(shown + self._more())}])"
 
     def __str__(self) -> str:
-        shown = [f"({', '.join(map(abridged, v))})" for v in self._head()]
+        shown = [f"({', '.join(map(abridge, v))})" for v in self._head()]
         return " ".join(shown + self._more())
 
     def _repr_svg_(self) -> str:
         from exactsweep.canvas.svg import draw_rings
 
-        return draw_rings([self.vertices], size(len(self), self.area))
+        return draw_rings([self.vertices], write_size(len(self), self.area))
 
     def _repr_html_(self) -> str:
         from exactsweep.canvas.svg import put_beside
@@ -261,10 +266,10 @@ class Polygon(PointSet):
         low, high = self.bounding_box
         rows = [
             ("vertices", str(len(self))),
-            ("area", abridged(self.area)),
+            ("area", abridge(self.area)),
             ("convex", "yes" if self.is_convex else "no"),
-            ("from", pair(low)),
-            ("to", pair(high)),
+            ("from", write_pair(low)),
+            ("to", write_pair(high)),
         ]
         return put_beside(self._repr_svg_(), rows)
 
@@ -277,7 +282,7 @@ class Polygon(PointSet):
 
 
 def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
-    rings = rings_of_interface(vertices)
+    rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
             raise PolygonError("it has holes: make a Region of it")

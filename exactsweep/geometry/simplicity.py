@@ -118,8 +118,9 @@ def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
     """Sweep distinct vertices in lexicographic order, which stands for a line tilted a little.
 
-    Invariant: the status holds the edges that cross the line, bottom to top, and no two that were
-    ever neighbours in it meet. So whatever meets at the next vertex is found there or was before.
+    The status holds the edges that cross the line, bottom to top, and no two that were ever
+    neighbours in it meet; this is invariant. So whatever meets at the next vertex is found there
+    or was before.
     """
     n = len(ring)
     lines = [_line(ring[i], ring[(i + 1) % n]) for i in range(n)]

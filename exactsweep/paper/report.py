@@ -91,7 +91,7 @@ def render(
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
-            read_bibtex=read_bibtex(),
+            bibtex=read_bibtex(),
             contents=_list_contents(sections, bounds=bool(bounds.rows)),
             abstract=ABSTRACT,
             open=OPEN,

@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.geometry.number import quotient, ratio
+from exactsweep.geometry.number import divide_exactly, ratio
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import ChainError, convex_parts
 
@@ -251,7 +251,7 @@ def crossing(u: Rational, v: Rational) -> Break:
 
 def value(at: Break) -> Fraction:
     """The x of a break."""
-    return quotient(*at)
+    return divide_exactly(*at)
 
 
 def precedes(first: Break, second: Break) -> bool:

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridged, format_fraction
+from exactsweep.geometry.number import abridge, format_fraction
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import CLASSES, pair
+from exactsweep.words import CLASSES, write_pair
 
 # rich takes longer to import than all the rest.
 if TYPE_CHECKING:
@@ -70,8 +70,8 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
     }
     facts = {
         "class": CLASSES[sweep.kind],
-        "direction": "none" if sweep.direction is None else pair(sweep.direction),
-        "reference": pair(sweep.reference),
+        "direction": "none" if sweep.direction is None else write_pair(sweep.direction),
+        "reference": write_pair(sweep.reference),
         "undercuts": str(len(sweep.undercuts)),
         "exact fits": str(len(sweep.exact_fits)),
     }
@@ -115,7 +115,7 @@ def report_no_fit(
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
         "class": CLASSES[n.kind],
-        "reference": pair(n.reference),
+        "reference": write_pair(n.reference),
         "holes": str(len(n.holes)),
         "exact fits": str(len(n.exact_fits)),
     }
@@ -156,7 +156,7 @@ def report_inner_fit(
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
         "the part": "fits" if f.regions else exact,
-        "reference": pair(f.reference),
+        "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),
     }
@@ -246,7 +246,7 @@ def _rows(texts: Mapping[str, str], width: int) -> Table:
 
 
 def _area(area: Fraction) -> tuple[str, str]:
-    exact, rounded = abridged(area), approximate(area)
+    exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 
 
@@ -256,7 +256,7 @@ def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
 
 
 def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
-    return {name: " ".join(map(pair, ends)) for name, ends in _fit_ends(fits).items()}
+    return {name: " ".join(map(write_pair, ends)) for name, ends in _fit_ends(fits).items()}
 
 
 def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:

@@ -13,7 +13,7 @@ from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.writing import wkt_fits, wkt_polygon
+from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
@@ -268,7 +268,7 @@ def sweep_to_wkt(sweep: Swept) -> str:
     """
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
     loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
-    return "".join(wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
+    return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
 def no_fit_to_wkt(n: NoFitPositions) -> str:
@@ -291,7 +291,7 @@ def no_fit_to_wkt(n: NoFitPositions) -> str:
         POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
         LINESTRING (1 3, 1 1)
     """
-    return _area_to_wkt("", n.exterior, n.holes) + wkt_fits(n.exact_fits)
+    return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
 def inner_fit_to_wkt(f: InnerFitPositions) -> str:
@@ -311,9 +311,11 @@ def inner_fit_to_wkt(f: InnerFitPositions) -> str:
         _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
         for k, region in enumerate(f.regions)
     ]
-    return "".join(lines) + wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
+    return "".join(lines) + write_wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
 
 
 def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
     rings = {f"{prefix}exterior": exterior.vertices}
-    return wkt_polygon(rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)})
+    return write_wkt_polygon(
+        rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)}
+    )

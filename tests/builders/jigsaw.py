@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from builders.entry import Entry, in_places
 from exactsweep import Region
-from exactsweep.corpus.generator.cells import block, connect, draw, trace_outline
+from exactsweep.corpus.generator.cells import build_block, connect, draw, trace_outline
 
 TITLE = "Jigsaws: parts that fit along segments and in single positions"
 
@@ -39,7 +39,7 @@ def mould(cells: set[tuple[int, int]], left: int = 1) -> Region:
     """A block around some squares, with those cut out."""
     xs, ys = zip(*cells, strict=True)
     width, height = max(xs) - min(xs) + 2 + left, max(ys) - min(ys) + 3
-    around = block(width, height, min(xs) - left, min(ys) - 1)
+    around = build_block(width, height, min(xs) - left, min(ys) - 1)
     return trace_outline(connect(around - cells))
 
 

@@ -14,7 +14,7 @@ from shape_families import untangled
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.corpus.generator.cells import grow
 from exactsweep.corpus.generator.shapes import take_hull
-from exactsweep.geometry.canonical import PolygonError, canonical_ring
+from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
 
 Vertex = tuple[int, int]
 Ring = list[Vertex]
@@ -150,7 +150,7 @@ def _is_sound(shape: Shape) -> bool:
     if any(abs(c) > FARTHEST for ring in shape for p in ring for c in p):
         return False
     try:
-        canonical_ring(shape[0])
+        canonicalize_ring(shape[0])
     except PolygonError:
         return False
     return True

@@ -91,6 +91,7 @@ def run_afresh(tree: Path, tests: Sequence[str], seconds: Mapping[str, float]) -
 
 
 def _enter(tree: Path) -> None:
+    gc.freeze()  # else the end of a run of tests looks through all that this process has
     output = os.open(os.devnull, os.O_WRONLY)
     os.dup2(output, 1)
     os.dup2(output, 2)
@@ -180,7 +181,7 @@ def function_code(mutant: Mutant, text: bytes, file: str) -> CodeType | None:
         if not isinstance(node, ast.FunctionDef):
             continue
         if node.body[0].lineno <= mutant.line <= (node.end_lineno or 0):
-            first = min(line.lineno for line in (node, *node.decorator_list))
+            first = min([node.lineno, *(line.lineno for line in node.decorator_list)])
             codes = _codes(compile(mutant.applied(text), file, "exec"))
             return next(
                 code for code in codes if (code.co_firstlineno, code.co_name) == (first, node.name)

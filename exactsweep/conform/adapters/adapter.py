@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, cast
 
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
@@ -157,7 +157,7 @@ def prepare_ring(ring: AskedRing) -> AskedRing:
     distinct = [p for k, p in enumerate(ring) if p != ring[k - 1]]
     # Floats are made exact: their products would be rounded.
     points = [Point(to_fraction(x), to_fraction(y)) for x, y in distinct]
-    return distinct if doubled_area(points) > 0 else distinct[::-1]
+    return distinct if find_doubled_area(points) > 0 else distinct[::-1]
 
 
 def list_fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:

@@ -17,12 +17,12 @@ from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
-from exactsweep.geometry.canonical import PolygonError, doubled_area
-from exactsweep.geometry.number import abridged
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import ORIGIN, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import no_fit_polygon
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
 _NEARLY = 4
@@ -45,7 +45,7 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
 
     Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
     """
-    if not any(map(doubled_area, rings)):
+    if not any(map(find_doubled_area, rings)):
         return ()
     low, high = _box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
@@ -121,7 +121,7 @@ def _other_positions(
             continue
         points = [*_name_offsets(case, offset, rounding)]
         if not points:
-            by = pair(subtract(offset, case.reference))
+            by = write_pair(subtract(offset, case.reference))
             points = [f"another reference point: all is moved by {by}"]
         if words and "the reference point given" in points:
             yield f"exact for {words}"
@@ -130,7 +130,7 @@ def _other_positions(
             yield from (f"exact for {words}{joint}{point}" for point in points)
     factor = _find_scale(rings, theirs, rounding)
     if factor is not None:
-        yield f"exact for another scale: it is {abridged(factor)} times as large"
+        yield f"exact for another scale: it is {abridge(factor)} times as large"
 
 
 _AXES = {

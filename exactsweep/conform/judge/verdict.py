@@ -31,7 +31,7 @@ class Verdict(StrEnum):
     - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
       other rings, or with exact fits as whiskers.
     - within: theirs is the exact loop except for rounding. It has as many rings, and two points can
-      travel once round each of theirs and one of the exact rings, neither ever turning back, and
+      travel once around each of theirs and one of the exact rings, neither ever turning back, and
       never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
       the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
       together or appear on edges so, but nothing that is wider than `rounding` is lost. A rounded

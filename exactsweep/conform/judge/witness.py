@@ -27,7 +27,7 @@ from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 LOOP_NAMES = {
     "trajectory": "trajectory",
@@ -97,7 +97,7 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
         ):
             side = "outside" if cell.first else "inside"
             return replace(found, says=f"{found.says}; that is {side} their {LOOP_NAMES[name]}")
-    raise WitnessError(f"case {case.id}: its {name} is refuted near {pair(point)}")
+    raise WitnessError(f"case {case.id}: its {name} is refuted near {write_pair(point)}")
 
 
 def is_inside(point: Point, rings: PointRings) -> bool:
@@ -113,7 +113,7 @@ def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness
         does, obstacles = _DOES_INSIDE, _obstacles(case, translation)
     found = [classify(obstacle, case.generatrix, translation) for obstacle in obstacles]
     verdict, point = max(found, key=lambda one: _SEVERITY.index(one.verdict))
-    return Witness(f"at {pair(position)} G {does[verdict]}", translation, verdict, point)
+    return Witness(f"at {write_pair(position)} G {does[verdict]}", translation, verdict, point)
 
 
 def _obstacles(case: Case, t: Point) -> list[Polygon | Region]:
@@ -150,7 +150,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     if permitted and case.kind == "SS":
         if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"nowhere on its way G covers {pair(point)}", point=point)
+        return Witness(f"nowhere on its way G covers {write_pair(point)}", point=point)
     if not permitted:
         if not escapes:
             return None
@@ -170,7 +170,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"at all positions over {pair(point)} G {_DOES['FREE']}", point=point)
+        return Witness(f"at all positions over {write_pair(point)} G {_DOES['FREE']}", point=point)
     for t in _on_boundary(positions, onto):
         return _over(case, point, t)
     for shape, name in (
@@ -179,7 +179,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
         *((loop, "a loop that is left out inside") for loop in case.unswept),
     ):
         if _is_in(point, shape):
-            return Witness(f"{pair(point)} is in {name}", point=point)
+            return Witness(f"{write_pair(point)} is in {name}", point=point)
     return None
 
 
@@ -188,8 +188,8 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
     if not _is_in(point, case.generatrix.translated(t)):
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
-    at = pair(add(t, case.reference))
-    return Witness(f"at {at} G covers {pair(point)} and {_DOES[verdict]}", t, verdict, point)
+    at = write_pair(add(t, case.reference))
+    return Witness(f"at {at} G covers {write_pair(point)} and {_DOES[verdict]}", t, verdict, point)
 
 
 _SHOW = {

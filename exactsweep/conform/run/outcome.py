@@ -19,7 +19,7 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, limits, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, limits, quote, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -264,4 +264,4 @@ def _written(value: object) -> str:
     try:
         return format_fraction(to_fraction(value))
     except NumberError:
-        return quoted(value)
+        return quote(value)

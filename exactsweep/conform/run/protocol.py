@@ -39,9 +39,9 @@ from typing import Any, Literal, Self, cast, get_args
 from exactsweep.corpus import Case
 from exactsweep.corpus.case import SHAPES, Shapes
 from exactsweep.formats import FormatError
-from exactsweep.formats.exact_json import described, parse_certificate
+from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.geometry.number import format_fraction, quote
 from exactsweep.geometry.point import ORIGIN, Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -116,7 +116,7 @@ class Hello:
             ("shapes", shapes, SHAPES),
         ):
             if value not in allowed:
-                raise ProtocolError(f'"{key}" is {quoted(value)}, not one of {", ".join(allowed)}')
+                raise ProtocolError(f'"{key}" is {quote(value)}, not one of {", ".join(allowed)}')
         return cls(
             name,
             answered,
@@ -156,7 +156,7 @@ def _some(key: str, found: object, allowed: tuple[str, ...]) -> tuple[str, ...]:
     listed = list(found) if isinstance(found, (list, tuple)) else []
     if not listed or any(name not in allowed for name in listed):
         raise ProtocolError(
-            f'"{key}" is {quoted(found)}, not a list of some of {", ".join(allowed)}'
+            f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}'
         )
     return tuple(name for name in allowed if name in listed)
 
@@ -235,9 +235,9 @@ def read_object(line: str) -> dict[str, Any]:
     except FormatError as error:
         # The file of one line that the parser sees is no place to look at.
         reason = str(error).removeprefix("line 1, ")
-        raise ProtocolError(f"{quoted(line)} is no JSON line: {reason}") from None
+        raise ProtocolError(f"{quote(line)} is no JSON line: {reason}") from None
     if not isinstance(found, dict):
-        raise ProtocolError(f"{quoted(line)} is {described(found)}, not an object")
+        raise ProtocolError(f"{quote(line)} is {describe_kind(found)}, not an object")
     return found
 
 

@@ -14,14 +14,14 @@ Matrix = tuple[Cell, Cell]
 SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-def block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
+def build_block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
     """The squares of a rectangle, from its lower left corner on."""
     return {(x + i, y + j) for i in range(width) for j in range(height)}
 
 
-def frame(width: int, height: int) -> set[Cell]:
+def build_frame(width: int, height: int) -> set[Cell]:
     """The squares along the border of a rectangle."""
-    return block(width, height) - block(width - 2, height - 2, 1, 1)
+    return build_block(width, height) - build_block(width - 2, height - 2, 1, 1)
 
 
 def list_neighbours(cell: Cell) -> list[Cell]:
@@ -73,7 +73,7 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
     Cost: linear, and that of `Region`.
 
     Example:
-        >>> trace_outline(frame(3, 3))
+        >>> trace_outline(build_frame(3, 3))
         Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
     """
     filled = set(cells)

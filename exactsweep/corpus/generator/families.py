@@ -15,7 +15,7 @@ from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, require_known
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
@@ -131,7 +131,7 @@ def generate_case(id: str) -> Case:
     """
     match = _ID.fullmatch(id)
     if match is None:
-        raise UnknownNameError(f"{quoted(id)} is not of the form gen-FAMILY-SEED-NUMBER")
+        raise UnknownNameError(f"{quote(id)} is not of the form gen-FAMILY-SEED-NUMBER")
     family, seed, number = match.groups()
     return _make(FAMILIES[require_known(family, FAMILIES, "family")], int(seed), int(number))
 

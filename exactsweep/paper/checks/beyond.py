@@ -16,7 +16,7 @@ from exactsweep.check import (
 )
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.point import Fit, Rational, Vertex
-from exactsweep.geometry.segment import Segment, along, offset, segment
+from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
 from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
@@ -88,7 +88,7 @@ def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
                 way = _minus(q, p)
                 turns = _cross(into, out), _cross(into, way), _cross(way, out)
                 if turns[0] > 0 and min(turns) >= 0:
-                    yield segment((_plus(at, p), _plus(at, q)))
+                    yield make_segment((_plus(at, p), _plus(at, q)))
 
 
 def _minus(p: Vertex, q: Vertex) -> Vertex:
@@ -117,7 +117,8 @@ def boundary_is_contact(pair: SweepPair) -> str:
         if p != q and not _lies_on((p, q), known):
             return f"off all contact segments: {_show([(p, q)])}"
         if p == q and not any(
-            offset(s.direction, p) == s.offset and s.low <= along(s.direction, p) <= s.high
+            find_offset(s.direction, p) == s.offset
+            and s.low <= measure_along(s.direction, p) <= s.high
             for s in known
         ):
             return f"off all contact segments: ({p.x}, {p.y})"
@@ -126,7 +127,7 @@ def boundary_is_contact(pair: SweepPair) -> str:
 
 def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
     """Whether segments of its line cover an edge."""
-    whole = segment(edge)
+    whole = make_segment(edge)
     reached = whole.low
     for piece in sorted(s for s in known if s[:2] == whole[:2]):
         if piece.low > reached:
