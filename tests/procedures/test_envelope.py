@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import ChainError, convex_parts, corners, split
+from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import GAP, Envelope, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
@@ -26,7 +26,7 @@ half, third = Fraction(1, 2), Fraction(1, 3)
 def graphs(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over x-ranges that all hold the interval from 4 to 5."""
     xs = {*draw(st.sets(own.tiny(0, 9), max_size=4)), draw(own.tiny(0, 4)), draw(own.tiny(5, 9))}
-    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
 
 def height(chain: Chain, x: Fraction) -> Fraction | None:
@@ -54,7 +54,7 @@ def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
 def graphs_anywhere(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over any x-ranges."""
     xs = draw(st.sets(own.tiny(0, 9), min_size=2, max_size=4))
-    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
 
 @given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
@@ -113,7 +113,7 @@ def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
 @usually
 def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
     v = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
-    assert corners(v) == v
+    assert take_corners(v) == v
 
 
 @given(own.pairs("CM"))
@@ -121,7 +121,7 @@ def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
 def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
     """Lemmas A.3 and 5.1: sub-trajectories of a convex G meet as LowerEnvelope_CM needs it."""
     (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    pieces = [trajectory_cc(top, part) for part in convex_parts(bottom)]
+    pieces = [trajectory_cc(top, part) for part in find_convex_parts(bottom)]
     partial = Envelope.of(pieces[0], 0)
     for k, piece in enumerate(pieces[1:], 1):
         assert lower_envelope_cm(partial, Envelope.of(piece, k)) is partial
