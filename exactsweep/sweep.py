@@ -15,13 +15,13 @@ from exactsweep.evidence.swept_shape import SweptShape
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
+    choose_direction,
     read_direction,
     require_monotone,
-    shared_direction,
 )
-from exactsweep.geometry.error import named
+from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_point, rings_of_interface
+from exactsweep.geometry.reading import read_interface, read_point
 from exactsweep.geometry.region import Region, Vertices
 
 if TYPE_CHECKING:
@@ -109,14 +109,14 @@ class NoFitPolygon(EqualByQuestion, no_fit.NoFitPositions):
         return plot_no_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import no_fit_html
+        from exactsweep.draw.notebook import show_no_fit
 
-        return no_fit_html(self)
+        return show_no_fit(self)
 
 
 class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
@@ -137,14 +137,14 @@ class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
         return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
+        from exactsweep.draw.notebook import draw_positions
 
-        return positions_svg(self)
+        return draw_positions(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import inner_fit_html
+        from exactsweep.draw.notebook import show_inner_fit
 
-        return inner_fit_html(self)
+        return show_inner_fit(self)
 
 
 def sweep(
@@ -162,7 +162,7 @@ def sweep(
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
         directrix: D, likewise.
         direction: a pair of numbers, the shared direction of monotonicity to be used; chosen as
-            by `shared_direction` if left out. The loops do not depend on it.
+            by `choose_direction` if left out. The loops do not depend on it.
         reference: the point of G whose path the trajectory is, in the coordinates of G.
 
     Returns:
@@ -209,8 +209,8 @@ def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
 def _region(shape: Region | Vertices, name: str) -> Region:
     if isinstance(shape, Region):
         return shape
-    with named(name):
-        exterior, *holes = rings_of_interface(shape) or [shape]
+    with name_refusals(name):
+        exterior, *holes = read_interface(shape) or [shape]
         if not holes:
             # There is only one ring to be named.
             return Region(Polygon(exterior))
@@ -224,7 +224,7 @@ def _share(
     if isinstance(generatrix, Region) or isinstance(directrix, Region):
         return None
     try:
-        chosen = direction or shared_direction(generatrix, directrix)
+        chosen = direction or choose_direction(generatrix, directrix)
     except DirectionError:
         return None
     return generatrix, directrix, chosen

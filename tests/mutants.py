@@ -5,14 +5,12 @@ lines run in a copy of the checkout, the quickest first, until one fails; which 
 measured once (`reach`). Mutants that are the same program, or one that differs in time alone, are
 known by their lines in `equivalent_mutants.toml`, with the reason.
 
-A test that takes three times as long as without the mutant, and 6 seconds more, notices it, too.
+A test that takes three times as long as without the mutant, and 3 seconds more, notices it, too.
 Seconds are those of the processor, so that it does not matter what else the machine does.
 """
 
 import importlib
 import json
-import os
-import resource
 import shutil
 import sys
 import tempfile
@@ -22,14 +20,12 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from compileall import compile_dir
 from itertools import accumulate
-from math import ceil
 from pathlib import Path
 from py_compile import PycInvalidationMode
 from random import Random
 from typing import IO, NamedTuple
 
 import click
-import pytest
 from rich.console import Console
 from rich.progress import track
 
@@ -37,7 +33,8 @@ from rich.progress import track
 SUPPORT = str(Path(__file__).parent / "support")
 sys.path.insert(0, SUPPORT)
 from operators import Mutant, mutants_of  # noqa: E402
-from reach import OPTIONS, measure  # noqa: E402
+from reach import Reach, measure  # noqa: E402
+from trial import Reader, Trial, run_afresh  # noqa: E402
 
 sys.path.remove(SUPPORT)  # what is tried is all in the copy
 
@@ -51,9 +48,6 @@ TESTS = (
 NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "LICENSE")
 # By all tests; what is loaded before the tests are begun need not be loaded again.
 LOADED = ("hypothesis.strategies", "rich.table", "rich.progress", "click.testing", "sympy", "numpy")
-QUICK = 2  # seconds
-MEMORY = 4 << 30
-SPARE = 6  # seconds that any run may take more
 
 
 class Result(NamedTuple):
@@ -90,67 +84,6 @@ def read_equivalent() -> dict[tuple[str, str, str], str]:
     }
 
 
-def run_tests(
-    tree: Path, tests: Sequence[str], seconds: Mapping[str, float]
-) -> tuple[str, str, float]:
-    """Run tests in a copy of the checkout, in their order, until one fails.
-
-    Returns:
-        The verdict, the test that failed, and the seconds of the processor.
-    """
-    begun = tree / "begun.txt"
-    child = os.fork()
-    if child == 0:
-        status = 3  # unless it comes to an end
-        try:
-            output = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(output, 1)
-            os.dup2(output, 2)
-            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-            os.chdir(tree)
-            os.environ["PYTHONPATH"] = str(tree)
-            sys.dont_write_bytecode = True
-            sys.path.insert(0, str(tree))
-            files = dict.fromkeys(test.partition("::")[0] for test in tests)
-            plugins = [_Chosen(tests, seconds, begun)]
-            status = pytest.main([*OPTIONS, "-x", "--tb=no", *files], plugins=plugins)
-        finally:
-            os._exit(status)
-    _, status, usage = os.wait4(child, 0)
-    seconds_used = usage.ru_utime + usage.ru_stime
-    shutil.rmtree(tree / ".hypothesis", ignore_errors=True)
-    last = begun.read_text() if begun.exists() else "when modules are imported"
-    begun.unlink(missing_ok=True)
-    if os.WIFSIGNALED(status):
-        return "time", last, seconds_used
-    if os.WEXITSTATUS(status) == 0:
-        return "survived", "", seconds_used
-    return "killed", last, seconds_used
-
-
-class _Chosen:
-    """Runs only the chosen tests, and each of them for a limited time."""
-
-    def __init__(self, tests: Sequence[str], seconds: Mapping[str, float], begun: Path) -> None:
-        self._rank = {test: k for k, test in enumerate(tests)}
-        self._seconds = seconds
-        self._begun = begun
-        self._limit(SPARE)
-
-    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        chosen = [item for item in items if item.nodeid in self._rank]
-        items[:] = sorted(chosen, key=lambda item: self._rank[item.nodeid])
-
-    def pytest_runtest_logstart(self, nodeid: str) -> None:
-        self._begun.write_text(nodeid)
-        self._limit(3 * self._seconds[nodeid] + SPARE)
-
-    def _limit(self, seconds: float) -> None:
-        used = resource.getrusage(resource.RUSAGE_SELF)
-        limit = ceil(used.ru_utime + used.ru_stime + seconds)
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
-
-
 def try_mutants(
     sample: Sequence[tuple[Mutant, bytes]], budget: float, console: Console
 ) -> Iterator[Result]:
@@ -162,31 +95,43 @@ def try_mutants(
         tree = Path(folder)
         for name in NEEDED:
             _copy(ROOT / name, tree / name)
-        reach = measure(tree, TESTS, [path.relative_to(ROOT).as_posix() for path in modules()])
         compile_dir(tree, quiet=1, invalidation_mode=PycInvalidationMode.CHECKED_HASH)
+        reach = measure(tree, TESTS, [path.relative_to(ROOT).as_posix() for path in modules()])
+        reader = Reader(tree, TESTS, reach.seconds)
         for mutant, text in track(sample, "mutants", console=console):
             before, after = mutant.shown(text)
             if why := equivalent.get((mutant.path, before, after)):
                 yield Result(mutant, "equivalent", why, 0)
                 continue
             (tree / mutant.path).write_bytes(mutant.applied(text))
-            tests = reach.tests_of(mutant.path, mutant.lines(text))
-            total = 0.0
-            verdict, by = "survived", "" if tests else "no test reaches it"
-            for wave in waves(tests, reach.seconds, budget):
-                verdict, by, seconds = run_tests(tree, wave, reach.seconds)
-                total += seconds
-                if verdict != "survived":
-                    break
+            yield Result(mutant, *_try_mutant(mutant, text, tree, reach, reader, budget))
             (tree / mutant.path).write_bytes(text)
-            yield Result(mutant, verdict, by, round(total, 1))
+        reader.close()
 
 
-def waves(tests: list[str], seconds: Mapping[str, float], budget: float) -> list[list[str]]:
-    """The quickest tests, which need few files, and what else can be run within a budget."""
+def _try_mutant(
+    mutant: Mutant, text: bytes, tree: Path, reach: Reach, reader: Reader, budget: float
+) -> Trial:
+    """First the tests for which a function can be changed, then those that import the change."""
+    lines = mutant.lines(text)
+    tests = within(reach.tests_of(mutant.path, lines), reach.seconds, budget)
+    if not tests:
+        return Trial("survived", "no test reaches it", 0)
+    importing = reach.importing(mutant.path, lines)
+    running = [test for test in tests if test not in importing]
+    found = reader.run(mutant, text, running) if running else Trial("survived", "", 0)
+    if found is None:
+        return run_afresh(tree, tests, reach.seconds)
+    if found.verdict == "survived" and len(running) < len(tests):
+        rest = [test for test in tests if test in importing]
+        return run_afresh(tree, rest, reach.seconds)
+    return found
+
+
+def within(tests: list[str], seconds: Mapping[str, float], budget: float) -> list[str]:
+    """As many of the tests as take so many seconds."""
     until = list(accumulate(seconds[test] for test in tests))
-    quick, last = (bisect_right(until, limit) for limit in (QUICK, budget))
-    return [wave for wave in (tests[:quick], tests[quick:last]) if wave]
+    return tests[: bisect_right(until, budget)]
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -4,6 +4,7 @@ Imports are read from the source, those inside functions and under TYPE_CHECKING
 """
 
 import ast
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -216,3 +217,55 @@ def test_namesakes_are_found() -> None:
     one = "class Ring: ...\n"
     other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
     assert namesakes([("a", one), ("b", other)]) == {"Ring": ["a", "b"]}
+
+
+ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))
+EXAMPLE = "Example"
+HEADING = re.compile(r"([A-Z]\w+):(\s|$)")
+
+
+def misplaced(docstring: str) -> str:
+    """The first part of a docstring that is out of order or unknown, if there is one."""
+    ranks = {name: rank for rank, names in enumerate(ORDER) for name in names}
+    ranks[EXAMPLE] = len(ORDER)
+    reached = 0
+    for line in docstring.splitlines()[1:]:
+        heading = HEADING.match(line)
+        name = heading[1] if heading else EXAMPLE if line.startswith(">>>") else ""
+        if name:
+            if ranks.get(name, -1) < reached:
+                return line
+            reached = ranks[name]
+    return ""
+
+
+def docstrings(source: str) -> Iterator[tuple[str, str]]:
+    """The classes and functions of a source, each with its docstring."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
+            yield node.name, text
+
+
+def test_docstrings_keep_one_order() -> None:
+    # What; arguments; what is returned; what is raised; cost; source; example.
+    found = [
+        f"{module}.{name}: {line}"
+        for module, path in modules().items()
+        for name, text in docstrings(path.read_text(encoding="utf-8"))
+        if (line := misplaced(text))
+    ]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize(
+    ("docstring", "line"),
+    [
+        ("What.\n\nArgs:\n    a: one.\n\nReturns:\n    Two.\n\nCost: O(n).\n\n>>> f(1)\n2", ""),
+        ("What.\n\nReturns:\n    Two.\n\nArgs:\n    a: one.", "Args:"),
+        ("What.\n\nExample:\n    >>> f(1)\n    2\n\nCost: O(n).", "Cost: O(n)."),
+        ("What.\n\n>>> f(1)\n2\n\nRaises:\n    Error: no.", "Raises:"),
+        ("What.\n\nNote: beware.", "Note: beware."),
+    ],
+)
+def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
+    assert misplaced(docstring) == line

@@ -9,8 +9,8 @@ from typing import Any
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.formats.error import needs
-from exactsweep.geometry.number import quoted
+from exactsweep.formats.error import require_imports
+from exactsweep.geometry.number import quote
 
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""
@@ -54,7 +54,7 @@ class Cluster:
             self.client.register_plugin(_holder(work, self.name))
         except (OSError, ValueError) as error:
             reason = str(error).partition("\n")[0]
-            raise BatchError(f"no Dask scheduler at {quoted(address)}: {reason}") from None
+            raise BatchError(f"no Dask scheduler at {quote(address)}: {reason}") from None
         self.connection = self.client.scheduler_comm
         self.pool = self.client.get_executor(pure=False)
 
@@ -100,7 +100,7 @@ class _RecordsOfCluster:
 
 
 def _dask() -> Any:
-    with needs("distributed", "distributed", "a scheduler"):
+    with require_imports("distributed", "distributed", "a scheduler"):
         import distributed
     return distributed
 

@@ -15,10 +15,10 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import MAX_BYTES, file_name
+from exactsweep.formats.files import MAX_BYTES, show_path
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.geometry.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
 """How many pairs a process is given at a time in a small batch."""
@@ -53,7 +53,7 @@ class Job(NamedTuple):
         return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
 
 
-def all_pairs(
+def take_all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
     what: str = "loops",
@@ -76,7 +76,7 @@ def all_pairs(
     Example:
         >>> from exactsweep import Polygon
         >>> square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
-        >>> all_pairs([square], [square, square]).total
+        >>> take_all_pairs([square], [square, square]).total
         2
     """
     work = Work(_known(what), _unique(generatrices), _unique(directrices), rounding)
@@ -84,7 +84,7 @@ def all_pairs(
     return Job(work, total, _digest(work, b"all pairs"), None)
 
 
-def pairs_of(
+def take_listed_pairs(
     path: str,
     parts: Iterable[NamedPolygon | Part] = (),
     what: str = "loops",
@@ -98,7 +98,7 @@ def pairs_of(
             Empty lines do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops", "areas" or "nfp".
-        rounding: as for `all_pairs`.
+        rounding: as for `take_all_pairs`.
 
     Returns:
         A Job for `run`.
@@ -111,7 +111,7 @@ def pairs_of(
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():
         if count > 1:
-            raise BatchError(f"{count} parts have the name {quoted(name)}")
+            raise BatchError(f"{count} parts have the name {quote(name)}")
     seen, total = sha256(), 0
     for line in _lines(path):
         seen.update(line)
@@ -124,7 +124,7 @@ def _known(what: str) -> Quantities:
     for known in QUANTITIES:
         if what == known:
             return known
-    raise BatchError(f"{quoted(what)} is none of {', '.join(QUANTITIES)}")
+    raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
 
 
 def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
@@ -172,7 +172,7 @@ def _lines(path: str) -> Iterator[bytes]:
     try:
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
-            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be read twice")
+            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
         with open(path, "rb") as lines:
             while line := lines.readline(MAX_BYTES + 1):
                 end = line
@@ -181,4 +181,4 @@ def _lines(path: str) -> Iterator[bytes]:
                 if line.strip():
                     yield line if len(line) <= MAX_BYTES else b""
     except OSError as error:
-        raise BatchError(f"{file_name(path)}: {error.strerror or error}") from None
+        raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None

@@ -64,7 +64,7 @@ def run(
     """Compute a batch, or go on with one that was interrupted.
 
     Args:
-        job: of `all_pairs` or `pairs_of`.
+        job: of `take_all_pairs` or `take_listed_pairs`.
         output: a file for the records, a line of JSON for each pair, in order; or, if it ends in
             ".parquet", for a table of them. Until the last record is there, they are in
             `output` + ".part".

@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.check.cone import by_turn, cross, minus, ratio
+from exactsweep.check.cone import by_turn, cross, divide, subtract
 from exactsweep.check.uncovered import LinePiece, OpenSets
-from exactsweep.geometry.canonical import canonical_ring, doubled_area
+from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
 
@@ -30,7 +30,7 @@ class WalkedLoop(NamedTuple):
     @property
     def is_hole(self) -> bool:
         """Whether what is free is inside: the loop is walked counter-clockwise."""
-        return doubled_area(self.points) > 0
+        return find_doubled_area(self.points) > 0
 
 
 class Boundary(NamedTuple):
@@ -40,9 +40,9 @@ class Boundary(NamedTuple):
     fits: list[Edge]
 
 
-def canonical(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
+def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
     """The canonical form of a simple loop."""
-    return canonical_ring(points).points
+    return canonicalize_ring(points).points
 
 
 def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets) -> Boundary:
@@ -64,7 +64,7 @@ def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSe
     for piece, at in zip(pieces, cuts, strict=True):
         slits.append([])
         for low, high in pairwise(sorted(at)):
-            middle = ratio(low + high, 2)
+            middle = divide(low + high, 2)
             left, right = (not sets.is_beside(piece.line, middle, side) for side in (1, -1))
             p, q = at[low], at[high]
             if left:
@@ -106,7 +106,7 @@ def _common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     turn = dx * ey - dy * ex
     if turn == 0:
         return None
-    p = ratio(c * ex - e * dx, turn), ratio(c * ey - e * dy, turn)
+    p = divide(c * ex - e * dx, turn), divide(c * ey - e * dy, turn)
     on_both = all(piece.low <= p[piece.line.axis] <= piece.high for piece in (one, other))
     return p if on_both else None
 
@@ -152,8 +152,8 @@ def _next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
     """The next edge around what is free: the first one clockwise from the way back."""
     if len(ends) == 1:
         return ends[0]
-    back = minus(p, q)
-    turned = sorted((minus(end, q) for end in ends), key=by_turn)
+    back = subtract(p, q)
+    turned = sorted((subtract(end, q) for end in ends), key=by_turn)
     before = [way for way in turned if by_turn(way) < by_turn(back)]
     dx, dy = (before or turned)[-1]
     return q[0] + dx, q[1] + dy
@@ -164,6 +164,6 @@ def _loop(points: Sequence[Vertex]) -> WalkedLoop:
     corners = [
         q
         for p, q, r in zip((points[-1], *points), points, (*points[1:], points[0]), strict=False)
-        if cross(minus(q, p), minus(r, q))
+        if cross(subtract(q, p), subtract(r, q))
     ]
-    return WalkedLoop(tuple(corners), (ratio(ax + bx, 2), ratio(ay + by, 2)))
+    return WalkedLoop(tuple(corners), (divide(ax + bx, 2), divide(ay + by, 2)))

@@ -8,10 +8,10 @@ from itertools import combinations
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.claim import ClaimedShape
-from exactsweep.check.cone import cross, minus
+from exactsweep.check.cone import cross, subtract
 from exactsweep.check.location import locate
 from exactsweep.check.meeting import split_where_touching
-from exactsweep.check.shape import LatticeRing, edges_of
+from exactsweep.check.shape import LatticeRing, list_edges
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
@@ -48,7 +48,7 @@ def check_shape(shape: ClaimedShape, name: str) -> None:
             raise CertificateError(f"{names[i]} and {names[j]} meet in more than points", met)
     split = split_where_touching(tuple(rings))
     # No other ring passes through the middle of an edge.
-    middles = [[_middle(*edge) for edge in edges_of([ring])] for ring in split]
+    middles = [[_middle(*edge) for edge in list_edges([ring])] for ring in split]
     for i, j in combinations(range(len(rings)), 2):
         if i == 0 and any(locate(p, rings[0]) < 0 for p in middles[j]):
             raise CertificateError(f"{names[j]} is not inside the exterior", rings[j][0])
@@ -59,17 +59,17 @@ def check_shape(shape: ClaimedShape, name: str) -> None:
 
 def _crossing(one: LatticeRing, other: LatticeRing) -> Point | None:
     """A point by which to see that two simple rings cross or share part of an edge."""
-    for a, b in edges_of([one]):
-        way = minus(b, a)
-        for p, q in edges_of([other]):
-            from_p, from_q = cross(way, minus(p, a)), cross(way, minus(q, a))
+    for a, b in list_edges([one]):
+        way = subtract(b, a)
+        for p, q in list_edges([other]):
+            from_p, from_q = cross(way, subtract(p, a)), cross(way, subtract(q, a))
             if from_p == from_q == 0:
                 low, high = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
                 if low < high:
                     return _point(low)
             elif from_p * from_q < 0:
-                along = minus(q, p)
-                if cross(along, minus(a, p)) * cross(along, minus(b, p)) < 0:
+                along = subtract(q, p)
+                if cross(along, subtract(a, p)) * cross(along, subtract(b, p)) < 0:
                     return _point(a)
     return None
 

@@ -34,7 +34,7 @@ from exactsweep.check.difference import LoopOrFit, compare
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
 from exactsweep.check.size import check_size
-from exactsweep.geometry.canonical import doubled_area, turn_products
+from exactsweep.geometry.canonical import find_doubled_area, find_turns
 from exactsweep.geometry.point import Fit, Loop, Point
 
 
@@ -97,7 +97,7 @@ def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
     _check_loops(claimed)
     true = _parts_of_sweep(*reference_swept(d, g, c.no_fit.exterior))
     compare(claimed, true, lambda _: "it is not on the boundary of the area swept")
-    doubled = doubled_area(c.outer) - sum(map(doubled_area, (c.inner, *c.unswept)))
+    doubled = find_doubled_area(c.outer) - sum(map(find_doubled_area, (c.inner, *c.unswept)))
     if doubled != 2 * c.area:
         raise CertificateError("area: it is not that of the outer loop minus those inside it")
 
@@ -115,7 +115,7 @@ def _check_size(
     for shape in (d, g):
         around = (shape.exterior, *shape.holes)
         sizes.append(sum(map(len, around)))
-        concave = sum(turn < 0 for turn in turn_products(shape.exterior))
+        concave = sum(turn < 0 for turn in find_turns(shape.exterior))
         pieces.append(1 + concave + sum(map(len, shape.holes)))
     (m, n), (p, q) = sizes, pieces
     check_size(loops, 2 * m * n * (1 + p * q // 16) + m * m + n * n, max_steps)

@@ -36,7 +36,7 @@ class Cone(NamedTuple):
         return cross(self.start, d) > 0 or cross(d, self.end) > 0
 
 
-def cones_between(rays: Sequence[Ray]) -> list[Cone]:
+def find_cones(rays: Sequence[Ray]) -> list[Cone]:
     """The cones of a shape at a point, from the rays of the boundary there.
 
     With the interior on the left of every edge, an outgoing ray opens a cone and the next ray
@@ -52,24 +52,24 @@ def cones_between(rays: Sequence[Ray]) -> list[Cone]:
     return [Cone(ray.along, after.along) for ray, after in following if ray.outgoing]
 
 
-def common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
+def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
     """A direction strictly inside a cone of each. Of two that meet, one begins in the other."""
     for one in some:
         for other in others:
             for a, b in ((one, other), (other, one)):
                 if a.holds(b.start):
                     end = a.end if b.holds(a.end) else b.end
-                    return direction_inside(Cone(b.start, end))
+                    return find_direction_inside(Cone(b.start, end))
     return None
 
 
-def direction_inside(cone: Cone) -> Vertex:
+def find_direction_inside(cone: Cone) -> Vertex:
     """A direction strictly inside: between the two sides, or square to one if the cone is wide."""
     (x, y), (end_x, end_y) = cone
     return (x + end_x, y + end_y) if cross(*cone) > 0 else (-y, x)
 
 
-def minus(p: Vertex, q: Vertex) -> Vertex:
+def subtract(p: Vertex, q: Vertex) -> Vertex:
     """The way from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
@@ -84,7 +84,7 @@ def dot(p: Vertex, q: Vertex) -> Rational:
     return p[0] * q[0] + p[1] * q[1]
 
 
-def ratio(n: Rational, d: Rational) -> Rational:
+def divide(n: Rational, d: Rational) -> Rational:
     """Divide, by an int without going through Fractions where an int comes out."""
     if type(n) is int and type(d) is int:
         quotient, rest = divmod(n, d)
@@ -94,7 +94,7 @@ def ratio(n: Rational, d: Rational) -> Rational:
 
 def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:
     """Whether p lies on the segment from a to b, the ends included."""
-    return cross(minus(b, a), minus(p, a)) == 0 and min(a, b) <= p <= max(a, b)
+    return cross(subtract(b, a), subtract(p, a)) == 0 and min(a, b) <= p <= max(a, b)
 
 
 def _compare_turns(p: Vertex, q: Vertex) -> int:

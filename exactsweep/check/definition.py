@@ -20,9 +20,15 @@ from itertools import pairwise
 from math import lcm
 from typing import Any, NamedTuple
 
-from exactsweep.check.piecewise import LinearPiece, PiecewiseLinear, ends, least_sum, mirror
-from exactsweep.check.shape import LatticeRing, on_integers, to_points
-from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.check.piecewise import (
+    LinearPiece,
+    PiecewiseLinear,
+    list_ends,
+    mirror,
+    take_least_sum,
+)
+from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
+from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Edge, Fit, Point, Rational, Vertex
@@ -124,7 +130,7 @@ class _IntegerFrame:
             raise ExactSweepError("the direction (0, 0) is no direction")
         unit = lcm(ux.denominator, uy.denominator)
         self._ux, self._uy = int(ux * unit), int(uy * unit)
-        self._scale, ((g,), (d,)) = on_integers([[generatrix], [directrix]])
+        self._scale, ((g,), (d,)) = bring_to_integers([[generatrix], [directrix]])
         self.generatrix = self._halves(g, "generatrix")
         self.directrix = self._halves(d, "directrix")
 
@@ -157,7 +163,7 @@ class _IntegerFrame:
         return_ = [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
         finer = lcm(*(c.denominator for xy in there + return_ for c in xy))
         ring = [self._back(int(x * finer), int(y * finer)) for x, y in there + return_]
-        return self._leave(canonical_ring(ring).points, finer)
+        return self._leave(canonicalize_ring(ring).points, finer)
 
 
 def _lower_halves(
@@ -165,11 +171,11 @@ def _lower_halves(
 ) -> tuple[PiecewiseLinear, PiecewiseLinear, PiecewiseLinear]:
     """T, R and S, in the order of ReferenceLoops."""
     trajectory = _trajectory(d_bottom, g_top)
-    outer = least_sum(trajectory, g_bottom)
+    outer = take_least_sum(trajectory, g_bottom)
     # max(f + g) = -min(-f - g). Over D's range x - u runs through all of G's range, so nothing
     # of T is passed by and no partial overlap at T's ends comes in.
     within = d_bottom[0].x0, d_bottom[-1].x1
-    inner = mirror(least_sum(mirror(trajectory), mirror(g_top), within))
+    inner = mirror(take_least_sum(mirror(trajectory), mirror(g_top), within))
     return trajectory, inner, outer
 
 
@@ -178,7 +184,7 @@ def _lower_halves(
 def _trajectory(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear) -> PiecewiseLinear:
     """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""
     inverse = tuple(LinearPiece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))
-    return least_sum(d_bottom, inverse)
+    return take_least_sum(d_bottom, inverse)
 
 
 def _fits_from_below(
@@ -186,8 +192,8 @@ def _fits_from_below(
 ) -> Iterator[tuple[Rational, Rational, Rational]]:
     """Triples x0, height on the trajectory, height of the inner end."""
     trajectory = _trajectory(d_bottom, g_top)
-    d_cuts = {x for x, _ in ends(d_bottom)}
-    g_cuts = {x for x, _ in ends(g_top)}
+    d_cuts = {x for x, _ in list_ends(d_bottom)}
+    g_cuts = {x for x, _ in list_ends(g_top)}
     for x0 in {d - g for d in d_cuts for g in g_cuts}:
         limit = _least_gap(d_bottom, g_top, x0)
         # At the two ends of the trajectory's range no open interval is shared.

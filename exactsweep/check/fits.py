@@ -19,7 +19,7 @@ from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import Fit
 
 
-def exact_fits(directrix: MonotoneLoop, inverse: MonotoneLoop, frame: NodeFrame) -> list[Fit]:
+def list_exact_fits(directrix: MonotoneLoop, inverse: MonotoneLoop, frame: NodeFrame) -> list[Fit]:
     """List the exact fits of the sweep (G, D), as translations.
 
     Args:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactsweep.check.shape import on_one_lattice, polygons_of
+from exactsweep.check.shape import bring_to_one_lattice, list_rings
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Vertex
 
@@ -27,7 +27,7 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    scale, (shape,) = on_one_lattice([polygons_of(polygon)])
+    scale, (shape,) = bring_to_one_lattice([list_rings(polygon)])
     x, y = point
     return locate_in_shape((to_fraction(x) * scale, to_fraction(y) * scale), shape)
 

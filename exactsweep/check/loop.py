@@ -8,7 +8,7 @@ from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Line, LowerChain, Node, heights, turn
-from exactsweep.geometry.number import ratios
+from exactsweep.geometry.number import split_ratios
 from exactsweep.geometry.point import ORIGIN, Point
 
 
@@ -28,7 +28,7 @@ class NodeFrame:
         """Nodes of points, taken from an origin."""
         if origin != ORIGIN:
             points = [Point(x - origin.x, y - origin.y) for x, y in points]
-        (us, ws), (vs, zs) = (ratios([point[axis] for point in points]) for axis in (0, 1))
+        (us, ws), (vs, zs) = (split_ratios([point[axis] for point in points]) for axis in (0, 1))
         nodes = []
         for u, v, w, z in zip(us, vs, ws, zs, strict=True):
             if w != 1 or z != 1:

@@ -9,8 +9,8 @@ from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
-from exactsweep.check.cone import Cone, Ray, cones_between, cross, dot, is_between, minus
-from exactsweep.check.shape import LatticeShape, edges_of
+from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
+from exactsweep.check.shape import LatticeShape, list_edges
 from exactsweep.geometry.point import Vertex
 
 
@@ -38,7 +38,7 @@ class _StatusEdge(NamedTuple):
 Cones = list[Cone]
 
 
-def meetings(
+def list_meetings(
     shapes: tuple[LatticeShape, LatticeShape],
 ) -> Iterator[tuple[Vertex, tuple[Cones, Cones]]]:
     """Common boundary points in the order of the sweep, each with the cones of both shapes.
@@ -50,10 +50,10 @@ def meetings(
     for owner, shape in enumerate(shapes):
         for ring in shape:
             for k, p in enumerate(ring):
-                corners[p].setdefault(owner, []).extend(corner(ring, k))
+                corners[p].setdefault(owner, []).extend(find_rays(ring, k))
                 left, right = sorted((ring[k - 1], p))
                 sense = 1 if right == p else -1
-                starting[left].append(_StatusEdge(left, right, minus(right, left), sense, owner))
+                starting[left].append(_StatusEdge(left, right, subtract(right, left), sense, owner))
     # The status: the edges over the current event from below to above. At equal x the lower
     # event comes first, as if the plane were tilted a little; so a vertical edge is the steepest.
     status: list[_StatusEdge] = []
@@ -65,7 +65,7 @@ def meetings(
         for edge in through:
             rays.setdefault(edge.owner, []).extend(edge.rays)
         if len(rays) == 2:
-            yield point, (cones_between(rays[0]), cones_between(rays[1]))
+            yield point, (find_cones(rays[0]), find_cones(rays[1]))
         # Edges that run on together share one line: either order of them is right until the
         # first one ends, at an event that lies on both.
         onward = through + starting[point]
@@ -74,7 +74,7 @@ def meetings(
         for k in {low, low + len(onward)}:
             if 0 < k < len(status) and (crossing := _crossing(status[k - 1], status[k])):
                 a, b = sorted(status[k - 1 : k + 1], key=lambda edge: edge.owner)
-                yield crossing, (cones_between(a.rays), cones_between(b.rays))
+                yield crossing, (find_cones(a.rays), find_cones(b.rays))
 
 
 def _crossing(e: _StatusEdge, f: _StatusEdge) -> Vertex | None:
@@ -96,10 +96,10 @@ def _compare_slopes(e: _StatusEdge, f: _StatusEdge) -> int:
 _BY_SLOPE = cmp_to_key(_compare_slopes)
 
 
-def corner(ring: Sequence[Vertex], k: int) -> tuple[Ray, Ray]:
+def find_rays(ring: Sequence[Vertex], k: int) -> tuple[Ray, Ray]:
     """The rays of a ring at its vertex k."""
     p = ring[k]
-    ahead, back = minus(ring[(k + 1) % len(ring)], p), minus(ring[k - 1], p)
+    ahead, back = subtract(ring[(k + 1) % len(ring)], p), subtract(ring[k - 1], p)
     return Ray(ahead, True), Ray(back, False)
 
 
@@ -114,18 +114,18 @@ def split_where_touching(shape: LatticeShape) -> LatticeShape:
     rings = []
     for ring in shape:
         points: list[Vertex] = []
-        for a, b in edges_of([ring]):
-            way = minus(b, a)
+        for a, b in list_edges([ring]):
+            way = subtract(b, a)
             inside = [p for p in corners if p not in (a, b) and is_between(p, a, b)]
-            points += [a, *sorted(inside, key=lambda p: dot(minus(p, a), way))]
+            points += [a, *sorted(inside, key=lambda p: dot(subtract(p, a), way))]
         rings.append(tuple(points))
     return tuple(rings)
 
 
-def cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
+def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
     """The cones of a shape at each of its vertices; its rings touch in vertices only."""
     rays: dict[Vertex, list[Ray]] = defaultdict(list)
     for ring in shape:
         for k, p in enumerate(ring):
-            rays[p].extend(corner(ring, k))
-    return {p: cones_between(found) for p, found in rays.items()}
+            rays[p].extend(find_rays(ring, k))
+    return {p: find_cones(found) for p, found in rays.items()}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactsweep.check.cone import dot, minus
-from exactsweep.check.shape import LatticeRing, edges_of
+from exactsweep.check.cone import dot, subtract
+from exactsweep.check.shape import LatticeRing, list_edges
 from exactsweep.geometry.point import Vertex
 
 
@@ -17,7 +17,7 @@ def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:
 
     Cost: O(n**2) for n edges.
     """
-    edges = [[minus(b, a) for a, b in edges_of([ring])] for ring in rings]
+    edges = [[subtract(b, a) for a, b in list_edges([ring])] for ring in rings]
     square = {(-y, x) for ways in edges for x, y in ways}
     return any(all(_turns(ways, u) == 2 for ways in edges) for u in square)
 

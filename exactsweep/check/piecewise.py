@@ -9,7 +9,7 @@ from itertools import pairwise
 from math import lcm
 from typing import NamedTuple
 
-from exactsweep.check.cone import ratio
+from exactsweep.check.cone import divide
 from exactsweep.geometry.point import Rational
 
 
@@ -27,7 +27,7 @@ class LinearPiece(NamedTuple):
             return self.y0
         if x == self.x1:
             return self.y1
-        return self.y0 + ratio((self.y1 - self.y0) * (x - self.x0), self.x1 - self.x0)
+        return self.y0 + divide((self.y1 - self.y0) * (x - self.x0), self.x1 - self.x0)
 
 
 # A function of x: pieces from left to right, each beginning where the last one ends. Two limits
@@ -52,12 +52,12 @@ def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
     return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 
-def ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]:
+def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]:
     """The breakpoints with the limits there: one where the function goes on, two at a jump."""
     return {end for x0, y0, x1, y1 in function for end in ((x0, y0), (x1, y1))}
 
 
-def least_sum(
+def take_least_sum(
     f: PiecewiseLinear, g: PiecewiseLinear, within: tuple[Rational, Rational] | None = None
 ) -> PiecewiseLinear:
     """Take the function x -> min over u of f(u) + g(x - u), all of it or between two cuts.
@@ -93,10 +93,10 @@ def least_sum(
     stops = [x for _, x in found[1:]] + [last]
     return tuple(
         LinearPiece(
-            ratio(x0, unit),
-            ratio(line.at(x0), fine * unit),
-            ratio(x1, unit),
-            ratio(line.at(x1), fine * unit),
+            divide(x0, unit),
+            divide(line.at(x0), fine * unit),
+            divide(x1, unit),
+            divide(line.at(x1), fine * unit),
         )
         for (line, x0), x1 in zip(found, stops, strict=True)
     )

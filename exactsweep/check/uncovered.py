@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.check.cone import cross, minus, ratio
-from exactsweep.check.shape import LatticeRing, edges_of
+from exactsweep.check.cone import cross, divide, subtract
+from exactsweep.check.shape import LatticeRing, list_edges
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
 Interval = tuple[Rational, Rational]
@@ -30,13 +30,13 @@ class LatticeLine(NamedTuple):
     def at(self, along: Rational) -> Vertex:
         """The point with that coordinate."""
         if self.dx:
-            return along, ratio(self.c + self.dy * along, self.dx)
+            return along, divide(self.c + self.dy * along, self.dx)
         return -self.c, along
 
 
-def line_through(a: Vertex, b: Vertex) -> LatticeLine:
+def find_line(a: Vertex, b: Vertex) -> LatticeLine:
     """The line through two different points with integer coordinates."""
-    dx, dy = (int(c) for c in minus(b, a))
+    dx, dy = (int(c) for c in subtract(b, a))
     common = gcd(dx, dy)
     if (dx, dy) < (0, 0):
         common = -common
@@ -92,7 +92,7 @@ class OpenSets:
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
-            line = line_through(a, b)
+            line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
         pieces, points = [], set()
@@ -144,7 +144,7 @@ class OpenSets:
         for ring, (x_low, x_high, y_low, y_high) in zip(self._rings, self._boxes, strict=True):
             if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
                 continue
-            for (ax, ay), (bx, by) in edges_of([ring]):
+            for (ax, ay), (bx, by) in list_edges([ring]):
                 dx, dy = bx - ax, by - ay
                 side = dx * (py - ay * w) - dy * (px - ax * w)
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
@@ -178,7 +178,7 @@ def _shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) ->
         if after == 0:
             ends.append(q[axis])
         elif before and (before > 0) != (after > 0):
-            ends.append(ratio(p[axis] * after - q[axis] * before, after - before))
+            ends.append(divide(p[axis] * after - q[axis] * before, after - before))
         before, p = after, q
     return min(ends), max(ends)
 

@@ -37,7 +37,7 @@ from exactsweep.check.claim import read_claim
 from exactsweep.check.complete import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
-from exactsweep.check.fits import exact_fits
+from exactsweep.check.fits import list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, common_scale
 from exactsweep.check.sums import check_sum_within, steps_within
@@ -120,7 +120,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
         "trajectory: G overlaps D at vertex {} or beside it",
     )
-    _check_fits(exact_fits(d, inverse, frame), c)
+    _check_fits(list_exact_fits(d, inverse, frame), c)
 
     check_drawings("outer_drawn", outer, trajectory, g, c.outer_drawn, frame)
     check_sum_within(

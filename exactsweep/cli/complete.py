@@ -14,9 +14,9 @@ Offer = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 
 def list_cases() -> Iterable[str]:
     """The ids of the corpus."""
-    from exactsweep.corpus.shipped import case_ids
+    from exactsweep.corpus.shipped import list_ids
 
-    return case_ids()
+    return list_ids()
 
 
 def list_themes() -> Iterable[str]:

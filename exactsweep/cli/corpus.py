@@ -71,12 +71,12 @@ def list_command(
     A case's line has its id, its class, the number of vertices of D and G together, and its title.
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.names import known
-    from exactsweep.corpus.shipped import summaries
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_summaries
 
     if what != "cases" and (prefix or flags or kind or max_size is not None):
         raise click.UsageError("The options choose among cases.")
-    match known(what, ["cases", "themes", "flags", "families"], "list"):
+    match require_known(what, ["cases", "themes", "flags", "families"], "list"):
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
         case "flags":
@@ -84,7 +84,7 @@ def list_command(
         case "families":
             rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
         case _:
-            found = summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
+            found = list_summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
             rows = ((case.id, case.kind, f"{case.size:3}", case.title) for case in found)
     write(_columns([*rows]), "-")
 
@@ -188,9 +188,9 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
 @corpus_command.command("schema")
 def schema_command() -> None:
     """Write the JSON Schema (2020-12) of a case."""
-    from exactsweep.corpus.shipped import schema_text
+    from exactsweep.corpus.shipped import read_schema
 
-    write(schema_text(), "-")
+    write(read_schema(), "-")
 
 
 def _chosen(
@@ -198,17 +198,17 @@ def _chosen(
 ) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
     from exactsweep.corpus import cases, find_case, themes
-    from exactsweep.corpus.names import known
-    from exactsweep.corpus.shipped import case_ids
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_ids
 
-    ids = case_ids()
+    ids = list_ids()
     found: list[Iterable[Case]] = []
     for name in names or ("",):
         if name in ids or name.startswith("gen-"):
             found.append([find_case(name)])
             continue
         if not any(id.startswith(name) for id in ids):
-            known(name, [*themes(), *ids], "theme or case")
+            require_known(name, [*themes(), *ids], "theme or case")
         found.append(cases(prefix=name, flags=flags, kind=kind, max_size=max_size))
     return chain.from_iterable(found)
 

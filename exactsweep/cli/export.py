@@ -11,7 +11,7 @@ from exactsweep.cli.output import write
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.rounding import Changes, Rounding, Side, contains
 from exactsweep.geometry.point import Fit, Point
-from exactsweep.text.report import approximation
+from exactsweep.text.report import approximate
 from exactsweep.words import count
 
 
@@ -129,7 +129,7 @@ def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str
         return ""
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]
     if changes.distance:
-        parts.append(f"moved by at most {approximation(_up(changes.distance))}")
+        parts.append(f"moved by at most {approximate(_up(changes.distance))}")
     if moved:
         parts.append(f"{count(moved, 'exact fit')} {'left out' if rounding.outward else 'moved'}")
     if changes.left_out:

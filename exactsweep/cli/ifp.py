@@ -7,7 +7,7 @@ from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
-from exactsweep.text.report import inner_fit_report
+from exactsweep.text.report import report_inner_fit
 from exactsweep.text.results import inner_fit_to_json, inner_fit_to_regions, inner_fit_to_wkt
 
 
@@ -33,7 +33,7 @@ def ifp_command(container: Region, part: Region, reference: Point, form: Form) -
         to_wkt=inner_fit_to_wkt,
         to_regions=inner_fit_to_regions,
         side_of=_side,
-        report=inner_fit_report,
+        report=report_inner_fit,
     )
 
 

@@ -9,7 +9,7 @@ import click
 
 from exactsweep import Point, Region, sweep
 from exactsweep.cli.parts import read_named
-from exactsweep.formats import NamedRegion, file_name, read_region
+from exactsweep.formats import NamedRegion, read_region, show_path
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
@@ -77,14 +77,14 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
             if generatrix is None or directrix is None:
                 raise
             raise DirectionError(
-                f"{file_name(generatrix)}, {file_name(directrix)}: {error}"
+                f"{show_path(generatrix)}, {show_path(directrix)}: {error}"
             ) from None
         command(result, **options)
 
     return with_pair
 
 
-def files_of_pair() -> tuple[str, str] | None:
+def name_files_of_pair() -> tuple[str, str] | None:
     """The files of G and of D of the command that runs; None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
@@ -103,7 +103,7 @@ def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
         if y_down is None:
-            files = files_of_pair()
+            files = name_files_of_pair()
             y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
         command(*arguments, y_down=y_down, **options)
 

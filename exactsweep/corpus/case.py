@@ -9,8 +9,8 @@ from functools import cached_property
 from math import lcm
 from typing import Literal, get_args
 
-from exactsweep.corpus.facts import facts
-from exactsweep.corpus.representable import types_holding
+from exactsweep.corpus.facts import find_facts
+from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
@@ -108,7 +108,7 @@ class Case:
                 as they are, except for a last one that repeats the first.
             generatrix: G, likewise.
             reference: the point of G whose path the trajectory is.
-            flags: what cannot be seen from the pair; `facts` adds what can.
+            flags: what cannot be seen from the pair; `find_facts` adds what can.
             directrix_holes: the holes of D, where it is no Region, each as D is given.
             generatrix_holes: those of G.
             inner_fit: whether the positions of G inside D are asked of a pair that is not "SS".
@@ -120,7 +120,7 @@ class Case:
         Raises:
             ValueError: what `sweep` refuses.
 
-        Cost: that of the sweep and of its loops, of the inner fit and of `facts`.
+        Cost: that of the sweep and of its loops, of the inner fit and of `find_facts`.
 
         Example:
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -132,7 +132,10 @@ class Case:
             >>> case.kind, len(case.holes), len(case.inner_regions)
             ('SS', 1, 1)
         """
-        d, g = given_rings(directrix, directrix_holes), given_rings(generatrix, generatrix_holes)
+        d, g = (
+            read_given_rings(directrix, directrix_holes),
+            read_given_rings(generatrix, generatrix_holes),
+        )
         s = sweep(_shape(g), _shape(d), reference=reference)
         inside = None
         if inner_fit or s.kind == "SS":
@@ -144,7 +147,7 @@ class Case:
             generatrix_ring=g[0],
             reference=s.reference,
             kind=s.kind,
-            flags=tuple(sorted({*flags, *facts(d, g, s, inside)})),
+            flags=tuple(sorted({*flags, *find_facts(d, g, s, inside)})),
             trajectory=s.trajectory,
             inner=s.inner,
             outer=s.outer,
@@ -212,7 +215,7 @@ class Case:
         that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
         `integer_scale`, too.)
         """
-        return types_holding(list(self._input()), self.integer_scale)
+        return find_types(list(self._input()), self.integer_scale)
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
@@ -220,7 +223,7 @@ class Case:
 
         The answer is the trajectory, the inner and outer loop and the exact fits.
         """
-        return types_holding(list(self._answer()), self.integer_scale)
+        return find_types(list(self._answer()), self.integer_scale)
 
     def _input(self) -> Iterator[Fraction]:
         for ring in (*self.directrix_rings, *self.generatrix_rings, (self.reference,)):
@@ -236,7 +239,7 @@ class Case:
                 yield from point
 
 
-def given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
+def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
     """Read the exterior and the holes of a shape, each as it is given; see `given_ring`."""
     if isinstance(shape, Region):
         return shape.rings

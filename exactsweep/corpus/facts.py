@@ -6,7 +6,7 @@ from itertools import chain
 from math import lcm
 
 from exactsweep.check import classify
-from exactsweep.corpus.representable import INTEGER_BITS, in_range, types_holding
+from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.point import Fit, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
@@ -19,7 +19,7 @@ TINY = Fraction(1, 2**30)
 MANY = 256
 
 
-def facts(
+def find_facts(
     directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None = None
 ) -> set[str]:
     """Find the flags of a pair that can be seen.
@@ -38,7 +38,7 @@ def facts(
     Example:
         >>> from exactsweep import sweep
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        >>> sorted(facts([square], [square], sweep(square, square)))
+        >>> sorted(find_facts([square], [square], sweep(square, square)))
         ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
     return {
@@ -132,12 +132,12 @@ def _sizes(
     if any(c.denominator > 1 for c in answer):
         yield "rounded-answer"
     for name, bits in INTEGER_BITS.items():
-        if all(in_range(c, bits) for c in given):
-            if not all(in_range(c, bits) for c in answer):
+        if all(is_in_range(c, bits) for c in given):
+            if not all(is_in_range(c, bits) for c in answer):
                 yield f"overflow-{name}"
-            if not in_range(_greatest_product(s, scale), bits):
+            if not is_in_range(_greatest_product(s, scale), bits):
                 yield f"product-overflow-{name}"
-    if "binary64" in types_holding([c / scale for c in given], 1) and _rounds_products(s):
+    if "binary64" in find_types([c / scale for c in given], 1) and _rounds_products(s):
         yield "product-rounding"
     if max(map(abs, given)) > HUGE * scale:
         yield "huge"
@@ -170,7 +170,7 @@ def _rounds_products(s: Sweep) -> bool:
         next_widths, next_heights = widths[1:] + widths[:1], heights[1:] + heights[:1]
         for first, second in (widths, next_heights), (heights, next_widths):
             products = [a * b for a, b in zip(first, second, strict=True)]
-            if "binary64" not in types_holding(products, 1):
+            if "binary64" not in find_types(products, 1):
                 return True
     return False
 

@@ -4,7 +4,7 @@
 of an inner fit. For other pictures make a `Picture` on an Axes, with the `Scale` of what it is to
 hold, and draw on it:
 
-    figure = new_figure()
+    figure = make_figure()
     picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
     picture.area(d.vertices, style.DIRECTRIX, "directrix D")
     draw_sub_trajectories(picture, chains, envelope)
@@ -19,11 +19,12 @@ from exactsweep.canvas import style
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
-from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save, save_svg
+from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
 from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import ContactStretch, stretches
+from exactsweep.draw.stretches import ContactStretch, cut_trajectory
 from exactsweep.draw.sweeps import (
+    choose_telling_positions,
     draw_contacts,
     draw_exact_fits,
     draw_generatrix,
@@ -31,9 +32,8 @@ from exactsweep.draw.sweeps import (
     draw_shape,
     draw_trajectory,
     draw_undercuts,
-    placed_generatrix,
+    place_generatrix,
     plot_sweep,
-    telling_positions,
 )
 
 __all__ = [
@@ -43,6 +43,8 @@ __all__ = [
     "DrawError",
     "Picture",
     "Scale",
+    "choose_telling_positions",
+    "cut_trajectory",
     "draw_chains",
     "draw_contacts",
     "draw_exact_fits",
@@ -52,15 +54,13 @@ __all__ = [
     "draw_sub_trajectories",
     "draw_trajectory",
     "draw_undercuts",
-    "new_figure",
-    "picture_suffix",
-    "placed_generatrix",
+    "make_figure",
+    "place_generatrix",
     "plot_inner_fit",
     "plot_no_fit",
     "plot_sweep",
+    "read_suffix",
     "save",
     "save_svg",
-    "stretches",
     "style",
-    "telling_positions",
 ]

@@ -17,7 +17,7 @@ def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> Non
         chains: the points of each chain by the name that it has in the legend.
     """
     for k, (name, chain) in enumerate(chains.items()):
-        picture.line(chain, style.chain_look(k), name)
+        picture.line(chain, style.choose_chain_look(k), name)
 
 
 def draw_sub_trajectories(

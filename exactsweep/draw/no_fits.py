@@ -14,11 +14,11 @@ from exactsweep.draw.sweeps import (
     draw_exact_fits,
     draw_generatrix,
     draw_shape,
-    new_axes,
-    parted,
-    placed_generatrix,
+    find_shift,
+    make_axes,
+    part_fits,
+    place_generatrix,
     read_positions,
-    shift,
 )
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -77,9 +77,9 @@ class Positions(NamedTuple):
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
-    def telling(self) -> list[Point]:
+    def choose_positions(self) -> list[Point]:
         """Choose positions worth drawing: one in each kind of exact fit, one free, one outside."""
-        segments, points = parted(self.exact_fits)
+        segments, points = part_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]
         if self.exterior is not None:
@@ -113,9 +113,9 @@ def plot_no_fit(
 
     Example:
         >>> from exactsweep import no_fit_polygon
-        >>> from exactsweep.draw import new_figure
+        >>> from exactsweep.draw import make_figure
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_no_fit(no_fit_polygon(square, square), new_figure().axes[0])
+        >>> axes = plot_no_fit(no_fit_polygon(square, square), make_figure().axes[0])
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
     """
@@ -147,9 +147,9 @@ def plot_inner_fit(
 
     Example:
         >>> from exactsweep import inner_fit_polygon
-        >>> from exactsweep.draw import new_figure
+        >>> from exactsweep.draw import make_figure
         >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_inner_fit(inner_fit_polygon(bin, unit), new_figure().axes[0])
+        >>> axes = plot_inner_fit(inner_fit_polygon(bin, unit), make_figure().axes[0])
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['container D', 'free positions', 'part G', 'reference point of G']
     """
@@ -163,11 +163,11 @@ def _plot(
     y_down: bool,
 ) -> Axes:
     require_matplotlib()
-    axes = axes or new_axes()
-    places = shown.telling() if positions is None else read_positions(positions)
+    axes = axes or make_axes()
+    places = shown.choose_positions() if positions is None else read_positions(positions)
     fixed, moving, free = shown.called
-    by = shift(shown)
-    placed = [placed_generatrix(shown, place) for place in places]
+    by = find_shift(shown)
+    placed = [place_generatrix(shown, place) for place in places]
     paths = [loop.translated(by).vertices for loop in shown.loops]
     fits = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in shown.exact_fits]
 

@@ -7,7 +7,7 @@ from math import ceil, nan
 from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.scale import Scale
-from exactsweep.canvas.style import Look, in_style
+from exactsweep.canvas.style import Look, use_style
 from exactsweep.geometry.point import Vertex
 
 if TYPE_CHECKING:
@@ -41,9 +41,9 @@ class Picture:
 
     Example:
         >>> from exactsweep import Polygon
-        >>> from exactsweep.draw import new_figure, style
+        >>> from exactsweep.draw import make_figure, style
         >>> square = Polygon([(0, 0), (10**40, 0), (10**40, 10**40), (0, 10**40)])
-        >>> (axes,) = new_figure().axes
+        >>> (axes,) = make_figure().axes
         >>> picture = Picture(axes, Scale.of(square.vertices))
         >>> picture.area(square.vertices, style.DIRECTRIX, "directrix")
         >>> axes.get_xlabel()
@@ -183,7 +183,7 @@ class Picture:
             shown = self.axes.get_position(original=True).width * self._figure_size()[0]
             low = -(_BELOW / shown + self._reserved) / self.aspect
             place = {"bbox_to_anchor": (0.0, low), "ncols": _LEGEND_COLUMNS}
-        with in_style():
+        with use_style():
             self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
 
     def _alone(self) -> Figure | None:

@@ -35,7 +35,7 @@ class ContactStretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-def stretches(s: Swept) -> list[ContactStretch]:
+def cut_trajectory(s: Swept) -> list[ContactStretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Args:
@@ -49,13 +49,13 @@ def stretches(s: Swept) -> list[ContactStretch]:
     Example:
         >>> from exactsweep import sweep
         >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-        >>> [stretch.event for stretch in stretches(s)]
+        >>> [stretch.event for stretch in cut_trajectory(s)]
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
     return _cut(Features(s), s.trajectory.vertices, s.contacts)
 
 
-def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
+def cut_loops(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
     """Cut other loops of positions likewise.
 
     Args:
@@ -65,7 +65,7 @@ def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[Co
     Yields:
         For each loop, list of ContactStretch.
 
-    Cost: that of `Sweep.contacts_along`, and as for `stretches`.
+    Cost: that of `Sweep.contacts_along`, and as for `cut_trajectory`.
     """
     features = Features(s)
     for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):

@@ -23,7 +23,7 @@ from typing import Any, Literal, NamedTuple
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, direction_of, offset, segment
+from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -66,7 +66,7 @@ def find_edge_contacts(
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges):
-        piece = segment(edge)
+        piece = make_segment(edge)
         lines[piece.direction, piece.offset].append((piece, k))
     for line in lines.values():
         line.sort(key=_low)
@@ -74,10 +74,10 @@ def find_edge_contacts(
     found: list[set[Contact]] = [set() for _ in edges]
 
     def note(event: Event, i: int, j: int, u: Vector, first: Vertex, last: Vertex) -> None:
-        key = u, offset(u, first)
+        key = u, find_offset(u, first)
         if key not in lines:
             return
-        touching = segment((first, last), u)
+        touching = make_segment((first, last), u)
         # Of many pieces on one line only those nearby.
         line = lines[key]
         start = bisect_left(line, touching.low - longest[key], key=_low)
@@ -87,7 +87,7 @@ def find_edge_contacts(
 
     directions = {direction for direction, _ in lines}
     g_along, d_along = (
-        {k: u for k, edge in enumerate(shape.edges) if (u := direction_of(edge)) in directions}
+        {k: u for k, edge in enumerate(shape.edges) if (u := find_direction(edge)) in directions}
         for shape in (generatrix, directrix)
     )
     g_edges, d_edges = (
@@ -199,9 +199,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         own = [i] if event == "EV" else [i, generatrix.before[i]]
         others = [j] if event == "VE" else [j, directrix.before[j]]
         for e in own:
-            piece = segment(generatrix.edge(e))
+            piece = make_segment(generatrix.edge(e))
             for d in others:
-                other = segment(directrix.edge(d))
+                other = make_segment(directrix.edge(d))
                 if piece.direction != other.direction:
                     continue
                 moved = piece.moved(t)
@@ -243,4 +243,4 @@ def _angle(edge: Edge) -> tuple[bool, Any]:
     """A key that orders directed edges by angle, from -90 degrees, exclusive, all round."""
     (px, py), (qx, qy) = edge
     backward = qx < px or (qx == px and qy < py)
-    return backward, angle_key(direction_of(edge))
+    return backward, angle_key(find_direction(edge))

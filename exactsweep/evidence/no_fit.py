@@ -14,7 +14,7 @@ from exactsweep.geometry.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.procedures import ss
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 
 class LatticePair:
@@ -219,4 +219,4 @@ def _moved(fits: Sequence[Fit], by: tuple[Fraction, Fraction]) -> list[list[Poin
 
 def _said(fit: Fit) -> str:
     ends = dict.fromkeys(fit)
-    return f"exact fit: {' '.join(map(pair, ends))}"
+    return f"exact fit: {' '.join(map(write_pair, ends))}"

@@ -25,6 +25,7 @@ from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.lower_sweep import made_once
 
 
 class SweptShape(Swept):
@@ -99,7 +100,7 @@ class SweptShape(Swept):
         others = [loop for loop in self._inside if loop is not self.inner]
         return tuple(sorted((*others, *self._outside[1]), key=lambda loop: loop.vertices))
 
-    @cached_property
+    @made_once
     def _frame(self) -> Frame:
         return Frame(X_AXIS, self._no_fit.pair.scale)
 

@@ -20,7 +20,13 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, along, covered, offset, segment
+from exactsweep.geometry.segment import (
+    Segment,
+    choose_cover,
+    find_offset,
+    make_segment,
+    measure_along,
+)
 
 FeatureKind = Literal["vertex", "edge"]
 
@@ -53,7 +59,7 @@ class Tracer:
         self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
         self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
         self._g_corners: defaultdict[frozenset[Vector], list[int]] = defaultdict(list)
-        segments = [segment(edge) for edge in generatrix.edges]
+        segments = [make_segment(edge) for edge in generatrix.edges]
         for i, (edge, own) in enumerate(zip(generatrix.edges, segments, strict=True)):
             self._g_edges[own.direction].append((i, edge, own))
             self._g_lines[own.direction, own.offset].append(own)
@@ -65,7 +71,7 @@ class Tracer:
         self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
             list
         )
-        pieces = [(segment(edge), k) for k, edge in enumerate(path.edges)]
+        pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
             self._paths[piece.direction, piece.offset % 1].append(
@@ -83,7 +89,7 @@ class Tracer:
 
         Raises ValueError when nothing draws the edge: it is not one of this sweep's.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         pieces: list[tuple[Segment, int]] = []
         traces: list[Trace] = []
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
@@ -91,7 +97,7 @@ class Tracer:
                 if piece.offset == whole.offset and piece.shares_piece(whole):
                     pieces.append((piece, len(traces)))
                     traces.append(trace)
-            chosen = covered(whole, pieces)
+            chosen = choose_cover(whole, pieces)
             if chosen is not None:
                 return [traces[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
@@ -108,7 +114,7 @@ class Tracer:
 
         Returns the two ends of that piece, which may be equal, or None if there is none.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         u = whole.direction
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
@@ -129,7 +135,7 @@ class Tracer:
         Cost: O(s) for s edges of the chain and each such vertex, and O(t) to find a translation on
         the trajectory.
         """
-        first, second, last = (segment((chain[k], chain[k + 1])) for k in (0, 1, -2))
+        first, second, last = (make_segment((chain[k], chain[k + 1])) for k in (0, 1, -2))
         for i in self._g_corners.get(frozenset((first.direction, second.direction)), ()):
             t = minus(chain[1], self._generatrix.vertices[i])
             if (
@@ -162,9 +168,9 @@ class Tracer:
         return False
 
     def _covers(self, whole: Segment, t: Vertex) -> bool:
-        line = whole.direction, whole.offset - offset(whole.direction, t)
+        line = whole.direction, whole.offset - find_offset(whole.direction, t)
         own = self._g_lines.get(line, ())
-        return covered(whole, [(piece.moved(t), 0) for piece in own]) is not None
+        return choose_cover(whole, [(piece.moved(t), 0) for piece in own]) is not None
 
     def _passes(self, t: Vertex) -> bool:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
@@ -208,7 +214,7 @@ class Tracer:
         if u not in self._g_vertices:
             by_offset: defaultdict[Rational, dict[int, Rational]] = defaultdict(dict)
             for i, w in enumerate(self._generatrix.vertices):
-                by_offset[offset(u, w)][i] = along(u, w)
+                by_offset[find_offset(u, w)][i] = measure_along(u, w)
             places = [place for ends in by_offset.values() for place in ends.values()]
             self._g_vertices[u] = _LinedVertices(by_offset, min(places), max(places))
         return self._g_vertices[u]
@@ -223,8 +229,8 @@ class Tracer:
             positions = []
             for k in near:
                 t = self._path.vertices[k]
-                if offset(u, t) == line and low < along(u, t) < high:
-                    positions.append((along(u, t), k))
+                if find_offset(u, t) == line and low < measure_along(u, t) < high:
+                    positions.append((measure_along(u, t), k))
             for _, k in sorted(positions):
                 moved = own.moved(self._path.vertices[k])
                 yield moved, Trace(Feature("vertex", k), Feature("edge", i))
@@ -253,5 +259,5 @@ def _low(path: _PathPiece) -> Rational:
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:
     """The point of the line p q with a coordinate along it."""
-    share = Fraction(coordinate - along(u, p)) / (along(u, q) - along(u, p))
+    share = Fraction(coordinate - measure_along(u, p)) / (measure_along(u, q) - measure_along(u, p))
     return p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])

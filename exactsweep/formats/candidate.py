@@ -7,11 +7,11 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.number import NumberError, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import count, suggestion
+from exactsweep.words import count, suggest
 
 _SHOWN = 4
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
@@ -152,7 +152,7 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
         kind = "name" if found[0].name == choice else "layer"
         indices = [i for i, one in enumerate(candidates) if one in found]
         raise FormatError(
-            f"{len(found)} polygons have the {kind} {quoted(choice)}; choose one by index: "
+            f"{len(found)} polygons have the {kind} {quote(choice)}; choose one by index: "
             f"{', '.join(f'#{i}' for i in indices[:_SHOWN])}{' ...' * (len(indices) > _SHOWN)}"
         )
     if not candidates:
@@ -196,9 +196,9 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     found = named or [one for one in layered if not one.fault] or layered
     if found:
         return found
-    near = suggestion(choice, [n for o in candidates for n in (o.name, o.layer) if n])
+    near = suggest(choice, [n for o in candidates for n in (o.name, o.layer) if n])
     raise FormatError(
-        f"no polygon has the name, index or layer {quoted(choice)}"
+        f"no polygon has the name, index or layer {quote(choice)}"
         f"{near or f'; there are {len(candidates)}'}"
     )
 
@@ -214,4 +214,4 @@ def _shortest(candidates: Sequence[Candidate], index: int) -> str:
 
 def _called(candidate: Candidate) -> str:
     name = candidate.name or candidate.layer
-    return f" {quoted(name)}" if name else ""
+    return f" {quote(name)}" if name else ""

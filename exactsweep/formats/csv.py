@@ -96,7 +96,7 @@ def _vertices(cells: Iterable[tuple[int, str, str]]) -> Sequence[Point]:
     return found
 
 
-def csv_rows(rows: Iterable[Sequence[object]]) -> str:
+def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:
     """Write rows as lines of CSV."""
     text = StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)

@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import abridged, format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import abridge, format_fraction, quote, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
@@ -33,7 +33,7 @@ def read_decimal(text: str) -> Fraction:
     if len(text) < 16 and text.isascii() and text.isdigit():
         return Fraction(int(text))
     if not re.fullmatch(DECIMAL, text):
-        raise FormatError(f"{quoted(text)} is not a decimal number")
+        raise FormatError(f"{quote(text)} is not a decimal number")
     match = _PARTS.fullmatch(text)
     assert match is not None
     sign, whole, decimals, exponent = match.groups()
@@ -48,7 +48,7 @@ def read_decimals(text: str) -> list[Fraction]:
     """
     found = re.findall(DECIMAL, text)
     if re.sub(r"[\s,]+", "", text) != "".join(found):
-        raise FormatError(f"{quoted(text)} is not a list of decimal numbers")
+        raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [read_decimal(number) for number in found]
 
 
@@ -76,7 +76,7 @@ def format_decimal(value: Fraction) -> str:
     places = value.denominator.bit_length()
     scaled = value * 10**places
     if scaled.denominator != 1:
-        raise FormatError(f"{abridged(value)} is not a finite decimal")
+        raise FormatError(f"{abridge(value)} is not a finite decimal")
     digits = format_fraction(abs(scaled)).zfill(places + 1)
     sign = "-" if value < 0 else ""
     return f"{sign}{digits[:-places]}.{digits[-places:].rstrip('0')}"

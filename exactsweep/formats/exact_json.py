@@ -7,8 +7,8 @@ from functools import partial
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.files import file_name, read_text
-from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
+from exactsweep.formats.files import read_text, show_path
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
@@ -75,7 +75,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
         [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
     """
     if not isinstance(value, list):
-        raise FormatError(f"{path} is {described(value)}, not a list of vertices")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
@@ -113,7 +113,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
 def _each(value: object, path: str, what: str) -> list[Candidate]:
     if not isinstance(value, list):
-        raise FormatError(f"{path} is {described(value)}, not a list of {what}")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a list of {what}")
     return [_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value)]
 
 
@@ -167,7 +167,7 @@ def _read_one(value: object, path: str) -> Candidate:
     name = read_name(value.get("id"), f"{path}.id")
     holes = value.get("holes", []) if member == "exterior" else []
     if not isinstance(holes, list):
-        raise FormatError(f"{path}.holes is {described(holes)}, not a list of holes")
+        raise FormatError(f"{path}.holes is {describe_kind(holes)}, not a list of holes")
     exterior, *inner = (
         Candidate(place, partial(read_vertices, ring, place))
         for place, ring in [
@@ -182,13 +182,13 @@ def read_name(value: object, path: str) -> str | None:
     """Read an id, a string or a number; None if there is none."""
     if value is None or isinstance(value, str):
         return value
-    raise FormatError(f"{path} is {described(value)}, not a string or a number")
+    raise FormatError(f"{path} is {describe_kind(value)}, not a string or a number")
 
 
-def described(value: object) -> str:
+def describe_kind(value: object) -> str:
     """Name the kind of a JSON value.
 
-    >>> described(parse_json("[true]")), described(parse_json("-1"))
+    >>> describe_kind(parse_json("[true]")), describe_kind(parse_json("-1"))
     ('a list', "'-1'")
     """
     if isinstance(value, dict):
@@ -196,7 +196,7 @@ def described(value: object) -> str:
     if isinstance(value, list):
         return "a list"
     if isinstance(value, str):
-        return quoted(value)
+        return quote(value)
     return json.dumps(value)
 
 
@@ -228,7 +228,7 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     for name, value in pairs:
         # JSON leaves open which one counts; programs differ.
         if name in found:
-            raise FormatError(f"the name {quoted(name)} is twice in one object")
+            raise FormatError(f"the name {quote(name)} is twice in one object")
         found[name] = value
     return found
 
@@ -239,7 +239,7 @@ def read_point(pair: object, path: str) -> Point:
         if isinstance(pair, dict) and pair.keys() == set(names):
             return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
     if not isinstance(pair, list):
-        raise FormatError(f"{path} is {described(pair)}, not a pair of numbers")
+        raise FormatError(f"{path} is {describe_kind(pair)}, not a pair of numbers")
     if len(pair) != 2:
         raise FormatError(f"{path} has {len(pair)} coordinates, not 2")
     return Point(*(read_number(value, f"{path}[{j}]") for j, value in enumerate(pair)))
@@ -248,7 +248,7 @@ def read_point(pair: object, path: str) -> Point:
 def read_number(value: object, path: str) -> Fraction:
     """Read a number, which `parse_json` left as text; the path is for messages."""
     if not isinstance(value, str):
-        raise FormatError(f"{path} is {described(value)}, not a number")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     try:
         return to_fraction(value)
     except NumberError as error:
@@ -270,7 +270,7 @@ def read_certificate(path: str) -> object:
     try:
         return parse_certificate(read_text(path))
     except ValueError as error:
-        raise FormatError(f"{file_name(path)}: {error}") from None
+        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def write_json(value: object, number: Callable[[Fraction], str] | None = None) -> str:

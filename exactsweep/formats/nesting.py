@@ -8,7 +8,7 @@ from functools import partial
 from math import lcm
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
@@ -85,7 +85,7 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     """
     names = [f"subpath {k}" for k in range(len(rings))]
     around = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
-    turns = [1 if even_odd or doubled_area(ring) > 0 else -1 for ring in rings]
+    turns = [1 if even_odd or find_doubled_area(ring) > 0 else -1 for ring in rings]
     regions: dict[int, list[int]] = {}
     holes = []
     for k, turn in enumerate(turns):

@@ -16,7 +16,7 @@ from exactsweep.formats.candidate import (
 from exactsweep.formats.csv import is_csv, parse_csv
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
-from exactsweep.formats.files import DXF_SIGN, file_name, read_text
+from exactsweep.formats.files import DXF_SIGN, read_text, show_path
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.reading import MAX_VERTICES, Options, Reading
@@ -341,4 +341,4 @@ def _naming(file: str) -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise FormatError(f"{file_name(file)}: {error}") from None
+        raise FormatError(f"{show_path(file)}: {error}") from None

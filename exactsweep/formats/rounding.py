@@ -25,8 +25,8 @@ from math import ceil, floor, lcm
 from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.curved.curves import root_above
-from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.formats.curved.curves import bound_root
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
@@ -137,7 +137,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
         distance = max(
-            root_above((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
+            bound_root((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
@@ -190,7 +190,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     """Move a ring to the grid, to its right; None if no ring is left."""
     points = [Point(x / grid, y / grid) for x, y in ring]
     old = Polygon(points)
-    is_exterior = doubled_area(points) > 0
+    is_exterior = find_doubled_area(points) > 0
     alive = list(range(len(points)))
     drop = 1
     while len(alive) > 2:
@@ -211,7 +211,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         return None
     hull = _hull(points)
     far = max(_square_to_ring(point, hull) for point in points)
-    return _scaled(hull, max(root_above(far), Fraction(3, 2)), grid)
+    return _scaled(hull, max(bound_root(far), Fraction(3, 2)), grid)
 
 
 def _scaled(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
@@ -224,7 +224,7 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
         new = Polygon(ring)
     except PolygonError:
         return False
-    if (doubled_area(ring) > 0) != is_exterior:
+    if (find_doubled_area(ring) > 0) != is_exterior:
         return False
     outer, inner = (new, old) if is_exterior else (old, new)
     return contains(Region(outer), Region(inner))
@@ -326,7 +326,7 @@ def _distance(
         for j in range(i + 1, end):
             by = _square_to_edge(points[j % len(points)], chain[-1], chains[k][0])
             largest = max(largest, by)
-    return root_above(largest)
+    return bound_root(largest)
 
 
 def _square_to_ring(p: Point, ring: Sequence[Point]) -> Fraction:

@@ -9,7 +9,7 @@ from typing import NamedTuple, NoReturn
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.number import NumberError, quote
 from exactsweep.geometry.point import Point
 
 _TOKEN = re.compile(
@@ -154,7 +154,7 @@ class _Reader:
         yield _Token("end", "", len(self.text))
 
     def _shown(self) -> str:
-        return "the end" if self.token.kind == "end" else quoted(self.token.text)
+        return "the end" if self.token.kind == "end" else quote(self.token.text)
 
     def _place(self) -> str:
         # Only what is new is searched, as a text may hold very many polygons.

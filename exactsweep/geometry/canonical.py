@@ -6,7 +6,7 @@ from operator import eq, floordiv
 from typing import NamedTuple
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import ratios
+from exactsweep.geometry.number import split_ratios
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
@@ -19,16 +19,18 @@ class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
     `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
-    `convex` says whether all turns are to the left.
+    `convex` says whether all turns are to the left, and `monotone` whether it is monotone to the
+    X axis.
     """
 
     points: tuple[Vertex, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
     convex: bool
+    monotone: bool
 
 
-def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
+def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
     Args:
@@ -45,12 +47,12 @@ def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
     Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
 
     Example:
-        >>> ring = canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
+        >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
         >>> ring.points, ring.vertex_index, ring.edge_index
         (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     ring, vertices, edges = _join_equal(points)
-    turns = turn_products(ring) if len(ring) > 2 else []
+    turns = find_turns(ring) if len(ring) > 2 else []
     corners: Sequence[int] = range(len(ring))
     if not all(turns) or not turns:
         _refuse_flat(points, turns)
@@ -71,11 +73,12 @@ def canonical_ring(points: Sequence[Vertex]) -> CanonicalRing:
         corners = starts = [*corners[least:], *corners[:least]]
         found = [*found[least:], *found[:least]]
     convex = min(turns) > 0 or max(turns) < 0
-    if not is_simple_monotone(found, convex=convex):
+    monotone = is_simple_monotone(found, convex=convex)
+    if not monotone:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
-    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex)
+    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
 def _join_equal(
@@ -94,7 +97,7 @@ def _join_equal(
     return [points[i] for i in starts], vertices, edges
 
 
-def turn_products(ring: Sequence[Vertex]) -> list[int | Fraction]:
+def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
     """Return at each vertex the cross product of the edges before and after it. Cost: O(n)."""
     turns = []
     (ax, ay), (bx, by) = ring[-2], ring[-1]
@@ -155,12 +158,12 @@ def find_least(points: Sequence[Point]) -> int:
         >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
         1
     """
-    floors = [*map(floordiv, *ratios([x for x, _ in points]))]
+    floors = [*map(floordiv, *split_ratios([x for x, _ in points]))]
     least = min(floors)
     return min((k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__)
 
 
-def doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
+def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring. Cost: O(n)."""
     return sum(
         ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, (*ring[1:], ring[0]), strict=True)

@@ -13,7 +13,7 @@ from math import gcd, lcm
 from operator import mul
 from typing import cast
 
-from exactsweep.geometry.number import NumberError, ratios, to_fraction
+from exactsweep.geometry.number import NumberError, split_ratios, to_fraction
 from exactsweep.geometry.point import Point, Vertex
 
 _LATTICE_BITS = 8192
@@ -73,7 +73,7 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
         (6, [(3, 6), (0, 2)])
     """
     xs, ys = tuple(xs), tuple(ys)
-    (px, qx), (py, qy) = ratios(xs), ratios(ys)
+    (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
     denominators = {*qx, *qy}
     scale = 1
     for denominator in denominators:

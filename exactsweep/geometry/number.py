@@ -118,15 +118,15 @@ def to_fraction(value: object) -> Fraction:
         try:
             return Fraction(operator.index(value))
         except TypeError:
-            raise NumberError(f"{quoted(value)} is not a number") from None
+            raise NumberError(f"{quote(value)} is not a number") from None
     if isinstance(value, Rational):
         numerator, denominator = int(value.numerator), int(value.denominator)
         if denominator == 0:
-            raise NumberError(f"{quoted(value)} has the denominator 0")
+            raise NumberError(f"{quote(value)} has the denominator 0")
         return Fraction(numerator, denominator)
     if isinstance(value, Real):
         return _from_real(value)
-    raise NumberError(f"{quoted(value)} is not a rational number")
+    raise NumberError(f"{quote(value)} is not a rational number")
 
 
 def _reduced(numerator: int, denominator: int) -> Fraction:
@@ -140,21 +140,21 @@ def _reduced(numerator: int, denominator: int) -> Fraction:
     return fraction
 
 
-def ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
+def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
     """Return the numerators and the denominators, many at a time.
 
     Example:
-        >>> ratios([Fraction(1, 2), Fraction(3)])
+        >>> split_ratios([Fraction(1, 2), Fraction(3)])
         ([1, 3], [2, 1])
     """
     return [*map(_numerator, values)], [*map(_denominator, values)]
 
 
-def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
+def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     """Divide by a positive number, quickly where both are ints.
 
     Example:
-        >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
+        >>> divide_exactly(6, 4), divide_exactly(Fraction(1, 2), 3)
         (Fraction(3, 2), Fraction(1, 6))
     """
     if type(divisor) is int:
@@ -168,15 +168,31 @@ def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     return Fraction(value, divisor)
 
 
-def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
+def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
+    """Divide by a positive number, to an int where that is the result.
+
+    Example:
+        >>> ratio(6, 3), ratio(6, 4)
+        (2, Fraction(3, 2))
+    """
+    if type(value) is int and type(divisor) is int:
+        common = gcd(value, divisor)
+        if common == divisor:
+            return value // common
+        return _reduced(value // common, divisor // common)
+    whole = value // divisor
+    return whole if whole * divisor == value else divide_exactly(value, divisor)
+
+
+def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
     Example:
-        >>> quotients([3, Fraction(1, 2)], 1)
+        >>> divide_all([3, Fraction(1, 2)], 1)
         [Fraction(3, 1), Fraction(1, 2)]
     """
     if divisor != 1:
-        return [quotient(v, divisor) for v in values]
+        return [divide_exactly(v, divisor) for v in values]
     found: list[Fraction] = []
     for v in values:
         if type(v) is int:
@@ -190,11 +206,11 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     return found
 
 
-def negative(value: int | Fraction) -> int | Fraction:
+def negate(value: int | Fraction) -> int | Fraction:
     """Change the sign, quickly.
 
     Example:
-        >>> negative(Fraction(1, 2))
+        >>> negate(Fraction(1, 2))
         Fraction(-1, 2)
     """
     if type(value) is Fraction:
@@ -203,11 +219,11 @@ def negative(value: int | Fraction) -> int | Fraction:
     return -value
 
 
-def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
+def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
     """Add a number to each of others, quickly where those are ints.
 
     Example:
-        >>> sums(Fraction(1, 2), [1, 2])
+        >>> add_to_all(Fraction(1, 2), [1, 2])
         [Fraction(3, 2), Fraction(5, 2)]
     """
     if isinstance(value, Fraction) and all(type(k) is int for k in ints):
@@ -246,11 +262,11 @@ def _from_string(text: str) -> Fraction:
         return _reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
-        raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
+        raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
     numerator, denominator, exponent = match.groups()
     if denominator is not None:
         if denominator == "0":
-            raise NumberError(f"{quoted(text)} has a zero denominator")
+            raise NumberError(f"{quote(text)} has a zero denominator")
         _check_before_reduction(text, max(len(numerator.lstrip("-")), len(denominator)))
         return _check(text, Fraction(int(Decimal(numerator)), int(Decimal(denominator))))
     # Decimal itself overflows at exponents of some 18 digits.
@@ -262,7 +278,7 @@ def _from_string(text: str) -> Fraction:
 def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
     shown = value if text is None else text
     if not value.is_finite():
-        raise NumberError(f"{quoted(value)} is not a finite number")
+        raise NumberError(f"{quote(value)} is not a finite number")
     _, digits, exponent = value.as_tuple()
     assert isinstance(exponent, int)
     _check_before_reduction(shown, max(len(digits) + max(exponent, 0), -exponent))
@@ -274,9 +290,9 @@ def _from_real(value: float | Real) -> Fraction:
         binary = float(value)
         exact = _reduced(*binary.as_integer_ratio())
     except (OverflowError, ValueError):
-        raise NumberError(f"{quoted(value)} is not a finite number") from None
+        raise NumberError(f"{quote(value)} is not a finite number") from None
     if binary != value:
-        raise NumberError(f"{quoted(value)} has no exact value as a float; give it as a fraction")
+        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
     return exact
 
 
@@ -301,13 +317,13 @@ def _power_of_ten(exponent: int) -> int:
 
 
 def _too_long(shown: object) -> NumberError:
-    return NumberError(f"{quoted(shown)} has more than {_max_digits.get()} digits (max_digits)")
+    return NumberError(f"{quote(shown)} has more than {_max_digits.get()} digits (max_digits)")
 
 
-def quoted(value: object) -> str:
+def quote(value: object) -> str:
     """Write any value for a message: its repr, cut short where it is long.
 
-    >>> quoted("7" * 99)
+    >>> quote("7" * 99)
     "'777777777777777777777777777777777777..."
     """
     try:
@@ -319,10 +335,10 @@ def quoted(value: object) -> str:
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 
-def abridged(value: Fraction) -> str:
+def abridge(value: Fraction) -> str:
     """Write a number for people: exactly, or its first digits where it is long.
 
-    >>> abridged(Fraction(-7, 2)), abridged(Fraction(10**99))
+    >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
     ('-7/2', '100000000000000000000...')
     """
     text = format_fraction(value)

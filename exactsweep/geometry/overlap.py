@@ -163,10 +163,11 @@ class Overlap:
             for k in {side.ring for side in fixed}
         }
         return any(
-            self._fixed.holds(px, py, 2 * scale) for px, py in points_between(moved_rings, on_moved)
+            self._fixed.holds(px, py, 2 * scale)
+            for px, py in find_points_between(moved_rings, on_moved)
         ) or any(
             self._moved.holds(px - 2 * dx, py - 2 * dy, 2 * scale)
-            for px, py in points_between(fixed_rings, on_fixed)
+            for px, py in find_points_between(fixed_rings, on_fixed)
         )
 
     def _meet(
@@ -270,7 +271,7 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
-def points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
+def find_points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
     """A point, times two, of each piece of the rings between places; a vertex if there are none."""
     for k, ring in rings.items():
         found = False

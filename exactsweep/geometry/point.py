@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 
@@ -23,6 +24,19 @@ class Point(NamedTuple):
             for c in self
         )
         return f"Point(x={x}, y={y})"
+
+
+_make_point = partial(tuple.__new__, Point)
+"""As `Point._make` does, which is written in Python."""
+
+
+def make_points(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> list[Point]:
+    """Put coordinates together, many at a time. Cost: O(n).
+
+    >>> make_points([Fraction(1)], [Fraction(2)])
+    [Point(x=Fraction(1, 1), y=Fraction(2, 1))]
+    """
+    return list(map(_make_point, zip(xs, ys, strict=True)))
 
 
 ORIGIN = Point(Fraction(0), Fraction(0))

@@ -79,13 +79,11 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
         >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
         False
     """
-    right = ring.index(max(ring))
-    xs = [x for x, _ in ring]
-    forth, back = xs[: right + 1], xs[right:]
-    if forth != sorted(forth) or back != sorted(back, reverse=True):
+    if not are_chains_monotone(ring):
         return False
     if convex:
         return True
+    right = ring.index(max(ring))
     top = [ring[0], *ring[: right - 1 : -1]]
     k = 1
     (ax, ay), (bx, by), (px, py) = top[0], top[1], ring[0]
@@ -106,11 +104,23 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
     return all((x - px) * (v - py) > (y - py) * (u - px) for u, v in top[k:-1])
 
 
+def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
+    """Whether x does not decrease from the least vertex of a ring, its first, to the greatest one.
+
+    Nor increase on the way back. Cost: O(n).
+    """
+    right = ring.index(max(ring))
+    xs = [x for x, _ in ring]
+    forth, back = xs[: right + 1], xs[right:]
+    return forth == sorted(forth) and back == sorted(back, reverse=True)
+
+
 def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
     """Sweep distinct vertices in lexicographic order, which stands for a line tilted a little.
 
-    Invariant: the status holds the edges that cross the line, bottom to top, and no two that were
-    ever neighbours in it meet. So whatever meets at the next vertex is found there or was before.
+    The status holds the edges that cross the line, bottom to top, and no two that were ever
+    neighbours in it meet; this is invariant. So whatever meets at the next vertex is found there
+    or was before.
     """
     n = len(ring)
     lines = [_line(ring[i], ring[(i + 1) % n]) for i in range(n)]

@@ -21,11 +21,11 @@ FOLDER = Path(__file__).parent
 _MOST_STORED = 60_000
 
 
-def titles() -> dict[str, str]:
+def list_titles() -> dict[str, str]:
     """Return the lessons, by file name without its suffix, with their titles.
 
     Example:
-        >>> titles()["judging"]
+        >>> list_titles()["judging"]
         'Judging your own program'
     """
     order = ("tour", "sweeps", "paper", "judging")
@@ -36,7 +36,7 @@ def read_notebook(name: str) -> Notebook:
     """Read a lesson.
 
     Args:
-        name: one of `titles`.
+        name: one of `list_titles`.
 
     Returns:
         The document, as the format of notebooks has it.

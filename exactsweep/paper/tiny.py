@@ -21,10 +21,10 @@ RingTest = Callable[[Ring], bool]
 
 
 @cache
-def polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
+def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
     """All strictly X-monotone polygons with a number of corners on a grid, moved to (0, 0).
 
-    >>> polygons(2, 3)[0]
+    >>> list_polygons(2, 3)[0]
     ((0, 0), (1, 0), (2, 1))
     """
     found = set()
@@ -66,7 +66,7 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
-def tiny_pairs(
+def list_tiny_pairs(
     side: int, most: int, generatrix: RingTest, directrix: RingTest
 ) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
@@ -81,7 +81,7 @@ def tiny_pairs(
 
 @cache
 def _chosen(side: int, vertices: int, shape: RingTest) -> list[Ring]:
-    return [ring for ring in map(list, polygons(side, vertices)) if shape(ring)]
+    return [ring for ring in map(list, list_polygons(side, vertices)) if shape(ring)]
 
 
 def search_grid(
@@ -110,7 +110,7 @@ def search_grid(
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
-    return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
+    return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)
 
 
 def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where: str) -> Evidence:

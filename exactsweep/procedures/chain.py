@@ -17,7 +17,7 @@ from itertools import pairwise
 from typing import TypeVar
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import negative
+from exactsweep.geometry.number import negate
 from exactsweep.geometry.point import Edge, Vertex
 
 T = TypeVar("T")
@@ -37,8 +37,7 @@ def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     [(-2, 0), (-1, -3), (0, 0)]
     """
     return [
-        (-x, -y) if type(x) is int and type(y) is int else (negative(x), negative(y))
-        for x, y in chain
+        (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in chain
     ]
 
 

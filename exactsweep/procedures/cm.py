@@ -18,7 +18,7 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from typing import cast
 
-from exactsweep.geometry.number import sums
+from exactsweep.geometry.number import add_to_all
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
@@ -197,5 +197,5 @@ def _placed(
     if first >= last:
         return []
     placed = generatrix[count - last : count - first][::-1]
-    xs, ys = (sums(p, [v[k] for v in placed]) for k, p in enumerate(position))
+    xs, ys = (add_to_all(p, [v[k] for v in placed]) for k, p in enumerate(position))
     return list(zip(xs, ys, strict=True))

@@ -35,7 +35,7 @@ from itertools import pairwise
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.geometry.direction import Vector, primitive
+from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.envelope import Break
@@ -185,7 +185,7 @@ class _DirectedRing:
     def __init__(self, ring: Sequence[Vertex]) -> None:
         self.vertices = ring
         self.edges = list(zip((ring[-1], *ring[:-1]), ring, strict=True))
-        self.directions = [primitive((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
+        self.directions = [reduce_direction((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
 
 
 def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:

@@ -23,7 +23,7 @@ from itertools import groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.number import quotient
+from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch
 from exactsweep.procedures.envelope import Break
@@ -100,7 +100,7 @@ def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Brea
     cuts, twice = stretch.cuts, stretch.left and stretch.right
     cuts.sort(key=itemgetter(0))
     if any(a[0] == b[0] for a, b in pairwise(cuts)):
-        cuts.sort(key=lambda cut: (cut[0], quotient(*cut[1])))
+        cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
     joint = stretch.low_through is not None or stretch.high_through is not None
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
@@ -215,7 +215,7 @@ def _canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool
 def _leave(vertex: ReducedPoint, scale: int) -> Point:
     """A vertex of the lattice or between, divided by the scale."""
     xn, xd, yn, yd = vertex
-    return Point(quotient(xn, xd * scale), quotient(yn, yd * scale))
+    return Point(divide_exactly(xn, xd * scale), divide_exactly(yn, yd * scale))
 
 
 def _middle(p: ReducedPoint, q: ReducedPoint) -> Point:

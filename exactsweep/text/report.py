@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridged, format_fraction
+from exactsweep.geometry.number import abridge, format_fraction
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import CLASSES, pair
+from exactsweep.words import CLASSES, write_pair
 
 # rich takes longer to import than all the rest.
 if TYPE_CHECKING:
@@ -70,8 +70,8 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
     }
     facts = {
         "class": CLASSES[sweep.kind],
-        "direction": "none" if sweep.direction is None else pair(sweep.direction),
-        "reference": pair(sweep.reference),
+        "direction": "none" if sweep.direction is None else write_pair(sweep.direction),
+        "reference": write_pair(sweep.reference),
         "undercuts": str(len(sweep.undercuts)),
         "exact fits": str(len(sweep.exact_fits)),
     }
@@ -80,7 +80,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
     return _told(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
 
 
-def no_fit_report(
+def report_no_fit(
     n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
@@ -97,7 +97,7 @@ def no_fit_report(
         >>> from exactsweep import no_fit_polygon
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-        >>> print(no_fit_report(no_fit_polygon(slot, square)), end="")
+        >>> print(report_no_fit(no_fit_polygon(slot, square)), end="")
         class        CM, convex generatrix and monotone directrix
         reference    (0,0)
         holes        0
@@ -115,7 +115,7 @@ def no_fit_report(
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
         "class": CLASSES[n.kind],
-        "reference": pair(n.reference),
+        "reference": write_pair(n.reference),
         "holes": str(len(n.holes)),
         "exact fits": str(len(n.exact_fits)),
     }
@@ -124,7 +124,7 @@ def no_fit_report(
     return _told(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
-def inner_fit_report(
+def report_inner_fit(
     f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
@@ -140,7 +140,7 @@ def inner_fit_report(
     Example:
         >>> from exactsweep import inner_fit_polygon
         >>> bin, part = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (2, 0), (2, 2), (0, 2)]
-        >>> print(inner_fit_report(inner_fit_polygon(bin, part)), end="")
+        >>> print(report_inner_fit(inner_fit_polygon(bin, part)), end="")
         the part     fits exactly
         reference    (0,0)
         regions      0
@@ -156,7 +156,7 @@ def inner_fit_report(
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
         "the part": "fits" if f.regions else exact,
-        "reference": pair(f.reference),
+        "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),
     }
@@ -197,15 +197,15 @@ def _told(
         # Long numbers take a table a long time.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
         told = (f"{n:<{width}}  {' '.join(map(_exactly, ends))}\n" for n, ends in lines.items())
-        return laid_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
-    return laid_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
+        return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
+    return lay_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
 
 
 def _exactly(point: Point) -> str:
     return f"({format_fraction(point.x)},{format_fraction(point.y)})"
 
 
-def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
+def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     """Write tables as text, an empty line between them.
 
     Args:
@@ -246,7 +246,7 @@ def _rows(texts: Mapping[str, str], width: int) -> Table:
 
 
 def _area(area: Fraction) -> tuple[str, str]:
-    exact, rounded = abridged(area), approximation(area)
+    exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 
 
@@ -256,17 +256,17 @@ def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
 
 
 def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
-    return {name: " ".join(map(pair, ends)) for name, ends in _fit_ends(fits).items()}
+    return {name: " ".join(map(write_pair, ends)) for name, ends in _fit_ends(fits).items()}
 
 
 def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
     return {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
 
 
-def approximation(value: Fraction) -> str:
+def approximate(value: Fraction) -> str:
     """Round to six significant digits, to give an idea of a number.
 
-    >>> approximation(Fraction(-20, 3)), approximation(Fraction(30)), approximation(Fraction(2**99))
+    >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825E+29')
     """
     rounded = _APPROXIMATE.divide(Decimal(value.numerator), Decimal(value.denominator))

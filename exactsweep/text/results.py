@@ -13,7 +13,7 @@ from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.writing import wkt_fits, wkt_polygon
+from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
@@ -63,8 +63,8 @@ def no_fit_to_json(n: NoFitPositions) -> str:
     """
     return _object(
         {
-            "stationary": _written(as_json(n.stationary)),
-            "orbiting": _written(as_json(n.orbiting)),
+            "stationary": _written(write_json_value(n.stationary)),
+            "orbiting": _written(write_json_value(n.orbiting)),
             "kind": _written(n.kind),
             "reference": _written(n.reference),
             "exterior": _written(n.exterior.vertices),
@@ -89,8 +89,8 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     """
     return _object(
         {
-            "container": _written(as_json(f.container)),
-            "part": _written(as_json(f.part)),
+            "container": _written(write_json_value(f.container)),
+            "part": _written(write_json_value(f.part)),
             "reference": _written(f.reference),
             "regions": _written([_rings(region) for region in f.regions]),
             "exact_fits": _written(f.exact_fits),
@@ -99,7 +99,7 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     )
 
 
-def as_json(shape: Polygon | Region) -> object:
+def write_json_value(shape: Polygon | Region) -> object:
     """Make the list of vertices of a shape, or of one with holes the object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
@@ -188,8 +188,8 @@ def verification_to_json(verification: Verification) -> str:
 
 def _input(sweep: Swept) -> dict[str, str]:
     return {
-        "generatrix": _written(as_json(sweep.generatrix)),
-        "directrix": _written(as_json(sweep.directrix)),
+        "generatrix": _written(write_json_value(sweep.generatrix)),
+        "directrix": _written(write_json_value(sweep.directrix)),
         "kind": _written(sweep.kind),
         "direction": direction_to_json(sweep.direction),
         "reference": _written(sweep.reference),
@@ -268,7 +268,7 @@ def sweep_to_wkt(sweep: Swept) -> str:
     """
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
     loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
-    return "".join(wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
+    return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
 def no_fit_to_wkt(n: NoFitPositions) -> str:
@@ -291,7 +291,7 @@ def no_fit_to_wkt(n: NoFitPositions) -> str:
         POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
         LINESTRING (1 3, 1 1)
     """
-    return _area_to_wkt("", n.exterior, n.holes) + wkt_fits(n.exact_fits)
+    return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
 def inner_fit_to_wkt(f: InnerFitPositions) -> str:
@@ -311,9 +311,11 @@ def inner_fit_to_wkt(f: InnerFitPositions) -> str:
         _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
         for k, region in enumerate(f.regions)
     ]
-    return "".join(lines) + wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
+    return "".join(lines) + write_wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
 
 
 def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
     rings = {f"{prefix}exterior": exterior.vertices}
-    return wkt_polygon(rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)})
+    return write_wkt_polygon(
+        rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)}
+    )

@@ -26,9 +26,6 @@ _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 class Meetings:
     """The positions at which two vertices meet without overlap near them.
 
-    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap: O(m + n) for convex polygons, O(m n) for any.
-
     Args:
         s: a Sweep.
 
@@ -36,6 +33,9 @@ class Meetings:
         reference: that of the sweep.
         scale: of the lattice on which the two meet.
         translations: the translations, on the lattice, sorted.
+
+    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
+    overlap: O(m + n) for convex polygons, O(m n) for any.
     """
 
     def __init__(self, s: Swept) -> None:

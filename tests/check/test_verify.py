@@ -312,6 +312,16 @@ def test_sum_within_agrees_with_the_definition(data: st.DataObject) -> None:
     assert where == (0, 1) if str(found.value) == "inside" else where[0] == -1 <= where[1]
 
 
+def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
+    """At x = 2 the sum drops from 4 to 0; a corner of Q on that wall is not inside the sum."""
+    a = Polygon([(0, 4), (1, 4), (1, 0), (2, 8), (2, 20), (0, 20)])
+    q = Polygon([(0, 0), (2, 0), (2, 3), (4, 3), (4, 40), (0, 40)])
+    outer, part = _loop(q.vertices), _loop(a.vertices)
+    with pytest.raises(CertificateError, match="inside 2") as found:
+        check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
+    assert found.value.witness == Point(Fraction(9, 4), Fraction(3))
+
+
 FRAME = NodeFrame((1, 0), 1)
 
 

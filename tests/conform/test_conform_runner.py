@@ -29,7 +29,7 @@ from exactsweep.conform.run.protocol import (
     read_hello,
 )
 from exactsweep.conform.run.run import SHOWN, Run
-from exactsweep.conform.run.runner import conduct, conform
+from exactsweep.conform.run.runner import conform, judge_cases
 from exactsweep.corpus import Case, cases
 from exactsweep.processes import lock
 
@@ -181,7 +181,7 @@ def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
     with Judges(CORRECT) as judges:
-        conduct(run, judges, [FEW[2], wrong, *FEW[3:]])
+        judge_cases(run, judges, [FEW[2], wrong, *FEW[3:]])
     assert run.interrupted
     assert run.complaints[0].startswith("case 'wrong': ")
     assert [outcome.id for outcome in run.outcomes] == [FEW[2].id]

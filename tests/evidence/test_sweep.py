@@ -23,7 +23,7 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import classify, point_in_polygon, reference_loops
-from exactsweep.geometry.direction import monotone_directions
+from exactsweep.geometry.direction import find_monotone_directions
 from exactsweep.procedures.chain import convex_parts, graph_edges, inverse, split
 
 Pair = tuple[Polygon, Polygon]
@@ -157,7 +157,7 @@ def test_exchanging_the_roles_inverts_the_trajectory(pair: Pair) -> None:
 @often
 def test_direction_does_not_matter(pair: Pair) -> None:
     generatrix, directrix = pair
-    shared = monotone_directions(generatrix) & monotone_directions(directrix)
+    shared = find_monotone_directions(generatrix) & find_monotone_directions(directrix)
     s = sweep(generatrix, directrix)
     candidates = {u for arc in shared.arcs() for u in arc} | {shared.simplest()}
     candidates |= {u for u in product((0, 1, 2), (-2, -1, 1, 3)) if u in shared}

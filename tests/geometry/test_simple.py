@@ -1,6 +1,7 @@
 """The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
 
 import random
+from fractions import Fraction
 from itertools import combinations
 
 import pytest
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError
-from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.simplicity import Conflict, find_conflict
 
@@ -69,7 +70,7 @@ def agrees(points: list[Vertex]) -> bool:
     """Compare with the definition; tell whether the ring is simple."""
     expected = is_simple(points)
     try:
-        canonical_ring(points)
+        canonicalize_ring(points)
     except PolygonError:
         assert not expected, points
     else:
@@ -191,3 +192,9 @@ def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
     assert not agrees(ring)
     assert not agrees(ring[::-1])
     assert not agrees([(-x, -y) for x, y in ring])
+
+
+def test_one_slight_turn_to_the_other_side_is_no_convex_ring() -> None:
+    ring = canonicalize_ring([(0, 0), (0, 4), (4, 4), (4, 0), (2, Fraction(1, 10))])
+    assert ring.points == ((0, 0), (2, Fraction(1, 10)), (4, 0), (4, 4), (0, 4))
+    assert not ring.convex

@@ -267,6 +267,7 @@ def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:
     partial.take_all(Envelope.of([(4, 1), (6, 1)], 1))
     late = lower_envelope_cm(partial, Envelope.of([(3, 1), (5, -1), (9, -1)], 2))
     assert late.pieces[1] == GAP
+    assert late.sources == [0, -1, 2, 2]
     assert [value(at) for at in late.breaks] == [0, 2, 3, 5, 9]
 
 

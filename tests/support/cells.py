@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.corpus.generator.cells import Cell, Matrix, map_region, outline
+from exactsweep.corpus.generator.cells import Cell, Matrix, map_region, trace_outline
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -30,7 +30,7 @@ class Holed(NamedTuple):
 
 def shape_of(cells: Iterable[Cell]) -> Holed:
     """The shape of a connected set of cells."""
-    shape = outline(cells)
+    shape = trace_outline(cells)
     return Holed(shape.exterior, shape.holes)
 
 

@@ -47,16 +47,28 @@ class Reach:
         Those of a file of tests that reaches a line while it is read are among them. What runs when
         the package is imported may matter to any test: first to those that reach the module.
         """
-        if path not in self._contexts:
-            self._contexts[path] = self._data.contexts_by_lineno(path)
-        of_line = self._contexts[path]
-        contexts = {context for line in lines for context in of_line.get(line, ())}
+        contexts = self._contexts_of(path, lines)
         is_global = IMPORTED in contexts
         if is_global:
-            contexts = set().union(*of_line.values())
-        near = {test for c in contexts for test in self._by_file.get(c, [c])}
+            contexts = set().union(*self._contexts[path].values())
+        near = self._tests_in(contexts)
         tests = self.seconds if is_global else near & self.seconds.keys()
         return sorted(tests, key=lambda test: (test not in near, self.seconds[test], test))
+
+    def importing(self, path: str, lines: Sequence[int]) -> set[str]:
+        """Those of them whose files run the lines when they are read."""
+        contexts = self._contexts_of(path, lines)
+        if IMPORTED in contexts:
+            return {*self.seconds}
+        return self._tests_in({context for context in contexts if "::" not in context})
+
+    def _contexts_of(self, path: str, lines: Sequence[int]) -> set[str]:
+        if path not in self._contexts:
+            self._contexts[path] = self._data.contexts_by_lineno(path)
+        return {context for line in lines for context in self._contexts[path].get(line, ())}
+
+    def _tests_in(self, contexts: set[str]) -> set[str]:
+        return {test for c in contexts for test in self._by_file.get(c, [c])}
 
 
 def measure(tree: Path, tests: Sequence[str], modules: Sequence[str]) -> Reach:

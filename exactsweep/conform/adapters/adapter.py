@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, cast
 
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
@@ -67,7 +67,7 @@ class Adapter(NamedTuple):
         """
         if self.hello.shapes != "any":
             directrix, generatrix = [directrix], [generatrix]
-        d, g = prepared_shape(directrix), prepared_shape(generatrix)
+        d, g = prepare_shape(directrix), prepare_shape(generatrix)
         fits = [question for question in self.hello.questions if question != "sweep"]
         found: dict[str, Any] = {}
         for part in parts or (*self.hello.loops, *fits):
@@ -116,13 +116,13 @@ def sum_adapter(
             return {part: add(directrix, inverse)}
         if len(directrix) > 1:
             raise NotImplementedError("a container with holes")
-        return {part: without_outermost(add(frame_around(directrix[0], inverse[0]), inverse))}
+        return {part: drop_outermost(add(build_frame(directrix[0], inverse[0]), inverse))}
 
     questions: tuple[Question, ...] = ("no_fit", "inner_fit") if shapes == "any" else ("no_fit",)
     return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
 
 
-def frame_around(container: AskedRing, inverse: AskedRing) -> AskedShape:
+def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:
     """Return a frame whose hole is the container, wide enough for what moves inside."""
     xs, ys = zip(*container, strict=True)
     us, vs = zip(*inverse, strict=True)
@@ -131,7 +131,7 @@ def frame_around(container: AskedRing, inverse: AskedRing) -> AskedShape:
     return [[(left, low), (right, low), (right, high), (left, high)], container[::-1]]
 
 
-def without_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
+def drop_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
     """Return the rings except for the one that reaches farthest to the left."""
 
     def leftmost(k: int) -> Fraction:
@@ -141,26 +141,26 @@ def without_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
     return [ring for k, ring in enumerate(rings) if k != outermost]
 
 
-def prepared_shape(shape: Sequence[AskedRing]) -> AskedShape:
-    """Return the exterior counter-clockwise and the holes clockwise; see `prepared`."""
-    exterior, *holes = map(prepared, shape)
+def prepare_shape(shape: Sequence[AskedRing]) -> AskedShape:
+    """Return the exterior counter-clockwise and the holes clockwise; see `prepare_ring`."""
+    exterior, *holes = map(prepare_ring, shape)
     return [exterior, *(hole[::-1] for hole in holes)]
 
 
-def prepared(ring: AskedRing) -> AskedRing:
+def prepare_ring(ring: AskedRing) -> AskedRing:
     """Return a ring counter-clockwise and without repeated vertices.
 
     Example:
-        >>> prepared([(0, 0), (0, 2), (0, 2), (1, 1), (2, 0), (0, 0)])
+        >>> prepare_ring([(0, 0), (0, 2), (0, 2), (1, 1), (2, 0), (0, 0)])
         [(0, 0), (2, 0), (1, 1), (0, 2)]
     """
     distinct = [p for k, p in enumerate(ring) if p != ring[k - 1]]
     # Floats are made exact: their products would be rounded.
     points = [Point(to_fraction(x), to_fraction(y)) for x, y in distinct]
-    return distinct if doubled_area(points) > 0 else distinct[::-1]
+    return distinct if find_doubled_area(points) > 0 else distinct[::-1]
 
 
-def fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:
+def list_fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:
     """Return what fills the sum of two boundaries up to that of the polygons.
 
     A point of the sum of two polygons that is not in the sum of their boundaries has all of the

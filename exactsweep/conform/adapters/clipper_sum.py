@@ -7,7 +7,7 @@ two boundaries.
 What they are asked: the sum of -G, as the pattern, and D, as a closed path, times the scale that
 makes the case integer. Neither takes holes. The sum of two boundaries may have holes where that of
 the polygons has none, or smaller ones: where there is one, and where a ring touches itself, which
-may hide one, all rings are united with `fillings`, by the rule nonzero.
+may hide one, all rings are united with `list_fillings`, by the rule nonzero.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from exactsweep.conform.adapters.adapter import (
     AnsweredRings,
     AskedRing,
     AskedShape,
-    fillings,
+    list_fillings,
     require_range,
     sum_adapter,
 )
@@ -73,7 +73,7 @@ def _adapter(
         rings = pairs(paths)
         if all(map(is_outer, paths)) and all(len(set(ring)) == len(ring) for ring in rings):
             return rings
-        return pairs(unite([*rings, *fillings(directrix, inverse)]))
+        return pairs(unite([*rings, *list_fillings(directrix, inverse)]))
 
     def pairs(paths: Iterable[Iterable[Any]]) -> list[AskedRing]:
         return [[(int(x), int(y)) for x, y in path] for path in paths]

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json, read_exact
-from exactsweep.corpus.case_json import expected_rings
+from exactsweep.corpus.case_json import list_expected_rings
 
 COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),
@@ -59,7 +59,7 @@ class Row:
                 continue
             square = read_exact(part["distance_squared"][1])
             if square and self.relative and outcome.case is not None:
-                rings = expected_rings(outcome.case, part["name"])
+                rings = list_expected_rings(outcome.case, part["name"])
                 square /= max(abs(Fraction(c)) for ring in rings for p in ring for c in p) ** 2
             known = self.squares.get(outcome.verdict, Fraction(0))
             self.squares[outcome.verdict] = max(known, square)

@@ -14,15 +14,15 @@ from itertools import chain
 
 from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.frechet import match_rings
-from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, minus
+from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.corpus.generator.shapes import hull
-from exactsweep.geometry.canonical import PolygonError, doubled_area
-from exactsweep.geometry.number import abridged
+from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import ORIGIN, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import no_fit_polygon
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
 _NEARLY = 4
@@ -45,13 +45,13 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
 
     Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
     """
-    if not any(map(doubled_area, rings)):
+    if not any(map(find_doubled_area, rings)):
         return ()
     low, high = _box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
         return ("lacks the holes",)
     spoilt = name_arithmetic(exact, rings)
@@ -86,9 +86,9 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
 
 def _other_loops(case: Case, name: str, theirs: PointRings, rounding: Fraction) -> Iterator[str]:
     """Loops of the case that are not the one asked for."""
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     for other, words in LOOP_NAMES.items():
-        loop = exact_rings(case, other)
+        loop = list_exact_rings(case, other)
         if loop not in ((), exact) and _is_same(loop, theirs, rounding):
             yield f"exact for the {words} instead"
     named: dict[str, PointRings] = {
@@ -98,7 +98,7 @@ def _other_loops(case: Case, name: str, theirs: PointRings, rounding: Fraction) 
     if exact:
         low, high = _box(exact)
         box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
-        named["the convex hull of the exact one"] = [Polygon(hull(chain(*exact))).vertices]
+        named["the convex hull of the exact one"] = [Polygon(take_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
     for words, rings in named.items():
         if tuple(rings) != exact and _is_same(rings, theirs, rounding):
@@ -109,8 +109,8 @@ def _other_positions(
     case: Case, name: str, theirs: PointRings, rounding: Fraction
 ) -> Iterator[str]:
     """Mistakes in what is computed, each about any reference point."""
-    rings = exact_rings(case, name)
-    positions = _map(rings, 1, 0, 0, 1, minus(ORIGIN, case.reference))
+    rings = list_exact_rings(case, name)
+    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
     if name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, name)))
@@ -121,7 +121,7 @@ def _other_positions(
             continue
         points = [*_name_offsets(case, offset, rounding)]
         if not points:
-            by = pair(minus(offset, case.reference))
+            by = write_pair(subtract(offset, case.reference))
             points = [f"another reference point: all is moved by {by}"]
         if words and "the reference point given" in points:
             yield f"exact for {words}"
@@ -130,7 +130,7 @@ def _other_positions(
             yield from (f"exact for {words}{joint}{point}" for point in points)
     factor = _find_scale(rings, theirs, rounding)
     if factor is not None:
-        yield f"exact for another scale: it is {abridged(factor)} times as large"
+        yield f"exact for another scale: it is {abridge(factor)} times as large"
 
 
 _AXES = {
@@ -165,7 +165,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "the reference point given": case.reference,
         "G's first vertex as reference": first,
         "G's origin as reference": ORIGIN,
-        "the reference point negated": minus(ORIGIN, case.reference),
+        "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
         "the centre of G's box as reference": middle,
         "G's centroid as reference": _centroid(Polygon(ring)),
@@ -175,9 +175,9 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "G's leftmost vertex as reference": min(ring),
         "G's rightmost vertex as reference": max(ring),
         "G's highest vertex as reference": max(ring, key=lambda p: (p.y, p.x)),
-        "positions relative to D's first vertex": minus(case.reference, base),
-        "G's first vertex as reference, relative to D's first": minus(first, base),
-        "positions relative to the lower left corner of D's box": minus(low, d_low),
+        "positions relative to D's first vertex": subtract(case.reference, base),
+        "G's first vertex as reference, relative to D's first": subtract(first, base),
+        "positions relative to the lower left corner of D's box": subtract(low, d_low),
     }
     for name, point in named.items():
         if _is_near(point, offset, rounding):
@@ -202,9 +202,9 @@ def _mean(ring: Sequence[Point]) -> Point:
 def _find_offset(shape: PointRings, theirs: PointRings, rounding: Fraction) -> Point | None:
     """The translation that makes some rings others, except for rounding."""
     (low, high), (other_low, other_high) = _box(shape), _box(theirs)
-    if not _is_near(minus(high, low), minus(other_high, other_low), 2 * rounding):
+    if not _is_near(subtract(high, low), subtract(other_high, other_low), 2 * rounding):
         return None
-    by = minus(other_low, low)
+    by = subtract(other_low, low)
     return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
 
 

@@ -17,7 +17,7 @@ from itertools import pairwise
 
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
 from exactsweep.conform.judge.whiskers import is_on
-from exactsweep.conform.judge.witness import at_position, crossing_of, exact_rings, minus
+from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.words import count
@@ -50,7 +50,7 @@ def judge_fits(
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
-    fits = exact_fits(case, name)
+    fits = list_exact_fits(case, name)
     exact = {_unordered(fit) for fit in fits}
     answered = [_unordered(fit) for fit in theirs]
     if set(answered) == exact and len(answered) == len(exact):
@@ -89,7 +89,7 @@ def judge_fits(
     )
 
 
-def exact_fits(case: Case, name: str) -> Sequence[Fit]:
+def list_exact_fits(case: Case, name: str) -> Sequence[Fit]:
     """Return the exact fits of G around D, or inside it, as the name says."""
     return case.inner_exact_fits if name == INSIDE else case.exact_fits
 
@@ -194,15 +194,15 @@ def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
     Such pieces end on a loop of positions or on an exact fit.
     """
     p, q = segment
-    d = minus(q, p)
+    d = subtract(q, p)
     square = d.x * d.x + d.y * d.y
     yield from (p, q) if square else (p,)
     if not square:
         return
     ends: list[Point] = []
     crossings: list[Point | None] = []
-    fits = exact_fits(case, name)
-    for ring in (*exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
+    fits = list_exact_fits(case, name)
+    for ring in (*list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
         ends += ring
         crossings += (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
     on_line = [v for v in ends if d.x * (v.y - p.y) == d.y * (v.x - p.x)]

@@ -1,8 +1,9 @@
 """Two loops walked together: whether one is the other except for rounding.
 
-Two points go once round two loops, neither ever turning back, and are to stay closer than a bound
-in x and in y at every moment: the decision of the Fréchet distance (Alt and Godau, "Computing the
-Fréchet distance between two polygonal curves", 1995), in the maximum norm, where all is rational.
+Two points travel around two loops once, neither ever turning back, and are to stay closer than a
+bound in x and in y at every moment: the decision of the Fréchet distance (Alt and Godau,
+"Computing the Fréchet distance between two polygonal curves", 1995), in the maximum norm, where all
+is rational.
 
 The free space of an edge of the one and an edge of the other, the pairs of places that are close,
 is convex. So a walk through it is possible from any place on its left or lower side to any place on
@@ -23,7 +24,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.point import Point, PointRings
 
 MAX_CELLS = 300_000
@@ -108,14 +109,14 @@ def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fract
         one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
         if abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding:
             return False
-    turn = doubled_area(theirs)
+    turn = find_doubled_area(theirs)
     return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
         turn <= 0 and walk_together(exact, theirs[::-1], rounding)
     )
 
 
 def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[Point]]:
-    """Yield the loop as a path from a place close to a point once round to it."""
+    """Yield the loop as a path from a place close to a point all the way around to it."""
     for k, b in enumerate(loop):
         a = loop[k - 1]
         if close := _close(p, a, b, bound):

@@ -180,7 +180,7 @@ class Edges:
         return best
 
 
-def equally_near(
+def find_equally_near(
     edge: LoopEdge, start: Fraction, end: Fraction, near_start: LoopEdge, near_end: LoopEdge
 ) -> Fraction:
     """Where on a piece of an edge another one takes over from that which is nearest to its start.
@@ -199,7 +199,7 @@ def equally_near(
 
     Example:
         >>> low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 8), (9, 8))
-        >>> equally_near(LoopEdge((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
+        >>> find_equally_near(LoopEdge((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
         Fraction(1, 2)
     """
     (first, m), (second, n) = near_start.along(edge, start), near_end.along(edge, end)
@@ -236,7 +236,7 @@ def _rounded(value: Fraction) -> Fraction:
 _End = tuple[Fraction, LoopEdge]  # of a piece: the share of its edge, and an edge nearest to it
 
 
-def distance_squared(first: PointRings, second: PointRings) -> Squares:
+def bound_distance(first: PointRings, second: PointRings) -> Squares:
     """Bound the square of the Hausdorff distance of two sets of rings.
 
     Args:
@@ -254,7 +254,7 @@ def distance_squared(first: PointRings, second: PointRings) -> Squares:
         >>> from exactsweep import Point
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]
         >>> dented = [*square[:3], Point(Fraction(2), Fraction(1)), square[3]]
-        >>> distance_squared([square], [dented])
+        >>> bound_distance([square], [dented])
         (Fraction(36, 13), Fraction(36, 13))
     """
     scale = lcm(*(c.denominator for rings in (first, second) for r in rings for p in r for c in p))
@@ -293,7 +293,7 @@ def _one_way(rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPa
         if not pieces or -pieces[0][0] <= low * _CLOSE:
             break
         _, _, edge, start, end = heappop(pieces)
-        t = equally_near(edge, start[0], end[0], start[1], end[1])
+        t = find_equally_near(edge, start[0], end[0], start[1], end[1])
         distance, near = edges.nearest(edge.at(t))
         low = max(low, distance)
         add(edge, start, (t, near))

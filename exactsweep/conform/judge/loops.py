@@ -10,11 +10,17 @@ from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError
 from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.frechet import match_rings
-from exactsweep.conform.judge.hausdorff import distance_squared
-from exactsweep.conform.judge.region import RegionError, Trapezoid, area, differences, find_overlap
+from exactsweep.conform.judge.hausdorff import bound_distance
+from exactsweep.conform.judge.region import (
+    RegionError,
+    Trapezoid,
+    add_areas,
+    find_differences,
+    find_overlap,
+)
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import strip_whiskers, with_whiskers
-from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, witness
+from exactsweep.conform.judge.whiskers import strip_whiskers, trace_whiskers
+from exactsweep.conform.judge.witness import LOOP_NAMES, find_witness, list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Loop, Point
@@ -46,11 +52,11 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     Raises:
         WitnessError: the expected answer of the case is refuted by the definition.
 
-    Cost: linear for an exact answer; otherwise that of `differences`, `distance_squared`,
+    Cost: linear for an exact answer; otherwise that of `find_differences`, `bound_distance`,
         `match_rings` and `diagnose`, all of which are bounded by counts, and of a witness. What is
         too large to be compared so is undecided.
     """
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     if _are_rotations(loop.rings, exact):
         return _same(name, Verdict.EXACT)
     try:
@@ -92,7 +98,7 @@ def _measure(
     diagnosis: tuple[str, ...] = ()
     rounded = match_rings(exact, rings, rounding)
     if not rounded and name in _POSITIONS and case.exact_fits:
-        rounded = match_rings(with_whiskers(exact, case.exact_fits), rings, rounding)
+        rounded = match_rings(trace_whiskers(exact, case.exact_fits), rings, rounding)
         kind = "whisker" if rounded else ""
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
     lost: list[Trapezoid] = []
@@ -120,11 +126,11 @@ def _measure(
         name,
         verdict,
         reason,
-        distance_squared(exact, rings) if is_measured and exact and rings else None,
-        area(overlapping) if is_measured else None,
-        area(free) if is_measured else None,
-        witness(case, name, rings, overlapping) if overlapping else None,
-        witness(case, name, rings, free) if free else None,
+        bound_distance(exact, rings) if is_measured and exact and rings else None,
+        add_areas(overlapping) if is_measured else None,
+        add_areas(free) if is_measured else None,
+        find_witness(case, name, rings, overlapping) if overlapping else None,
+        find_witness(case, name, rings, free) if free else None,
         rounding,
         kind,
         diagnosis,
@@ -137,7 +143,7 @@ def _find_cells(
     """Find what is lost, what is extra, and whether that is all: of large loops, some of it."""
     sides: tuple[list[Trapezoid], list[Trapezoid]] = [], []
     try:
-        for cell in differences(exact, rings):
+        for cell in find_differences(exact, rings):
             found = sides[not cell.first]
             if is_small or len(found) < _MOST_SHOWN:
                 found.append(cell)

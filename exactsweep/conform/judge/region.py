@@ -63,11 +63,11 @@ class Trapezoid(NamedTuple):
         """Yield nine points inside with short coordinates."""
         width = self.right - self.left
         for a, b in _PARTS:
-            x = simplest(self.left + a * width, self.left + b * width)
+            x = find_simplest(self.left + a * width, self.left + b * width)
             share = (x - self.left) / width
             low, high = (y[0] + share * (y[1] - y[0]) for y in (self.low, self.high))
             for c, d in _PARTS:
-                yield Point(x, simplest(low + c * (high - low), low + d * (high - low)))
+                yield Point(x, find_simplest(low + c * (high - low), low + d * (high - low)))
 
 
 class _RegionEdge(NamedTuple):
@@ -87,7 +87,7 @@ class RegionError(ExactSweepError):
     """Rings with too many edges above each other, or that cross too often."""
 
 
-def differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
+def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
     Args:
@@ -107,7 +107,7 @@ def differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> bow_tie = [square[k] for k in (0, 2, 1, 3)]
-        >>> sum(cell.area for cell in differences([square], [bow_tie]))
+        >>> sum(cell.area for cell in find_differences([square], [bow_tie]))
         Fraction(2, 1)
     """
     for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
@@ -124,9 +124,9 @@ def find_overlap(rings: Sequence[Sequence[Point]]) -> tuple[int, int] | None:
         The indices of the two, or None where there are none.
 
     Raises:
-        RegionError: as by `differences`.
+        RegionError: as by `find_differences`.
 
-    Cost: that of `differences` of all rings.
+    Cost: that of `find_differences` of all rings.
 
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
@@ -186,7 +186,7 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
             yield a, b, _ordered(a, b, active) if inner else ordered
 
 
-def area(cells: Iterable[Trapezoid]) -> Fraction:
+def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
     """Return the sum of areas, added in pairs so that numbers of equal length meet."""
     terms = [cell.area for cell in cells]
     while len(terms) > 1:
@@ -195,19 +195,19 @@ def area(cells: Iterable[Trapezoid]) -> Fraction:
     return terms[0] if terms else Fraction(0)
 
 
-def simplest(low: Fraction, high: Fraction) -> Fraction:
+def find_simplest(low: Fraction, high: Fraction) -> Fraction:
     """Return the rational of the least denominator between two others, both allowed.
 
     Of integers it is the one nearest to zero. By continued fractions.
 
     Example:
-        >>> simplest(Fraction(31, 100), Fraction(36, 100))
+        >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
         Fraction(1, 3)
     """
     if low <= 0 <= high:
         return Fraction(0)
     if high < 0:
-        return -simplest(-high, -low)
+        return -find_simplest(-high, -low)
     # The partial quotients in common, then the least integer that is not below the lower end.
     quotients = []
     while (whole := -(-low.numerator // low.denominator)) > high:

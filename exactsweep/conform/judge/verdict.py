@@ -31,7 +31,7 @@ class Verdict(StrEnum):
     - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
       other rings, or with exact fits as whiskers.
     - within: theirs is the exact loop except for rounding. It has as many rings, and two points can
-      travel once round each of theirs and one of the exact rings, neither ever turning back, and
+      travel once around each of theirs and one of the exact rings, neither ever turning back, and
       never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
       the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
       together or appear on edges so, but nothing that is wider than `rounding` is lost. A rounded
@@ -101,7 +101,7 @@ class Witness:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ class PartComparison:
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
         values = {**vars(self), "area": self.area}
-        return {name: plain_data(value) for name, value in values.items()}
+        return {name: write_plain(value) for name, value in values.items()}
 
 
 @dataclass(frozen=True)
@@ -184,19 +184,19 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
-def plain_data(value: Any) -> Any:
+def write_plain(value: Any) -> Any:
     """Return a value as plain data: numbers as strings, tuples as lists.
 
-    >>> plain_data((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
+    >>> write_plain((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
     ['exact', ['1/2', '3'], None]
     """
     if isinstance(value, (Witness, PartComparison)):
         return value.to_json()
     if isinstance(value, tuple):
-        return [plain_data(item) for item in value]
+        return [write_plain(item) for item in value]
     if isinstance(value, Fraction):
         return format_fraction(value)
     return value.value if isinstance(value, Verdict) else value

@@ -57,7 +57,7 @@ def _strip(ring: Loop, fits: Sequence[Fit], whiskers: list[Fit]) -> Loop:
     return tuple(points)
 
 
-def with_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ...]:
+def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ...]:
     """Return rings with each fit that hangs on one of them traced as a whisker of it. Cost: O(nf).
 
     A fit hangs on a ring by its first end.

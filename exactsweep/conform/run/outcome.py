@@ -19,7 +19,7 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, limits, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, limits, quote, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -91,7 +91,7 @@ def read_exact(text: str) -> Fraction:
         return to_fraction(text)
 
 
-def witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     """Return the witnesses of a part of an outcome, the one of overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
@@ -161,7 +161,7 @@ def judge_answer(
         id=case.id,
         kind=case.kind,
         flags=case.flags,
-        digest=digest(case),
+        digest=digest_case(case),
         verdict=verdict,
         reason=comparison.reason,
         fault=name_fault(verdict, comparison.reason, parts, answer.stderr, case.id),
@@ -249,7 +249,7 @@ def shrink_outcome(
     return judge(peer, shrink(case, lambda case: judge(peer, case).fault, seconds=seconds))
 
 
-def digest(case: Case) -> str:
+def digest_case(case: Case) -> str:
     """Return a short hash of a case."""
     text = json.dumps(case_to_json(case), sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:16]
@@ -264,4 +264,4 @@ def _written(value: object) -> str:
     try:
         return format_fraction(to_fraction(value))
     except NumberError:
-        return quoted(value)
+        return quote(value)

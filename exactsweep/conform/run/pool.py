@@ -14,7 +14,7 @@ from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"
@@ -130,7 +130,7 @@ class Judges:
             try:
                 pending[self._pool.submit(function, *arguments)] = id
             except BrokenProcessPool:
-                raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+                raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
             # One more for each process, so that none waits for the next case to be made.
             if len(pending) >= 2 * self._pool.count:
                 yield from _take_results(pending)
@@ -152,9 +152,9 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
         try:
             yield id, future.result()
         except BrokenProcessPool:
-            raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+            raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
         except (OSError, ValueError) as error:
-            raise JudgeError(f"case {quoted(id)}: {error}") from None
+            raise JudgeError(f"case {quote(id)}: {error}") from None
 
 
 # What follows runs in the processes that judge.

@@ -12,13 +12,13 @@ from exactsweep.corpus.generator.cells import (
     Cell,
     Matrix,
     around,
-    block,
+    build_block,
+    build_frame,
     connect,
-    frame,
     grow,
     map_region,
     move,
-    outline,
+    trace_outline,
 )
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import untangle, walk
@@ -43,18 +43,18 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyomino_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return outline(_clump(random, 8)), outline(_clump(random, 24))
+    return trace_outline(_clump(random, 8)), trace_outline(_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
     """A clump of squares cut in two: the parts fit, along segments or in single positions."""
-    cells = set(_clump(random, 30)) | block(2, 2)
+    cells = set(_clump(random, 30)) | build_block(2, 2)
     part = {random.choice(sorted(cells))}
     for _ in range(random.between(0, len(cells) // 2)):
         beside = sorted(set(around(part)) & cells)
         if beside and len(cells) > len(part) + 1:
             part.add(random.choice(beside))
-    return outline(part), outline(connect(cells - part))
+    return trace_outline(part), trace_outline(connect(cells - part))
 
 
 def mould_pair(random: Prng) -> Regions:
@@ -63,21 +63,23 @@ def mould_pair(random: Prng) -> Regions:
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
-    return outline(part), outline(connect(block(width + 2, height + 2, -1, -1) - inside))
+    return trace_outline(part), trace_outline(
+        connect(build_block(width + 2, height + 2, -1, -1) - inside)
+    )
 
 
 def cave_pair(random: Prng) -> Regions:
     """A block with a room and a door, about as wide as the part, or no door at all."""
     width, height = random.between(3, 7), random.between(3, 7)
-    room = block(width - 2, height - 2, 1, 1)
+    room = build_block(width - 2, height - 2, 1, 1)
     start = random.between(1, width - 2)
     door = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
     pillars = {cell for cell in sorted(room) if random.chance(1, 10)}
-    solid = block(width, height) - room - door | pillars
-    part = block(random.between(1, 2), random.between(1, 2))
+    solid = build_block(width, height) - room - door | pillars
+    part = build_block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
         part = set(_clump(random, 5))
-    return outline(part), outline(connect(solid))
+    return trace_outline(part), trace_outline(connect(solid))
 
 
 def spiral_pair(random: Prng) -> Regions:
@@ -87,18 +89,20 @@ def spiral_pair(random: Prng) -> Regions:
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
     part = set(_clump(random, 5))
     if random.chance(3, 5):
-        part = block(random.between(1, gap), random.between(1, gap))
-    return outline(part), outline(walk(steps))
+        part = build_block(random.between(1, gap), random.between(1, gap))
+    return trace_outline(part), trace_outline(walk(steps))
 
 
 def ring_pair(random: Prng) -> Regions:
     """Two frames, one often as wide as the hole of the other: rings around rings."""
     width, height = random.between(3, 5), random.between(3, 5)
     more = [random.between(0, 2) if random.chance(1, 2) else 2 for _ in "xy"]
-    inner = frame(width, height)
+    inner = build_frame(width, height)
     if random.chance(3, 10):
         inner.discard((1, 0))
-    return outline(frame(width + more[0], height + more[1])), outline(connect(inner))
+    return trace_outline(build_frame(width + more[0], height + more[1])), trace_outline(
+        connect(inner)
+    )
 
 
 def star_pair(random: Prng) -> Regions:
@@ -153,11 +157,11 @@ def comb_pair(random: Prng) -> Regions:
         for k in range(2 * random.between(1, 3) + 1):
             width = random.choice([1, 1, 2])
             for _ in range(width):
-                cells |= block(1, 1 if k % 2 else random.between(2, 4), x)
+                cells |= build_block(1, 1 if k % 2 else random.between(2, 4), x)
                 x += 1
         return cells
 
-    return outline({(-x, -y) for x, y in comb()}), outline(comb())
+    return trace_outline({(-x, -y) for x, y in comb()}), trace_outline(comb())
 
 
 def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:

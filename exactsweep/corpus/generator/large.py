@@ -6,7 +6,7 @@ from exactsweep.corpus.generator.growing import bumps, comb
 from exactsweep.corpus.generator.numeric import RationalRings
 from exactsweep.corpus.generator.plain import RingPair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, IntegerPoint, Ring, convex, monotone
+from exactsweep.corpus.generator.shapes import Grid, IntegerPoint, Ring, draw_convex, draw_monotone
 
 
 def lower_bound_pair(random: Prng) -> RingPair:
@@ -16,7 +16,7 @@ def lower_bound_pair(random: Prng) -> RingPair:
         slope = random.between(-3, 3)
         generatrix, directrix = (_sheared(ring, slope) for ring in bumps(*sizes))
         return generatrix, directrix
-    generatrix = convex(random, 12, 40)
+    generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
     # Wider than G: it turns about each tooth; narrower: it rests on two of them.
     share = random.choice([1, 2, 5])
@@ -26,7 +26,7 @@ def lower_bound_pair(random: Prng) -> RingPair:
 def long_pair(random: Prng) -> RingPair:
     """Two monotone polygons of up to 60 vertices, with a wall here and there."""
     grid = Grid(cells=(10, 25), widths=(1, 2, 3), height=9, walls=1)
-    return monotone(random, grid), monotone(random, grid)
+    return draw_monotone(random, grid), draw_monotone(random, grid)
 
 
 def unequal_pair(random: Prng) -> RationalRings:

@@ -8,10 +8,10 @@ from exactsweep.corpus.generator.shapes import (
     Grid,
     IntegerPoint,
     Ring,
-    between,
-    convex,
-    hull,
-    monotone,
+    close_between,
+    draw_convex,
+    draw_monotone,
+    take_hull,
     walk,
 )
 
@@ -27,10 +27,10 @@ def rounded_crossings_pair(random: Prng) -> RingPair:
     integer takes them off the edge by thousands in y.
     """
     grid = Grid(cells=(2, 6), widths=(997, 1009, 1013, 2003, 3), height=100_003, pointed=5)
-    directrix = monotone(random, grid)
+    directrix = draw_monotone(random, grid)
     if random.chance(1, 3):
-        return convex(random, 7, 1999), directrix
-    return monotone(random, grid), directrix
+        return draw_convex(random, 7, 1999), directrix
+    return draw_monotone(random, grid), directrix
 
 
 def near_parallel_pair(random: Prng) -> RingPair:
@@ -56,8 +56,10 @@ def sliver_pair(random: Prng) -> RingPair:
     length = 10 ** random.between(5, 9)
     unit = length // 4
     grid = Grid(cells=(1, 4), widths=(unit, unit + 1, unit - 1), height=1, pointed=6)
-    first = monotone(random, grid)
-    second = random.choice([monotone(random, grid), convex(random, 8, 12), monotone(random, grid)])
+    first = draw_monotone(random, grid)
+    second = random.choice(
+        [draw_monotone(random, grid), draw_convex(random, 8, 12), draw_monotone(random, grid)]
+    )
     return (first, second) if random.chance(1, 2) else (second, first)
 
 
@@ -101,12 +103,14 @@ def _ripple(random: Prng) -> Ring:
     slope = random.choice([0, 1, NEAR])
     if random.chance(1, 4):
         steps = [(NEAR, slope + random.between(-3, 3)) for _ in range(random.between(2, 3))]
-        return hull([*walk(steps), (0, 1 + abs(slope)), (NEAR, random.between(4, 9) + abs(slope))])
+        return take_hull(
+            [*walk(steps), (0, 1 + abs(slope)), (NEAR, random.between(4, 9) + abs(slope))]
+        )
     bottom, top = (
         walk((NEAR, slope + random.between(-2, 2)) for _ in range(random.between(1, 3)))
         for _ in "bt"
     )
-    return between(random, bottom, top)
+    return close_between(random, bottom, top)
 
 
 def _perturbed(random: Prng, *rings: Ring) -> RingPair:
@@ -130,7 +134,7 @@ def _full_range(random: Prng, bits: int) -> Ring:
 
     if random.chance(1, 2):
         corners = [(anywhere(), anywhere()) for _ in range(random.between(3, 7))]
-        found = hull(corners)
+        found = take_hull(corners)
         return found if len(found) > 2 else [(low, low), (high, low), (low, high)]
     xs = sorted({low, high, *(anywhere() for _ in range(random.between(1, 3)))})
     bottom: list[IntegerPoint] = [(x, random.between(low, -1)) for x in xs]

@@ -34,7 +34,7 @@ class Grid(NamedTuple):
 P = TypeVar("P", bound=tuple[Any, Any])
 
 
-def hull(points: Iterable[P]) -> list[P]:
+def take_hull(points: Iterable[P]) -> list[P]:
     """The convex hull, corners only (Andrew's monotone chain)."""
     ordered = sorted(set(points))
     found: list[P] = []
@@ -52,12 +52,12 @@ def hull(points: Iterable[P]) -> list[P]:
     return found
 
 
-def convex(random: Prng, most: int, side: int) -> Ring:
+def draw_convex(random: Prng, most: int, side: int) -> Ring:
     """The hull of some random points, at most so many, of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
-    found = hull(points)
+    found = take_hull(points)
     return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 
@@ -70,10 +70,10 @@ def walk(steps: Iterable[IntegerPoint]) -> Ring:
     return chain
 
 
-def monotone(random: Prng, grid: Grid) -> Ring:
+def draw_monotone(random: Prng, grid: Grid) -> Ring:
     """A bottom and a top chain with breakpoints of their own."""
     bottom, top = _chain(random, grid), _chain(random, grid)
-    return between(random, bottom, top, grid.pointed)
+    return close_between(random, bottom, top, grid.pointed)
 
 
 def _chain(random: Prng, grid: Grid) -> Ring:
@@ -87,24 +87,26 @@ def _chain(random: Prng, grid: Grid) -> Ring:
     return chain
 
 
-def rectilinear(random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int) -> Ring:
+def draw_rectilinear(
+    random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int
+) -> Ring:
     """Horizontal and vertical edges only."""
 
     def chain() -> Ring:
         widths_drawn = [random.choice(widths) for _ in range(random.between(*cells))]
-        return columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
+        return build_columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
 
     bottom, top = chain(), chain()
-    return between(random, bottom, top, pointed=0)
+    return close_between(random, bottom, top, pointed=0)
 
 
-def columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
+def build_columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
     """The upper side of columns, from left to right, from x = 0 on."""
     xs = [x for x, _ in walk((width, 0) for width in widths)]
     return [(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]]
 
 
-def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
+def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
     """The ring between two chains that run from x = 0 to the right, the top one lifted clear."""
     last = max(bottom[-1][0], top[-1][0])
     bottom, top = (
@@ -121,7 +123,7 @@ def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
     return [*bottom, *right, *((x, y + lift) for x, y in reversed(top)), *left]
 
 
-def turned(ring: Ring) -> Ring:
+def turn_half(ring: Ring) -> Ring:
     """The ring turned by half a turn."""
     return [(-x, -y) for x, y in ring]
 

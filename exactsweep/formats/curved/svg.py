@@ -12,14 +12,14 @@ from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
-from exactsweep.formats.curved.svg_path import elliptic_arc, read_path
-from exactsweep.formats.curved.svg_placed import PlacedElement, kind
+from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
+from exactsweep.formats.curved.svg_placed import PlacedElement, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import MAX_VERTICES, Reading
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import ORIGIN, Point
 
 if TYPE_CHECKING:
@@ -61,8 +61,8 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         [('a', '(0, 0) (2, 0) (2, 1/2)')]
     """
     root = parse_xml(text)
-    if kind(root) != "svg":
-        raise FormatError(f"line {line(root)}: the root is {quoted(root.tag)}, not svg")
+    if name_kind(root) != "svg":
+        raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
     placed = PlacedElement(root, None, reading)
     if reading.unit is not None:
@@ -95,7 +95,7 @@ class _Document:
             yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
     def _drawn(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        element, name = placed.element, kind(placed.element)
+        element, name = placed.element, name_kind(placed.element)
         style = element.get("style", "").replace(" ", "")
         if element.get("display") == "none" or "display:none" in style:
             return
@@ -106,7 +106,7 @@ class _Document:
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":
-            plain = (e for e in element if kind(e) and _CONDITIONS.isdisjoint(e.attrib))
+            plain = (e for e in element if name_kind(e) and _CONDITIONS.isdisjoint(e.attrib))
             for child in (next(plain, None),):
                 if child is not None:
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
@@ -123,7 +123,7 @@ class _Document:
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
-        if kind(target) == "symbol":
+        if name_kind(target) == "symbol":
             yield from self.shapes(drawn, depth)
         else:
             yield from self._drawn(drawn, depth)
@@ -135,7 +135,7 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
     try:
         matrix = shape.matrix
         try:
-            found = _SHAPES[kind(shape.element)](shape, matrix, reading)
+            found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
             closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
             opened = [points for points in found if points[0] != points[-1]]
             # What a single ring is, is told when it is made a polygon.
@@ -186,7 +186,7 @@ def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[lis
     points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
     if not points:
         raise FormatError("points: none")
-    if kind(shape.element) == "polygon":
+    if name_kind(shape.element) == "polygon":
         points.append(points[0])
     return [place_points(points, matrix, reading)]
 
@@ -225,12 +225,12 @@ def _round_rectangle(
     ]
     found: list[Point] = []
     for ends in corners:
-        found += elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
+        found += flatten_elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
     return [*found, found[0]]
 
 
 def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    names = ("r", "r") if kind(shape.element) == "circle" else ("rx", "ry")
+    names = ("r", "r") if name_kind(shape.element) == "circle" else ("rx", "ry")
     rx, ry = (shape.size(name) for name in names)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))

@@ -14,7 +14,7 @@ from exactsweep.evidence.steps import Step, explain
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
-from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, counting, make_counted
 from exactsweep.paper.functions import (
     clip,
@@ -276,7 +276,7 @@ def lower_envelope_cm_is_right(pair: SweepPair) -> str:
 def count_operations(effort: Effort) -> Evidence:
     """Count the operations of LowerEnvelope_CM."""
     growth = tuple(_envelope_growth(family, effort) for family in (cm_hard, cm_undercut))
-    return Evidence("", first_failure(g.failure for g in growth), growth=growth)
+    return Evidence("", find_first_failure(g.failure for g in growth), growth=growth)
 
 
 def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:

@@ -9,7 +9,7 @@ from exactsweep import no_fit_polygon
 from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.paper.checks.beyond import no_fit_is_the_definition
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily
 from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
@@ -36,7 +36,7 @@ def _grow(
 
 
 def _beside_bounds(*growth: Growth, failure: str = "", tried: str = "Counts.") -> Evidence:
-    failure = failure or first_failure(series.failure for series in growth)
+    failure = failure or find_first_failure(series.failure for series in growth)
     return Evidence(tried, failure, growth=growth)
 
 
@@ -60,7 +60,7 @@ def count_holes(effort: Effort) -> Evidence:
         for p in series.points
         if p.count < ((p.m // 6 - 1) * (p.n // 6 - 1) - 1) ** 2
     )
-    failure = no_fit_is_the_definition(SweepPair(*forks(18, 18))) or first_failure(few)
+    failure = no_fit_is_the_definition(SweepPair(*forks(18, 18))) or find_first_failure(few)
     tried = "A family of forks, one of them held against the definition."
     return _beside_bounds(*growth, failure=failure, tried=tried)
 

@@ -16,7 +16,7 @@ from math import lcm
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
-from exactsweep.corpus.generator.shapes import Ring, hull
+from exactsweep.corpus.generator.shapes import Ring, take_hull
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
@@ -27,13 +27,13 @@ Opening = tuple[SegmentPiece | None, SegmentPiece | None]
 T = TypeVar("T")
 
 
-def contact_pieces(generatrix: Ring, directrix: Ring) -> list[SegmentPiece]:
+def find_contact_pieces(generatrix: Ring, directrix: Ring) -> list[SegmentPiece]:
     """The pieces of the positions of G in contact with D, connected with the leftmost one.
 
     Cost: O(m n) segments, cut where they meet, each piece classified: for small polygons.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> len(contact_pieces(triangle, triangle))
+    >>> len(find_contact_pieces(triangle, triangle))
     6
     """
     g, d = Polygon(generatrix).vertices, Polygon(directrix).vertices
@@ -59,20 +59,20 @@ def contact_pieces(generatrix: Ring, directrix: Ring) -> list[SegmentPiece]:
     return [piece for piece in touching if groups.root(piece[0]) == first]
 
 
-def swept_polygons(generatrix: Ring, pieces: Iterable[SegmentPiece]) -> list[list[Point]]:
+def list_swept_polygons(generatrix: Ring, pieces: Iterable[SegmentPiece]) -> list[list[Point]]:
     """Convex polygons whose union is what an X-monotone G passes over along pieces of its path."""
-    cells = convex_cells(generatrix)
+    cells = cut_to_cells(generatrix)
     return [
-        hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
+        take_hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
         for piece in pieces
         for cell in cells
     ]
 
 
-def convex_cells(ring: Ring) -> list[list[Point]]:
+def cut_to_cells(ring: Ring) -> list[list[Point]]:
     """Convex polygons whose union is an X-monotone polygon: itself, or one for each slab.
 
-    >>> len(convex_cells([(0, 0), (1, 2), (2, 0), (2, 3), (0, 3)]))
+    >>> len(cut_to_cells([(0, 0), (1, 2), (2, 0), (2, 3), (0, 3)]))
     2
     """
     points = list(Polygon(ring).vertices)
@@ -82,11 +82,11 @@ def convex_cells(ring: Ring) -> list[list[Point]]:
     cells = []
     for left, right in pairwise(sorted({p.x for p in points})):
         across = [edge for edge in edges if edge[0].x <= left and right <= edge[1].x]
-        cells.append(hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
+        cells.append(take_hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
     return cells
 
 
-def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
+def count_free_parts(polygons: Sequence[Sequence[Point]]) -> int:
     """Into how many connected parts a union of closed convex polygons divides the rest.
 
     One for a disc, two for an annulus.
@@ -95,7 +95,7 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
         polygons: their vertices, counter-clockwise.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> free_parts(swept_polygons(triangle, contact_pieces(triangle, triangle)))
+    >>> count_free_parts(list_swept_polygons(triangle, find_contact_pieces(triangle, triangle)))
     2
     """
     scale = lcm(*(c.denominator for polygon in polygons for p in polygon for c in p))

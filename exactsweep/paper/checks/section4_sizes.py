@@ -11,7 +11,7 @@ from exactsweep.paper.claim import (
     Effort,
     Evidence,
     Table,
-    first_failure,
+    find_first_failure,
 )
 from exactsweep.paper.costs import run_inner_cm, run_outer_cm, run_trajectory_cm
 from exactsweep.paper.counting import grow_vertices
@@ -64,7 +64,7 @@ def _attained(*growth: Growth) -> Evidence:
     falling = (
         "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
     )
-    failure = first_failure(g.failure for g in growth) or first_failure(falling)
+    failure = find_first_failure(g.failure for g in growth) or find_first_failure(falling)
     return Evidence("", failure, growth=growth)
 
 

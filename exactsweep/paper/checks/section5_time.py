@@ -20,7 +20,7 @@ from exactsweep.paper.checks.section5_sizes import (
     sizes_from,
     whole_trajectory,
 )
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import (
     PairFamily,
@@ -60,7 +60,7 @@ def count_one_merge(effort: Effort) -> Evidence:
 
     growth = grow("operations of one merge", "zigzags", "m + n", double(64, 4), count)
     pairs = list(product(_tiny_chains(), repeat=2))
-    failure = growth.failure or first_failure(
+    failure = growth.failure or find_first_failure(
         lowest("chain", [a, b], list(lower_envelope_mm([Envelope.of(a), Envelope.of(b)])))
         for a, b in pairs
     )
@@ -98,7 +98,7 @@ def find_growing_level(effort: Effort) -> Evidence:
     growth = tuple(_envelope_growth(family, effort) for family in (figure10, mm))
     return Evidence(
         f"The first {searched} pairs of chains of one or two edges on the 3 by 3 grid; counts.",
-        first_failure(g.failure for g in growth),
+        find_first_failure(g.failure for g in growth),
         against,
         growth=growth,
         searched=searched,
@@ -161,7 +161,9 @@ def count_step_2(effort: Effort) -> Evidence:
         grow_operations("step 2", step_2, family, MN, sizes) for family in (figure10, mm)
     )
     return Evidence(
-        "Counts of the step to the letter.", first_failure(g.failure for g in growth), growth=growth
+        "Counts of the step to the letter.",
+        find_first_failure(g.failure for g in growth),
+        growth=growth,
     )
 
 
@@ -183,7 +185,7 @@ def count_glance(effort: Effort) -> Evidence:
         grow_operations("merging by turns", merge_by_turns, cm_hard, bounds[0], sizes),
         grow_operations("merging by halves", merge_by_halves, cm_hard, bounds[1], sizes, STEPS),
     )
-    failure = first_failure(g.failure for g in growth)
+    failure = find_first_failure(g.failure for g in growth)
     if growth[0].exponent() < 1.7:
         failure = failure or "merging by turns takes less than order m²"
     return Evidence("Counts to the letter.", failure, growth=growth)
