@@ -13,6 +13,7 @@ from math import gcd
 from numbers import Rational, Real
 from operator import attrgetter
 
+from exactsweep.geometry.digits import read_int, write_int
 from exactsweep.geometry.error import ExactSweepError
 
 _ECHO = 40
@@ -230,9 +231,8 @@ def format_fraction(value: Fraction) -> str:
         >>> format_fraction(Fraction(-7, 2))
         '-7/2'
     """
-    # Decimal converts ints exactly and, unlike str(int), whatever the interpreter's digit limit.
-    numerator = str(Decimal(value.numerator))
-    return numerator if value.denominator == 1 else f"{numerator}/{Decimal(value.denominator)}"
+    numerator = write_int(value.numerator)
+    return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
 
 
 def _from_string(text: str) -> Fraction:
@@ -246,7 +246,7 @@ def _from_string(text: str) -> Fraction:
         if denominator == "0":
             raise NumberError(f"{quoted(text)} has a zero denominator")
         _check_before_reduction(text, max(len(numerator.lstrip("-")), len(denominator)))
-        return _check(text, Fraction(int(Decimal(numerator)), int(Decimal(denominator))))
+        return _check(text, Fraction(read_int(numerator), read_int(denominator)))
     # Decimal itself overflows at exponents of some 18 digits.
     if exponent is not None and len(exponent.lstrip("0")) > 15:
         raise _too_long(text)

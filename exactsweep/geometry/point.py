@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
+
+from exactsweep.geometry.digits import write_int
 
 
 class Point(NamedTuple):
@@ -16,7 +17,7 @@ class Point(NamedTuple):
     def __repr__(self) -> str:
         """As Python writes it; but Python refuses to write ints of more than 4300 digits."""
         x, y = (
-            f"Fraction({Decimal(c.numerator)}, {Decimal(c.denominator)})"
+            f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
             if isinstance(c, Fraction)
             else repr(c)
             for c in self

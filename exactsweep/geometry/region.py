@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import chain
 from math import lcm
 
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import named
 from exactsweep.geometry.number import abridged
@@ -113,7 +114,7 @@ class Region(PointSet):
     @property
     def area(self) -> Fraction:
         """The area: that of the exterior less those of the holes."""
-        return self.exterior.area - sum((hole.area for hole in self.holes), Fraction(0))
+        return self.exterior.area - add_up(hole.area for hole in self.holes)
 
     @property
     def is_convex(self) -> bool:
