@@ -58,7 +58,7 @@ def long_star(n: int, digits: int) -> list[tuple[Fraction, Fraction]]:
         radius, angle = 100 if k % 2 else 50, 2 * math.pi * k / n + 0.1
         for unit in (math.cos(angle), math.sin(angle)):
             denominator = rng.getrandbits(int(3.32 * digits)) | 1
-            points.append(Fraction(int(radius * unit * 1000) * denominator // 1000, denominator))
+            points.append(Fraction(int(radius * unit * 10**9) * denominator // 10**9, denominator))
     return [*zip(points[::2], points[1::2], strict=True)]
 
 
