@@ -73,7 +73,7 @@ def test_hardly_a_sign_of_a_long_ring_is_computed(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(lazy_number.LazyNumber, "_exact", count)
     assert len(Polygon(long_star(300, 1000))) == 300
-    assert computed <= 10, computed
+    assert computed < 100  # and were 20,000
 
 
 @given(st.lists(st.fractions(), max_size=40))

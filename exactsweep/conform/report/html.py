@@ -23,11 +23,11 @@ from exactsweep.canvas.svg import path_data
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import root, tell_costs, witness_lines
-from exactsweep.conform.run.outcome import Outcome, read_exact, witnesses
+from exactsweep.conform.run.outcome import Outcome, witnesses
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, expected_rings
-from exactsweep.geometry.number import NumberError, to_fraction
+from exactsweep.geometry.number import NumberError, read_any_length, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.text.report import approximation
 
@@ -144,17 +144,17 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
         "name": part["name"].replace("_", " "),
         "verdict": part["verdict"],
         "reason": part["reason"],
-        "distance": _about(root(read_exact(squares[0]))) if squares else "",
+        "distance": _about(root(read_any_length(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
-        "granted": _about(read_exact(part["granted"])) if part["granted"] else "",
+        "granted": _about(read_any_length(part["granted"])) if part["granted"] else "",
         "diagnosis": part["diagnosis"],
         "said": said or [part["reason"]],
     }
 
 
 def _area(text: str | None) -> str:
-    return "" if text is None else _about(read_exact(text))
+    return "" if text is None else _about(read_any_length(text))
 
 
 def _about(value: Fraction) -> str:
@@ -261,7 +261,7 @@ def _scene(
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]
-    return _Scene(tuple(layers), seen, root(read_exact(squares[1])) if squares else None)
+    return _Scene(tuple(layers), seen, root(read_any_length(squares[1])) if squares else None)
 
 
 def _severity(part: Mapping[str, Any]) -> int:
