@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from itertools import chain
 from random import Random
 
 import pytest
@@ -131,6 +132,21 @@ def test_areas_of_answers_add_up_in_time(monkeypatch: pytest.MonkeyPatch) -> Non
     s = sweep(parabola, [(2 * x, 2 * y) for x, y in parabola])
     assert s.area == s.outer.area - s.inner.area
     assert verify(s.certificate()).proved
+
+
+def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
+    """Each of 60 has one of 2000 bits; once all numbers were brought over the product of all."""
+    rng = Random(5)
+    units = [Fraction(1, rng.getrandbits(2000) | 1) for _ in range(60)]
+    holes = [[(3 * k, 1), (3 * k + 1 + e, 1), (3 * k, 2 - e)] for k, e in enumerate(units)]
+    plate = Region([(-1, 0), (200, 0), (200, 3), (-1, 3)], holes)
+    scale, rings = plate.lattice()
+    assert scale == 1
+    assert (
+        max(n.bit_length() for p in chain(*rings) for c in p for n in c.as_integer_ratio()) < 2100
+    )
+    with pytest.raises(PolygonError, match="hole 0, edge [02], and hole 60, edge [0-2] cross"):
+        Region(plate.exterior, [*holes, [(units[1], units[2]), (1, units[2]), (units[0], 2)]])
 
 
 @pytest.mark.parametrize("digits", [1, 2047, 2048, 2049, 2467, 5000, 9999, 40_000])
