@@ -145,7 +145,7 @@ def test_holes_of_unrelated_denominators_share_no_lattice() -> None:
     assert (
         max(n.bit_length() for p in chain(*rings) for c in p for n in c.as_integer_ratio()) < 2100
     )
-    with pytest.raises(PolygonError, match="hole 0, edge [02], and hole 60, edge [0-2] cross"):
+    with pytest.raises(PolygonError, match=r"hole 60, edge \d.* cross"):
         Region(plate.exterior, [*holes, [(units[1], units[2]), (1, units[2]), (units[0], 2)]])
 
 
