@@ -13,7 +13,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {"geometry.error", "geometry.number", "geometry.point"}
+NUMBERS = {"geometry.digits", "geometry.error", "geometry.number", "geometry.point"}
 GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
@@ -22,8 +22,12 @@ RULES: dict[str, tuple[set[str], str]] = {
     "words": (NUMBERS, "plain words stand on numbers"),
     "processes": (set(), "starting and ending processes knows nothing of geometry"),
     "geometry.error": (set(), "refusals stand on nothing"),
-    "geometry.number": ({"geometry.error"}, "numbers stand on nothing but refusals"),
-    "geometry.point": ({"geometry.number"}, "points stand on numbers alone"),
+    "geometry.digits": (set(), "digits stand on nothing"),
+    "geometry.number": (
+        {"geometry.digits", "geometry.error"},
+        "numbers stand on nothing but digits and refusals",
+    ),
+    "geometry.point": ({"geometry.digits"}, "points stand on digits alone"),
     "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
     "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
     "procedures": (
