@@ -29,7 +29,7 @@ from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
 from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts, inverse, split
+from exactsweep.procedures.chain import find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
@@ -180,7 +180,7 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
     top, bottom, directrix = pair.chains
     partial: Envelope | None = None
-    for part in convex_parts(directrix):
+    for part in find_convex_parts(directrix):
         chain = sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
         if partial is None:
             partial = Envelope.of(chain)
@@ -256,7 +256,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
     top, bottom, directrix = pair.chains
     chains = [
         sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
-        for part in convex_parts(directrix)
+        for part in find_convex_parts(directrix)
     ]
     return all(meetings(before, after)[1] for before, after in pairwise(chains))
 
@@ -264,7 +264,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
     top, _, directrix = pair.chains
-    chains = [trajectory_cc(top, part) for part in convex_parts(directrix)]
+    chains = [trajectory_cc(top, part) for part in find_convex_parts(directrix)]
     partial = Envelope.of(chains[0])
     for k, chain in enumerate(chains[1:], 2):
         partial = lower_envelope_cm(partial, Envelope.of(chain))
@@ -288,7 +288,7 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
         with watch_operations() as tally:
             pieces = [
                 Envelope.of(merge_by_slope(edges, part))
-                for part in convex_parts(make_counted(directrix))  # type: ignore[arg-type]
+                for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
             before, partial = tally.total, pieces[0]

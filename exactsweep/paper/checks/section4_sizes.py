@@ -19,7 +19,7 @@ from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import MN, Growth, double
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
@@ -27,7 +27,7 @@ def sizes_are_bounded(pair: SweepPair) -> str:
     """For k parts, m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges are enough."""
     top, bottom, directrix = pair.chains
     m_b, n_t, n_b = (len(keep_corners(chain)) - 1 for chain in (directrix, top, bottom))
-    k, loops = len(convex_parts(directrix)), look_up(pair)
+    k, loops = len(find_convex_parts(directrix)), look_up(pair)
     found = [
         len(list(chain)) - 1
         for chain in (
@@ -98,7 +98,7 @@ def find_large_parts(effort: Effort) -> Evidence:
 def parts_are_bounded(pair: SweepPair) -> str:
     """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
     top, bottom, directrix = pair.chains
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     k, m_b, n_t, n_b = len(parts), len(directrix) - 1, len(top) - 1, len(bottom) - 1
     inner = sum(len(keep_corners(trajectory_cc(top, part))) - 1 for part in parts)
     outer = sum(len(keep_corners(sweep_outer_cc(top, bottom, part))) - 1 for part in parts)

@@ -39,7 +39,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.chain import convex_parts, inverse
+from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
@@ -113,7 +113,7 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
         with watch_operations() as tally:
             chains = [
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
-                for part in convex_parts(inverse(top))
+                for part in find_convex_parts(inverse(top))
             ]
             before, size = tally.total, sum(len(chain.pieces) for chain in chains)
             merged = lower_envelope_mm(chains)
@@ -127,7 +127,7 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_MM returns what is lowest over every x."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     chains = [trajectory_cm(inverse(part), directrix) for part in parts]
     found = lower_envelope_mm(chains)
     return lowest(
