@@ -196,8 +196,9 @@ def named_types(source: str) -> Iterator[str]:
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")
     for node in tree.body:
-        if isinstance(node, ast.Assign):
-            names = [ast.unparse(target).lstrip("_") for target in node.targets]
+        if isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = [ast.unparse(target).lstrip("_") for target in targets]
             # Constants are in capitals; what holds a value of a type is in small letters.
             yield from (name for name in names if name[:1].isupper() and not name.isupper())
 
@@ -220,7 +221,9 @@ def test_no_two_types_have_one_name() -> None:
 def test_namesakes_are_found() -> None:
     one = "class Ring: ...\n"
     other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
-    assert namesakes([("a", one), ("b", other)]) == {"Ring": ["a", "b"]}
+    third = "Loop: TypeAlias = list[int]\n"
+    found = namesakes([("a", one), ("b", other), ("c", third)])
+    assert found == {"Ring": ["a", "b"], "Loop": ["b", "c"]}
 
 
 ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))
