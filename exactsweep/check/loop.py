@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Line, LowerChain, Node, heights, turn
+from exactsweep.check.chain import Line, LowerChain, Node, turn, walk_heights
 from exactsweep.geometry.number import split_ratios
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -126,7 +126,9 @@ def _is_below(lower: LowerChain, turned_upper: LowerChain) -> bool:
     """Whether a lower chain is below an upper one, except for a common first and last point."""
     # Without jumps the limits from both sides are the same.
     for side in (-1, 1) if lower.jumps or turned_upper.jumps else (1,):
-        first, *inside, last = (gap for gap, _ in heights(lower, turned_upper, (0, 0, 1), side))
+        first, *inside, last = (
+            gap for gap, _ in walk_heights(lower, turned_upper, (0, 0, 1), side)
+        )
         if max(first, last) > 0 or max(inside, default=-1) >= 0:
             return False
     return True

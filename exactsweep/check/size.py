@@ -12,7 +12,7 @@ from exactsweep.check.length import reading_steps
 from exactsweep.geometry.point import Point
 
 
-def common_scale(points: Collection[Point], max_steps: int) -> int:
+def find_common_scale(points: Collection[Point], max_steps: int) -> int:
     """The least common denominator; raise CertificateError if it alone makes too many steps."""
     scale = 1
     for x, y in points:

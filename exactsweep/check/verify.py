@@ -39,8 +39,8 @@ from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.check.size import check_reading, check_size, common_scale
-from exactsweep.check.sums import check_sum_within, steps_within
+from exactsweep.check.size import check_reading, check_size, find_common_scale
+from exactsweep.check.sums import check_sum_within, count_steps
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
@@ -94,7 +94,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = NodeFrame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
         "generatrix": frame.enter(c.generatrix, ORIGIN),
         "directrix": frame.enter(c.directrix, ORIGIN),
@@ -108,7 +108,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
     )
     inverse = MonotoneLoop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
-    check_size(placed.values(), sum(steps_within(*loops) for loops in sums), max_steps)
+    check_size(placed.values(), sum(count_steps(*loops) for loops in sums), max_steps)
 
     kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
     if c.kind != kind:

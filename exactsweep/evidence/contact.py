@@ -23,7 +23,7 @@ from typing import Any, Literal, NamedTuple
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, find_direction, make_segment
+from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -73,11 +73,11 @@ def find_edge_contacts(
     longest = {key: max(p.high - p.low for p, _ in line) for key, line in lines.items()}
     found: list[set[Contact]] = [set() for _ in edges]
 
-    def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
-        touching = make_segment((first, last))
-        key = touching.direction, touching.offset
+    def note(event: Event, i: int, j: int, u: Vector, first: Vertex, last: Vertex) -> None:
+        key = u, find_offset(u, first)
         if key not in lines:
             return
+        touching = make_segment((first, last), u)
         # Of many pieces on one line only those nearby.
         line = lines[key]
         start = bisect_left(line, touching.low - longest[key], key=_low)
@@ -86,25 +86,29 @@ def find_edge_contacts(
                 found[k].add(Contact(event, i, j))
 
     directions = {direction for direction, _ in lines}
-    g_edges, d_edges = (
-        {k: edge for k, edge in enumerate(shape.edges) if find_direction(edge) in directions}
+    g_along, d_along = (
+        {k: u for k, edge in enumerate(shape.edges) if (u := find_direction(edge)) in directions}
         for shape in (generatrix, directrix)
     )
+    g_edges, d_edges = (
+        {k: shape.edge(k) for k in along_edge}
+        for shape, along_edge in ((generatrix, g_along), (directrix, d_along))
+    )
     parallel: defaultdict[Vector, list[int]] = defaultdict(list)
-    for j, edge in d_edges.items():
-        parallel[find_direction(edge)].append(j)
+    for j, u in d_along.items():
+        parallel[u].append(j)
     for i, (p, q) in g_edges.items():
-        for j in parallel[find_direction((p, q))]:
+        for j in parallel[g_along[i]]:
             r, s = d_edges[j]
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
-                note("EE", i, j, minus(r, p), minus(s, q))
+                note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
     for i, j in find_facing(g_edges, directrix):
         (p, q), v = g_edges[i], directrix.vertices[j]
-        note("EV", i, j, minus(v, p), minus(v, q))
+        note("EV", i, j, g_along[i], minus(v, p), minus(v, q))
     for j, i in find_facing(d_edges, generatrix):
         (r, s), w = d_edges[j], generatrix.vertices[i]
-        note("VE", i, j, minus(r, w), minus(s, w))
+        note("VE", i, j, d_along[j], minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
 
 

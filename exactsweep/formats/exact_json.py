@@ -31,7 +31,7 @@ def parse_json(text: str) -> object:
         >>> parse_json('[0.10, 1e400, "1/3"]')
         ['0.10', '1e400', '1/3']
     """
-    return _parsed(text, str)
+    return _parse(text, str)
 
 
 def parse_certificate(text: str) -> object:
@@ -52,7 +52,7 @@ def parse_certificate(text: str) -> object:
         >>> parse_certificate('[0, "1/3"]')
         [0, '1/3']
     """
-    return _parsed(text, None)
+    return _parse(text, None)
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
@@ -200,7 +200,7 @@ def describe_kind(value: object) -> str:
     return json.dumps(value)
 
 
-def _parsed(text: str, number: Callable[[str], object] | None) -> object:
+def _parse(text: str, number: Callable[[str], object] | None) -> object:
     try:
         document: object = json.loads(
             text,

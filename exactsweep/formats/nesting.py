@@ -130,14 +130,14 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     found: list[tuple[int, Candidate]] = []
     for members in layers.values():
         try:
-            found += _nested(members)
+            found += _nest(members)
         except ValueError as error:
             reason = f"nested outlines are read with all of their layer: {error}"
             found += [(k, Candidate.refused(reason, o.name, o.layer)) for k, o in members]
     return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
 
 
-def _nested(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
+def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Make holes of what lies inside other outlines, each given with its number."""
     rings = [
         (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))

@@ -169,7 +169,7 @@ def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
@@ -188,7 +188,7 @@ def read_region(path: str, tolerance: object = None, **options: Unpack[Options])
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_region(read_text(file), choice, tolerance, **options)
 
 
@@ -208,7 +208,7 @@ def read_polygons(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_polygon)
 
 
@@ -229,7 +229,7 @@ def read_regions(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_region)
 
 
@@ -238,7 +238,7 @@ def read_candidates(
 ) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         candidates = parse_candidates(read_text(file), tolerance, **options)
         return candidates if choice is None else select(candidates, choice)
 
@@ -336,7 +336,7 @@ def split_choice(path: str) -> tuple[str, str | None]:
 
 
 @contextmanager
-def _naming(file: str) -> Iterator[None]:
+def _name_file(file: str) -> Iterator[None]:
     """Put the name of the file before the message of every refusal."""
     try:
         yield

@@ -105,7 +105,7 @@ def to_fraction(value: object) -> Fraction:
     if type(value) is Fraction:
         return value
     if type(value) is int:
-        return _reduced(value, 1)
+        return _make_reduced(value, 1)
     if isinstance(value, str):
         return _from_string(value)
     if isinstance(value, float):
@@ -129,7 +129,7 @@ def to_fraction(value: object) -> Fraction:
     raise NumberError(f"{quote(value)} is not a rational number")
 
 
-def _reduced(numerator: int, denominator: int) -> Fraction:
+def _make_reduced(numerator: int, denominator: int) -> Fraction:
     """Make a Fraction of coprime ints, the second one positive.
 
     Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
@@ -160,11 +160,11 @@ def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     if type(divisor) is int:
         if type(value) is int:
             common = gcd(value, divisor)
-            return _reduced(value // common, divisor // common)
+            return _make_reduced(value // common, divisor // common)
         if type(value) is Fraction:
             n, d = value.as_integer_ratio()
             common = gcd(n, divisor)
-            return _reduced(n // common, d * (divisor // common))
+            return _make_reduced(n // common, d * (divisor // common))
     return Fraction(value, divisor)
 
 
@@ -179,7 +179,7 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
         common = gcd(value, divisor)
         if common == divisor:
             return value // common
-        return _reduced(value // common, divisor // common)
+        return _make_reduced(value // common, divisor // common)
     whole = value // divisor
     return whole if whole * divisor == value else divide_exactly(value, divisor)
 
@@ -196,7 +196,7 @@ def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]
     found: list[Fraction] = []
     for v in values:
         if type(v) is int:
-            # As `_reduced` does, without the call.
+            # As `_make_reduced` does, without the call.
             fraction = _new(Fraction)
             fraction._numerator = v  # type: ignore[attr-defined]
             fraction._denominator = 1  # type: ignore[attr-defined]
@@ -215,7 +215,7 @@ def negate(value: int | Fraction) -> int | Fraction:
     """
     if type(value) is Fraction:
         n, d = value.as_integer_ratio()
-        return _reduced(-n, d)
+        return _make_reduced(-n, d)
     return -value
 
 
@@ -229,7 +229,7 @@ def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[in
     if isinstance(value, Fraction) and all(type(k) is int for k in ints):
         # n/d + k is in lowest terms as n/d is.
         n, d = value.as_integer_ratio()
-        return [_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
+        return [_make_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
     return [value + k for k in ints]
 
 
@@ -259,7 +259,7 @@ def _from_string(text: str) -> Fraction:
     digits = text.removeprefix("-")
     is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
     if is_int and len(text) <= _SHORT and len(text) <= _max_digits.get():
-        return _reduced(int(text), 1)
+        return _make_reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
@@ -288,7 +288,7 @@ def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
 def _from_real(value: float | Real) -> Fraction:
     try:
         binary = float(value)
-        exact = _reduced(*binary.as_integer_ratio())
+        exact = _make_reduced(*binary.as_integer_ratio())
     except (OverflowError, ValueError):
         raise NumberError(f"{quote(value)} is not a finite number") from None
     if binary != value:

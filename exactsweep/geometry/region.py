@@ -61,13 +61,13 @@ class Region(PointSet):
             exterior = exterior.exterior
         elif not isinstance(exterior, Polygon):
             exterior, *told = read_interface(exterior) or [exterior]
-            inner += [_named(hole, f"hole {k}") for k, hole in enumerate(told)]
-        outer = _named(exterior, "exterior")
+            inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(told)]
+        outer = _read_named(exterior, "exterior")
         try:
             given = list(holes)
         except TypeError:
             raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
-        inner += [_named(hole, f"hole {k}") for k, hole in enumerate(given)]
+        inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
         if inner:
             _check(outer, inner)
         order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
@@ -262,7 +262,7 @@ def number_features(
     )
 
 
-def _named(ring: Vertices, name: str) -> Polygon:
+def _read_named(ring: Vertices, name: str) -> Polygon:
     with name_refusals(name):
         return Polygon(ring)
 
@@ -295,7 +295,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for k in range(1, len(rings)):
         if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    for k, j in _enclosed(rings):
+    for k, j in _find_enclosed(rings):
         points = find_points_between({0: rings[k]}, places[k])
         if any(is_inside(point, [rings[j]]) for point in points):
             raise PolygonError(f"{names[k]} is inside {names[j]}")
@@ -320,7 +320,7 @@ def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], 
         active.append(box)
 
 
-def _enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
+def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
     """The pairs of holes of which the bounds of the first lie in those of the second."""
     boxes = []
     for k, ring in enumerate(rings[1:], 1):

@@ -172,7 +172,7 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
         while started < len(edges) and edges[started].left.x == left:
             active.append(edges[started])
             started += 1
-        ordered = _ordered(left, right, active)
+        ordered = _order(left, right, active)
         inner: set[Fraction] = set()
         work += len(active)
         for share in _crossings(ordered):
@@ -183,7 +183,7 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
         if work > MAX_WORK:
             raise RegionError("too many edges above each other, or crossings, to be measured")
         for a, b in pairwise([left, *sorted(inner), right]):
-            yield a, b, _ordered(a, b, active) if inner else ordered
+            yield a, b, _order(a, b, active) if inner else ordered
 
 
 def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
@@ -249,6 +249,6 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
         below.insert(k, heights)
 
 
-def _ordered(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
+def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
     """The edges with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

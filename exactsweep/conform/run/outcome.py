@@ -256,11 +256,11 @@ def digest_case(case: Case) -> str:
 
 
 def _plain(result: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    text = json.dumps(result, default=_written)
+    text = json.dumps(result, default=_write_number)
     return json.loads(text) if len(text) <= _MAX_RESULT else None
 
 
-def _written(value: object) -> str:
+def _write_number(value: object) -> str:
     try:
         return format_fraction(to_fraction(value))
     except NumberError:

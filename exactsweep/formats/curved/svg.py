@@ -111,11 +111,11 @@ class _Document:
                 if child is not None:
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
         elif name == "use":
-            yield from self._used(placed, depth + 1)
+            yield from self._follow_use(placed, depth + 1)
         elif name in _SHAPES:
             yield placed
 
-    def _used(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
+    def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
@@ -242,7 +242,7 @@ def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[P
     return read_path(shape.element.get("d", ""), matrix, reading)
 
 
-def _nothing(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
+def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
 
@@ -255,5 +255,5 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     "line": _line,
     "path": _path,
     # One whose target is not there.
-    "use": _nothing,
+    "use": _refuse_shape,
 }

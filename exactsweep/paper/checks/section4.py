@@ -127,7 +127,7 @@ def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     return ""
 
 
-def resting_pairs() -> list[SweepPair]:
+def build_resting_pairs() -> list[SweepPair]:
     """Pairs in which G rests with an edge on two or three teeth, at several slopes."""
     found = []
     for slope, depth, teeth in product(range(-2, 3), (1, 2), (2, 3)):
@@ -149,7 +149,7 @@ def check_two_forms(effort: Effort) -> Evidence:
         forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
         return bottom_chains_have_two_forms(pair)
 
-    trial, resting = Trial(effort).of(law, "150 CM"), resting_pairs()
+    trial, resting = Trial(effort).of(law, "150 CM"), build_resting_pairs()
     failure = trial.failure or break_law(law, resting)
     if not failure and min(forms["point"], forms["segment"]) == 0:
         failure = "one of the two forms is never seen"

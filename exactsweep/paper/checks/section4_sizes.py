@@ -48,7 +48,7 @@ def sizes_are_bounded(pair: SweepPair) -> str:
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
     sizes = _sizes(effort)
-    return _attained(
+    return _show_attained(
         grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
         grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
     )
@@ -56,10 +56,12 @@ def count_outer_vertices(effort: Effort) -> Evidence:
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    return _attained(grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort)))
+    return _show_attained(
+        grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
+    )
 
 
-def _attained(*growth: Growth) -> Evidence:
+def _show_attained(*growth: Growth) -> Evidence:
     """Families on which a bound holds and the order is attained."""
     falling = (
         "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
