@@ -50,7 +50,7 @@ class Tracer:
 
     Args:
         path: the trajectory of G's origin.
-        generatrix: the features of G, on the lattice.
+        generatrix: the features of G.
     """
 
     def __init__(self, path: Outline, generatrix: Outline) -> None:
@@ -65,8 +65,9 @@ class Tracer:
             self._g_lines[own.direction, own.offset].append(own)
             corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
             self._g_corners[corner].append(i)
-        # By direction and what is left of the offset of the line by whole units: G, on the lattice,
-        # moves along a line those that are whole units from it.
+        # By direction and what is left of the offset of the line by whole units: if G is on the
+        # lattice, it moves along a line those that are whole units from it.
+        self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
             list
@@ -74,7 +75,7 @@ class Tracer:
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
-            self._paths[piece.direction, piece.offset % 1].append(
+            self._paths[self._path_key(piece)].append(
                 _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
             )
             self._lines[piece.direction, piece.offset].append((piece, k))
@@ -158,10 +159,8 @@ class Tracer:
             for u, v in others:
                 k = neighbour[k]
                 wx, wy = vertices[k]
-                # G is on the lattice, so that the denominators are the same all along.
-                if u.as_integer_ratio() != (x + (wx - gx) * d, d):
-                    break
-                if v.as_integer_ratio() != (y + (wy - gy) * e, e):
+                (u, a), (v, b) = u.as_integer_ratio(), v.as_integer_ratio()
+                if u * d - x * a != (wx - gx) * a * d or v * e - y * b != (wy - gy) * b * e:
                     break
             else:
                 return True
@@ -185,8 +184,8 @@ class Tracer:
                         yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
-        u = whole.direction
-        paths = self._paths.get(key := (u, whole.offset % 1))
+        u, key = whole.direction, self._path_key(whole)
+        paths = self._paths.get(key)
         if not paths:
             return
         vertices = self._vertices_along(u)
@@ -209,6 +208,9 @@ class Tracer:
                 if start < high and low < end:
                     total = Segment(u, whole.offset, path.low + start, path.high + end)
                     yield total, Trace(Feature("edge", k), Feature(feature, i))
+
+    def _path_key(self, piece: Segment) -> tuple[Vector, Rational]:
+        return piece.direction, piece.offset % 1 if self._is_on_lattice else 0
 
     def _vertices_along(self, u: Vector) -> _LinedVertices:
         if u not in self._g_vertices:
