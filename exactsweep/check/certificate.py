@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
@@ -16,6 +16,7 @@ from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import (
     NumberError,
+    divide_all,
     format_fraction,
     read_any_length,
 )
@@ -25,6 +26,7 @@ FORMAT = "exactsweep certificate"
 VERSION = 1
 
 DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
+_SHORT = 600  # digits of an int that Python reads whatever its own limit is
 
 _T = TypeVar("_T")
 
@@ -153,7 +155,7 @@ def read_list(item: Any, place: KeyPath, entry: Callable[[Any, KeyPath], _T]) ->
     """Read a list, each entry with its place."""
     if type(item) is not list:
         raise flaw(place, f"a {type(item).__name__}, not a list")
-    return tuple(entry(value, (place, k)) for k, value in enumerate(item))
+    return tuple([entry(value, (place, k)) for k, value in enumerate(item)])
 
 
 def read_tuple(item: Any, place: KeyPath, length: int) -> list[Any]:
@@ -182,9 +184,29 @@ def _point(item: Any, place: KeyPath) -> Point:
     return Point(read_number(x, (place, 0)), read_number(y, (place, 1)))
 
 
+def _read_ints(item: Any) -> Loop | None:
+    """Read points whose coordinates are ints as Python writes them, all at once, in half the time.
+
+    What is anything else is read number by number, to say where it is wrong if it is.
+    """
+    if type(item) is not list or set(map(type, item)) != {list} or set(map(len, item)) != {2}:
+        return None
+    texts = [*chain.from_iterable(item)]
+    if set(map(type, texts)) != {str} or max(map(len, texts)) > _SHORT:
+        return None
+    try:
+        numbers = [*map(int, texts)]
+    except ValueError:
+        return None
+    if [*map(str, numbers)] != texts:
+        return None
+    found = divide_all(numbers, 1)
+    return tuple(map(Point._make, zip(found[::2], found[1::2], strict=True)))
+
+
 def read_loop(item: Any, name: KeyPath) -> Loop:
     """Read a loop of at least three points, the least one first."""
-    points = read_list(item, name, _point)
+    points = _read_ints(item) or read_list(item, name, _point)
     if len(points) < 3:
         raise flaw(name, "fewer than three vertices")
     if (least := points[find_least(points)]) != points[0]:

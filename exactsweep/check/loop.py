@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -80,14 +81,21 @@ class MonotoneLoop:
         if len(turning) != 2:
             raise flaw("not monotone to the direction, it turns back again at", turning[-1])
         start, end = turning if self.lines[turning[0]][1] > 0 else turning[::-1]
-        turned = [(-x, -y, w) for x, y, w in nodes]
-        turned_lines = [(-a, -b, c) for a, b, c in self.lines]
         self.halves = (
             self._chain(nodes, self.lines, start, end),
-            self._chain(turned, turned_lines, end, start),
+            self._chain(*_turn_half(nodes, self.lines), end, start),
         )
-        if not _is_below(*self.halves):
+        # Where all turns are to the left, the direction goes round once, for x turns back twice:
+        # then it is a convex polygon.
+        if not self.is_convex and not _is_below(*self.halves):
             raise CertificateError(f"{name}: not simple and counter-clockwise")
+
+    def turn_half(self) -> MonotoneLoop:
+        """The loop turned by half a turn about the origin, its nodes numbered as they are here."""
+        turned = copy(self)
+        turned.nodes, turned.lines = _turn_half(self.nodes, self.lines)
+        turned.halves = self.halves[1], self.halves[0]
+        return turned
 
     def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> LowerChain:
         """The chain from node `start` to the end of the last edge that does not go back."""
@@ -97,6 +105,10 @@ class MonotoneLoop:
             last -= 1
         numbers = [(start + k) % n for k in range(last + 1)]
         return LowerChain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
+
+
+def _turn_half(nodes: Sequence[Node], lines: Sequence[Line]) -> tuple[list[Node], list[Line]]:
+    return [(-x, -y, w) for x, y, w in nodes], [(-a, -b, c) for a, b, c in lines]
 
 
 def line_through(p: Node, q: Node) -> Line:

@@ -106,7 +106,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
     g, d, trajectory, inner, outer = (
         MonotoneLoop(nodes, name, frame) for name, nodes in placed.items()
     )
-    inverse = MonotoneLoop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
+    inverse = g.turn_half()
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
     check_size(placed.values(), sum(count_steps(*loops) for loops in sums), max_steps)
 

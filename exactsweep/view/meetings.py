@@ -15,7 +15,7 @@ from math import lcm
 from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, Rational
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -86,7 +86,13 @@ def find_meetings(s: Swept, corners: int) -> Meetings | None:
 
 
 def _outline(shape: Polygon | Region, scale: int) -> Outline:
-    """The features of a shape on a lattice."""
-    exterior, *holes = ([(int(x * scale), int(y * scale)) for x, y in ring] for ring in shape.rings)
+    """The features of a shape, in ints if it is on the lattice."""
+    exterior, *holes = (
+        [(_plain(x * scale), _plain(y * scale)) for x, y in ring] for ring in shape.rings
+    )
     # With the interior on the left, as all of an outline has it.
     return Outline([exterior, *(hole[::-1] for hole in holes)])
+
+
+def _plain(value: Fraction) -> Rational:
+    return value.numerator if value.denominator == 1 else value

@@ -21,6 +21,7 @@ from exactsweep.draw.sweeps import find_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.view import make_page
 from exactsweep.view.data import find_stops, gather_page_data
+from exactsweep.view.meetings import Meetings
 from exactsweep.view.page import embed_json
 
 SLOT = sweep(
@@ -235,3 +236,19 @@ def test_the_command_writes_a_page(tmp_path: Path) -> None:
 @pytest.mark.parametrize("s", [EXAMPLE, SLOT])
 def test_the_same_sweep_gives_the_same_page(s: Sweep) -> None:
     assert make_page(s) == make_page(sweep(s.generatrix.vertices, s.directrix.vertices))
+
+
+def test_vertices_meet_though_there_is_no_common_lattice() -> None:
+    """Once coordinates off the lattice lost what is behind the point."""
+    thin = [Fraction(1, 10**900 + k) for k in range(8)]
+    block = [(thin[0], thin[1]), (3 + thin[2], thin[1]), (3 + thin[2], 2 + thin[3])]
+    s = sweep([(0, 0), (1 + thin[4], 0), (1 + thin[4], 1 + thin[5]), (thin[6], 1)], block)
+    assert s.directrix.lattice()[0] == 1
+    found = Meetings(s)
+    differences = {
+        ((v.x - w.x) * found.scale, (v.y - w.y) * found.scale)
+        for v in s.directrix.vertices
+        for w in s.generatrix.vertices
+    }
+    assert found.translations
+    assert set(found.translations) <= differences

@@ -18,7 +18,7 @@ def contacts_are_right(s: Sweep) -> str:
     if s.trajectory.vertices != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
     frame = NodeFrame((1, 0), 1)
-    nodes = [(-x, -y, w) for x, y, w in frame.enter(g.vertices, ORIGIN)]
+    generatrix = MonotoneLoop(frame.enter(g.vertices, ORIGIN), "generatrix", frame)
     trajectory = MonotoneLoop(frame.enter(s.trajectory.vertices, s.reference), "trajectory", frame)
     directrix = MonotoneLoop(frame.enter(d.vertices, ORIGIN), "directrix", frame)
     of_g, of_d = _numbers(g), _numbers(d)
@@ -27,9 +27,7 @@ def contacts_are_right(s: Sweep) -> str:
         for found in s.contacts
     ]
     try:
-        check_contacts(
-            trajectory, directrix, MonotoneLoop(nodes, "generatrix", frame), listed, frame
-        )
+        check_contacts(trajectory, directrix, generatrix.turn_half(), listed, frame)
     except CertificateError as flaw:
         return str(flaw)
     return ""
