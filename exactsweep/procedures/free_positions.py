@@ -101,7 +101,6 @@ def _find_left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple
     cuts.sort(key=itemgetter(0))
     if any(a[0] == b[0] for a, b in pairwise(cuts)):
         cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
-    joint = stretch.low_through is not None or stretch.high_through is not None
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
     while k < size:
@@ -120,20 +119,13 @@ def _find_left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple
             since_n, since_d, covered = n, d, after
         else:
             covered = covered or after
-        if not alone or (twice and other_twice) or (joint and _goes_on(stretch, place)):
+        # Where one line's stretches meet, another line that passes has a cut with each: not alone.
+        if not alone or (twice and other_twice):
             suspects.add(stretch.vertex(place))
     end_n, end_d = stretch.high
     if not (covered or stretch.high_covered) and since_n * end_d < end_n * since_d:
         left.append(((since_n, since_d), stretch.high))
     return left
-
-
-def _goes_on(stretch: Stretch, place: Break) -> bool:
-    """Whether a place is an end at which another stretch of the line begins."""
-    n, d = place
-    return (stretch.low_through is not None and n == stretch.low[0] * d) or (
-        stretch.high_through is not None and n == stretch.high[0] * d
-    )
 
 
 def _walk_rings(
