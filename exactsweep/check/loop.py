@@ -89,21 +89,6 @@ class MonotoneLoop:
         if not _is_below(*self.halves):
             raise CertificateError(f"{name}: not simple and counter-clockwise")
 
-    def doubled_area(self) -> tuple[int, int]:
-        """Twice the area, numerator and denominator, not in lowest terms."""
-        terms = [
-            (px * qy - qx * py, pw * qw)
-            for (px, py, pw), (qx, qy, qw) in zip(
-                self.nodes, self.nodes[1:] + self.nodes[:1], strict=True
-            )
-        ]
-        # In pairs, so that factors are of equal length.
-        while len(terms) > 1:
-            odd = terms[len(terms) & ~1 :]
-            pairs = zip(terms[::2], terms[1::2], strict=False)
-            terms = [(a * d + c * b, b * d) for (a, b), (c, d) in pairs] + odd
-        return terms[0]
-
     def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> LowerChain:
         """The chain from node `start` to the end of the last edge that does not go back."""
         n = len(nodes)

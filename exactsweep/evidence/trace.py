@@ -50,7 +50,7 @@ class Tracer:
 
     Args:
         path: the trajectory of G's origin.
-        generatrix: the features of G, on the lattice.
+        generatrix: the features of G.
     """
 
     def __init__(self, path: Outline, generatrix: Outline) -> None:
@@ -65,8 +65,9 @@ class Tracer:
             self._g_lines[own.direction, own.offset].append(own)
             corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
             self._g_corners[corner].append(i)
-        # By direction and what is left of the offset of the line by whole units: G, on the lattice,
-        # moves along a line those that are whole units from it.
+        # False if coordinates have so unlike denominators that there is no lattice of use.
+        self._is_on_lattice = all(type(c) is int for v in generatrix.vertices for c in v)
+        # By direction and `_residue` of the offset of the line.
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
             list
@@ -74,7 +75,7 @@ class Tracer:
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
-            self._paths[piece.direction, piece.offset % 1].append(
+            self._paths[piece.direction, self._residue(piece.offset)].append(
                 _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
             )
             self._lines[piece.direction, piece.offset].append((piece, k))
@@ -158,10 +159,13 @@ class Tracer:
             for u, v in others:
                 k = neighbour[k]
                 wx, wy = vertices[k]
-                # G is on the lattice, so that the denominators are the same all along.
-                if u.as_integer_ratio() != (x + (wx - gx) * d, d):
-                    break
-                if v.as_integer_ratio() != (y + (wy - gy) * e, e):
+                if self._is_on_lattice:
+                    # Then the denominators are the same all along.
+                    if u.as_integer_ratio() != (x + (wx - gx) * d, d):
+                        break
+                    if v.as_integer_ratio() != (y + (wy - gy) * e, e):
+                        break
+                elif u - first_x != wx - gx or v - first_y != wy - gy:
                     break
             else:
                 return True
@@ -171,6 +175,10 @@ class Tracer:
         line = whole.direction, whole.offset - find_offset(whole.direction, t)
         own = self._g_lines.get(line, ())
         return choose_cover(whole, [(piece.moved(t), 0) for piece in own]) is not None
+
+    def _residue(self, offset: Rational) -> Rational:
+        """What G on the lattice leaves as it is when it is moved from one line to another."""
+        return offset % 1 if self._is_on_lattice else 0
 
     def _passes(self, t: Vertex) -> bool:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
@@ -186,7 +194,7 @@ class Tracer:
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u = whole.direction
-        paths = self._paths.get(key := (u, whole.offset % 1))
+        paths = self._paths.get(key := (u, self._residue(whole.offset)))
         if not paths:
             return
         vertices = self._vertices_along(u)

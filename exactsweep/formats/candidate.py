@@ -7,7 +7,7 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, quote
+from exactsweep.geometry.number import NumberError, answer_digits, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -78,18 +78,34 @@ class Candidate(NamedTuple):
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
             raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
-        return self._read(lambda: Polygon(self.vertices()))
+        return self._read(lambda: Polygon(self._short_vertices()))
 
     def region(self) -> Region:
         """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
-        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in holes]))
+        return self._read(
+            lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
+        )
 
     def shape(self) -> Polygon | Region:
         """Read it as the Region that it is if there are holes, else as a Polygon."""
         return self.region() if self.holes() else self.polygon()
+
+    def _short_vertices(self) -> Sequence[Point]:
+        """Read the vertices, or refuse those that could be written and not be read again.
+
+        Only transformations and curves make them: a product of numbers has the digits of all.
+        """
+        points = self.vertices()
+        bits = max(
+            (n.bit_length() for p in points for c in p for n in c.as_integer_ratio()), default=0
+        )
+        # A bit is 0.30103 digits, rounded up.
+        if bits * 30_103 > answer_digits() * 100_000:
+            raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")
+        return points
 
     def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from io import StringIO
 
@@ -52,6 +53,21 @@ def parse_csv(text: str) -> list[Candidate]:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
         [('a', 3)]
     """
+    with _cells_of_any_length(len(text)):
+        return _parse(text)
+
+
+@contextmanager
+def _cells_of_any_length(length: int) -> Iterator[None]:
+    """Python's limit, 131,072 characters, is below what numbers of answers may have."""
+    before = csv.field_size_limit(length)
+    try:
+        yield
+    finally:
+        csv.field_size_limit(before)
+
+
+def _parse(text: str) -> list[Candidate]:
     sample = text.lstrip().partition("\n")[0]
     separator = max(",;\t", key=sample.count)
     rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)

@@ -6,10 +6,11 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
-from math import lcm
 
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import name_refusals
+from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.number import abridge
 from exactsweep.geometry.overlap import Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point import Point, Vertex
@@ -102,18 +103,13 @@ class Region(PointSet):
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
             (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
         """
-        of_rings = [ring.lattice() for ring in (self.exterior, *self.holes)]
-        scale = lcm(*(of_ring[0] for of_ring in of_rings))
-        rings = [
-            tuple((x * (scale // own), y * (scale // own)) for x, y in points)
-            for own, points in of_rings
-        ]
+        scale, rings = common_lattice((self.exterior, *self.holes))
         return scale, (rings[0], *((ring[0], *ring[:0:-1]) for ring in rings[1:]))
 
     @property
     def area(self) -> Fraction:
         """The area: that of the exterior less those of the holes."""
-        return self.exterior.area - sum((hole.area for hole in self.holes), Fraction(0))
+        return self.exterior.area - add_up(hole.area for hole in self.holes)
 
     @property
     def is_convex(self) -> bool:
@@ -262,6 +258,24 @@ def number_features(
     )
 
 
+def common_lattice(
+    polygons: Sequence[Polygon],
+) -> tuple[int, list[tuple[Vertex, ...]]]:
+    """Put polygons on one lattice, the coarsest that holds them all.
+
+    Returns:
+        The scale and, of each polygon, its vertices times the scale; if that had more than 8192
+        bits, as for one polygon, 1 and the vertices.
+    """
+    scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
+    if scale is None:
+        return 1, [polygon.vertices for polygon in polygons]
+    return scale, [
+        tuple((x * (scale // own), y * (scale // own)) for x, y in points)
+        for own, points in (polygon.lattice() for polygon in polygons)
+    ]
+
+
 def _read_named(ring: Vertices, name: str) -> Polygon:
     with name_refusals(name):
         return Polygon(ring)
@@ -271,11 +285,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     """Refuse rings that are not the boundary of one region."""
     polygons = [exterior, *holes]
     names = ["the exterior", *(f"hole {k}" for k in range(len(holes)))]
-    scale = lcm(*(polygon.lattice()[0] for polygon in polygons))
-    rings = [
-        [(x * (scale // own), y * (scale // own)) for x, y in points]
-        for own, points in (polygon.lattice() for polygon in polygons)
-    ]
+    scale, rings = common_lattice(polygons)
     places = [Places(set) for _ in rings]
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
     for (k, i), (j, h) in _near(rings):

@@ -98,7 +98,7 @@ def test_junk_is_refused_with_a_reason(claim: str) -> None:
         ("trajectory", [["0", "0"], ["-1", "0"], ["0", "1"]], "trajectory: not canonical, its"),
         ("contacts", [], "contacts: 0 lists for a loop of"),
         ("area", "1e-3", "area: not a number in lowest terms"),
-        ("area", "1", "area: it is not that of the outer loop minus that of the inner one"),
+        ("area", "1", "area: it is not that of the outer loop minus those inside it"),
         ("exact_fits", [], "exact_fits: one is missing"),
     ],
 )

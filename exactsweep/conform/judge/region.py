@@ -25,6 +25,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point, PointRings
 
@@ -187,12 +188,8 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
 
 
 def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
-    """Return the sum of areas, added in pairs so that numbers of equal length meet."""
-    terms = [cell.area for cell in cells]
-    while len(terms) > 1:
-        odd = terms[len(terms) & ~1 :]
-        terms = [p + q for p, q in zip(terms[::2], terms[1::2], strict=False)] + odd
-    return terms[0] if terms else Fraction(0)
+    """Return the sum of areas."""
+    return add_up(cell.area for cell in cells)
 
 
 def find_simplest(low: Fraction, high: Fraction) -> Fraction:
