@@ -13,6 +13,9 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.words import count, suggest
 
+MAX_FAULTS = 10_000
+"""The most things of one file that are no polygon, each with a reason."""
+
 _SHOWN = 4
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 _Read = TypeVar("_Read")
@@ -126,26 +129,38 @@ class Candidate(NamedTuple):
 
 def read_each(candidates: Sequence[Candidate], read: Callable[[Candidate], _Read]) -> list[_Read]:
     """Read all candidates, or refuse all that cannot be read in one message."""
-    found, refused = sift(candidates, read)
-    if not refused:
-        return found
-    first, *others = refused
-    more = "".join(f"; {error}" for error in others[: _SHOWN - 1])
-    more += f"; and {len(refused) - _SHOWN} more" * (len(refused) > _SHOWN)
-    raise type(first)(f"{first}{more}") from None
-
-
-def sift(
-    candidates: Iterable[Candidate], read: Callable[[Candidate], _Read]
-) -> tuple[list[_Read], list[ValueError]]:
-    """Read what can be read; return the refusals of all else beside it."""
-    found, refused = [], []
+    found: list[_Read] = []
+    # Of a refusal no more than its words: it holds on to all that it came from.
+    refusals: list[tuple[type[ValueError], str]] = []
+    more = 0
     for candidate in candidates:
         try:
             found.append(read(candidate))
         except ValueError as error:
-            refused.append(error)
-    return found, refused
+            if len(refusals) < _SHOWN:
+                refusals.append((type(error), str(error)))
+            else:
+                more += 1
+    if refusals:
+        kind, reason = refusals[0][0], "; ".join(reason for _, reason in refusals)
+        raise kind(f"{reason}; and {more} more" if more else reason)
+    return found
+
+
+def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
+    """List candidates, of which some are known to be no polygons.
+
+    Raises:
+        FormatError: more than MAX_FAULTS of them are, with the first one.
+    """
+    found, faults = [], 0
+    for candidate in candidates:
+        found.append(candidate)
+        faults += bool(candidate.fault)
+        if faults > MAX_FAULTS:
+            first = next(one.fault for one in found if one.fault)
+            raise FormatError(f"more than {MAX_FAULTS:,} things that are no polygon, first {first}")
+    return found
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:

@@ -9,6 +9,7 @@ from exactsweep.formats.candidate import (
     Candidate,
     NamedPolygon,
     NamedRegion,
+    allow_faults,
     choose,
     read_each,
     select,
@@ -270,6 +271,9 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     marks = {"[": "[{", "{": "[{"}.get(first, "\n" if is_csv(text) else ",")
     if sum(map(text.count, marks)) > MAX_VERTICES:
         raise FormatError(f"more than {MAX_VERTICES:,} vertices")
+    # And of numbers two, with as much beside them, as many as there are in results.
+    if text.count(",") > 4 * MAX_VERTICES:
+        raise FormatError(f"more than {4 * MAX_VERTICES:,} numbers")
     if is_csv(text):
         return parse_csv(text)
     if first.isalpha():
@@ -287,7 +291,7 @@ def _read_json(text: str) -> Sequence[Candidate]:
         lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
         if "Extra data" not in str(error) or not _is_json(lines[0][1]):
             raise
-        return [found for k, line in lines for found in _read_line(line, k)]
+        return allow_faults(found for k, line in lines for found in _read_line(line, k))
     return find_candidates(document)
 
 
@@ -317,7 +321,7 @@ def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
         path: where it is, for messages.
     """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = list(read_geojson(document, path))
+        found = read_geojson(document, path)
         return found if len(found) > 1 else [one._replace(place="") for one in found]
     return read_exact(document, path)
 

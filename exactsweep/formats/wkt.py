@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple, NoReturn
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.number import NumberError, quote
@@ -49,7 +49,7 @@ def parse_wkt(text: str) -> list[Candidate]:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
         [4]
     """
-    found = list(_Reader(text).outlines())
+    found = allow_faults(_Reader(text).outlines())
     return found if len(found) > 1 else [found[0]._replace(place="")]
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import MAX_FAULTS, Candidate
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
@@ -69,6 +69,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         # That there is no unit concerns all of the file.
         _ = placed.matrix
     found: list[tuple[int, Candidate]] = []
+    faults = 0
     lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
     for order, shape in enumerate(document.shapes(placed, 0)):
         for drawn in _read(shape, order, reading):
@@ -76,6 +77,9 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
                 lines[shape.layer].append(drawn)
             else:
                 found.append((order, drawn))
+                faults += bool(drawn.fault)
+                if faults > MAX_FAULTS:
+                    raise FormatError(f"more than {MAX_FAULTS:,} shapes are none, as {drawn.fault}")
     for layer, loose in lines.items():
         found += join(loose, layer, reading)
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
