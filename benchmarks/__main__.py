@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: scaling, peers, report."""
+"""`python -m benchmarks`: scaling, spent, peers, report."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import click
 from rich.console import Console
 
 from benchmarks import scaling as scaling_runs
+from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
 from benchmarks.peers.measured import Comparison
 from benchmarks.peers.run import compare
@@ -62,6 +63,12 @@ def scaling(quick: bool) -> None:
     beyond = [series.failure for series in measured if not series.is_flat]
     console.print(*(beyond or ["All are within the bounds."]), sep="\n")
     sys.exit(bool(beyond))
+
+
+@main.command()
+def spent() -> None:
+    """Count what small pairs are spent on: instructions, objects, comparisons."""
+    Console(width=max(WIDTH, Console().width)).print(*spent_counts.tabulate(), sep="\n")
 
 
 @main.command()

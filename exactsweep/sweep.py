@@ -7,7 +7,7 @@ Definitions 1.1 to 1.3, Theorems 2.1 and 2.2. The lower sweep (G_t, D_b) and the
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
@@ -15,13 +15,13 @@ from exactsweep.evidence.swept_shape import SweptShape
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
+    choose_direction,
     read_direction,
     require_monotone,
-    shared_direction,
 )
-from exactsweep.geometry.error import named
+from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_point, rings_of_interface
+from exactsweep.geometry.reading import read_interface, read_point
 from exactsweep.geometry.region import Region, Vertices
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from exactsweep.view import InlinePage
 
 
-class Answer:
+class EqualByQuestion:
     """What equals another if the same was asked of the same polygons.
 
     Polygons are equal as sets of points: in which order their vertices were given shows in the
@@ -49,7 +49,7 @@ class Answer:
         return hash(tuple(getattr(self, name) for name in self.asked))
 
 
-class Sweep(Answer, Swept):
+class Sweep(EqualByQuestion, Swept):
     """A sweep that shows itself; made by `sweep`. What is computed is said in `Swept`."""
 
     asked = ("generatrix", "directrix", "direction", "reference")
@@ -77,74 +77,56 @@ class Sweep(Answer, Swept):
         return InlinePage(self, height)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import sweep_svg
+        from exactsweep.draw.notebook import draw_sweep
 
-        return sweep_svg(self)
+        return draw_sweep(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import sweep_html
+        from exactsweep.draw.notebook import show_sweep
 
-        return sweep_html(self)
+        return show_sweep(self)
 
 
 class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
 
 
-class NoFitPolygon(Answer, no_fit.NoFitPolygon):
+class FoundPositions(EqualByQuestion):
+    """Positions that show themselves: those of a no-fit polygon, or of an inner fit."""
+
+    def plot(
+        self: Any,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
+    ) -> Axes:
+        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_positions`."""
+        from exactsweep.draw import plot_positions
+
+        return plot_positions(self, axes, positions=positions, y_down=y_down)
+
+    def _repr_svg_(self: Any) -> str:
+        from exactsweep.draw.notebook import draw_positions
+
+        return draw_positions(self)
+
+    def _repr_html_(self: Any) -> str:
+        from exactsweep.draw.notebook import show_positions
+
+        return show_positions(self)
+
+
+class NoFitPolygon(FoundPositions, no_fit.NoFitPositions):
     """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
 
     asked = ("stationary", "orbiting", "reference")
 
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw it with matplotlib, the `plot` extra: see `exactsweep.draw.plot_no_fit`."""
-        from exactsweep.draw import plot_no_fit
 
-        return plot_no_fit(self, axes, positions=positions, y_down=y_down)
-
-    def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
-
-        return positions_svg(self)
-
-    def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import no_fit_html
-
-        return no_fit_html(self)
-
-
-class InnerFit(Answer, no_fit.InnerFit):
+class InnerFit(FoundPositions, no_fit.InnerFitPositions):
     """An inner fit that shows itself; made by `inner_fit_polygon`."""
 
     asked = ("container", "part", "reference")
-
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_inner_fit`."""
-        from exactsweep.draw import plot_inner_fit
-
-        return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
-
-    def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import positions_svg
-
-        return positions_svg(self)
-
-    def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import inner_fit_html
-
-        return inner_fit_html(self)
 
 
 def sweep(
@@ -162,7 +144,7 @@ def sweep(
         generatrix: G, a Polygon, a Region or the vertices of a polygon.
         directrix: D, likewise.
         direction: a pair of numbers, the shared direction of monotonicity to be used; chosen as
-            by `shared_direction` if left out. The loops do not depend on it.
+            by `choose_direction` if left out. The loops do not depend on it.
         reference: the point of G whose path the trajectory is, in the coordinates of G.
 
     Returns:
@@ -209,8 +191,8 @@ def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
 def _region(shape: Region | Vertices, name: str) -> Region:
     if isinstance(shape, Region):
         return shape
-    with named(name):
-        exterior, *holes = rings_of_interface(shape) or [shape]
+    with name_refusals(name):
+        exterior, *holes = read_interface(shape) or [shape]
         if not holes:
             # There is only one ring to be named.
             return Region(Polygon(exterior))
@@ -224,7 +206,7 @@ def _share(
     if isinstance(generatrix, Region) or isinstance(directrix, Region):
         return None
     try:
-        chosen = direction or shared_direction(generatrix, directrix)
+        chosen = direction or choose_direction(generatrix, directrix)
     except DirectionError:
         return None
     return generatrix, directrix, chosen

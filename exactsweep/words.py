@@ -5,7 +5,7 @@ from difflib import get_close_matches
 from fractions import Fraction
 from math import atan2, pi
 
-from exactsweep.geometry.number import abridged, quoted, to_fraction
+from exactsweep.geometry.number import abridge, quote, to_fraction
 from exactsweep.geometry.point import Vertex
 
 CLASSES = {
@@ -16,22 +16,22 @@ CLASSES = {
 }
 
 
-def pair(point: Iterable[object]) -> str:
+def write_pair(point: Iterable[object]) -> str:
     """Write a point or a vector without blanks, long numbers cut short.
 
-    >>> pair((1, "-7/2"))
+    >>> write_pair((1, "-7/2"))
     '(1,-7/2)'
     """
-    return f"({','.join(abridged(to_fraction(c)) for c in point)})"
+    return f"({','.join(abridge(to_fraction(c)) for c in point)})"
 
 
-def vector(direction: Iterable[object]) -> str:
+def write_vector(direction: Iterable[object]) -> str:
     """Write a direction as Python writes a pair of ints, long numbers cut short.
 
-    >>> vector((1, -2)), vector((1, 10**5000))
+    >>> write_vector((1, -2)), write_vector((1, 10**5000))
     ('(1, -2)', '(1, 100000000000000000000...)')
     """
-    return pair(direction).replace(",", ", ")
+    return write_pair(direction).replace(",", ", ")
 
 
 def count(number: int, thing: str) -> str:
@@ -43,19 +43,19 @@ def count(number: int, thing: str) -> str:
     return f"{number or 'no'} {thing}{'' if number == 1 else 's'}"
 
 
-def size(vertices: int, area: Fraction) -> str:
+def write_size(vertices: int, area: Fraction) -> str:
     """Say how large a polygon is.
 
-    >>> size(3, Fraction(1, 2))
+    >>> write_size(3, Fraction(1, 2))
     '3 vertices, area 1/2'
     """
-    return f"{vertices} vertices, area {abridged(area)}"
+    return f"{vertices} vertices, area {abridge(area)}"
 
 
-def heading(vector: Vertex) -> str:
+def name_heading(vector: Vertex) -> str:
     """Say where a vector points.
 
-    >>> heading((-3, 1)), heading((0, -1))
+    >>> name_heading((-3, 1)), name_heading((0, -1))
     ('left and up', 'down')
     """
     x, y = vector
@@ -65,10 +65,10 @@ def heading(vector: Vertex) -> str:
     return " and ".join(words)
 
 
-def degrees(vector: Vertex) -> str:
+def write_degrees(vector: Vertex) -> str:
     """Write by how much a vector is turned from the X axis, counter-clockwise, about.
 
-    >>> degrees((1, -2)), degrees((0, 10**400)), degrees((-1, 1))
+    >>> write_degrees((1, -2)), write_degrees((0, 10**400)), write_degrees((-1, 1))
     ('-63.4', '90', '135')
     """
     across, up = map(Fraction, vector)
@@ -77,11 +77,11 @@ def degrees(vector: Vertex) -> str:
     return f"{atan2(y, x) * 180 / pi:.1f}".removesuffix(".0")
 
 
-def suggestion(word: str, words: Iterable[str]) -> str:
+def suggest(word: str, words: Iterable[str]) -> str:
     """Ask whether a similar word is meant, if there is one.
 
-    >>> suggestion("brakcet", ["plate", "bracket"])
+    >>> suggest("brakcet", ["plate", "bracket"])
     "; did you mean 'bracket'?"
     """
     near = get_close_matches(word, words, n=1, cutoff=0.5)
-    return f"; did you mean {quoted(near[0])}?" if near else ""
+    return f"; did you mean {quote(near[0])}?" if near else ""

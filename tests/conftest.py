@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, settings
 from shown import FLAGS, MILLISECONDS, Open, Shown
 
 from exactsweep import Sweep
-from exactsweep.view import page
+from exactsweep.view import make_page
 
 settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("patient")
@@ -37,7 +37,7 @@ def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
 
     def open_page(s: Sweep, **options: Any) -> Shown:
         file = tmp_path / "sweep.html"
-        file.write_text(page(s), encoding="utf-8")
+        file.write_text(make_page(s), encoding="utf-8")
         opened.append(Shown(browser, file, **options))
         return opened[-1]
 

@@ -1,34 +1,31 @@
 """Change the kernel or `check/` in one place; does a test notice? `python -m tests.mutants`.
 
-A sample of all mutants of `operators` is drawn by a seed. Each one first goes through a few pairs
-of `small_campaign`; if it comes through, the tests run in a copy of the checkout until one fails,
-those that name its module first, then those of its room. Mutants that are the same program, or one
-that differs in time alone, are known by their lines in `equivalent_mutants.toml`, with the reason.
+A sample of all mutants of `operators` is drawn by a seed. For each one, the tests that reach its
+lines run in a copy of the checkout, the quickest first, until one fails; which these are is
+measured once (`reach`). Mutants that are the same program, or one that differs in time alone, are
+known by their lines in `equivalent_mutants.toml`, with the reason.
 
-A test that takes three times as long as without the mutant, and 6 seconds more, notices it, too.
+A test that takes three times as long as without the mutant, and 3 seconds more, notices it, too.
 Seconds are those of the processor, so that it does not matter what else the machine does.
 """
 
 import importlib
 import json
-import os
-import re
-import resource
 import shutil
-import signal
 import sys
 import tempfile
 import tomllib
-import traceback
+from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from functools import cache
+from collections.abc import Iterator, Mapping, Sequence
+from compileall import compile_dir
+from itertools import accumulate
 from pathlib import Path
+from py_compile import PycInvalidationMode
 from random import Random
 from typing import IO, NamedTuple
 
 import click
-import pytest
 from rich.console import Console
 from rich.progress import track
 
@@ -36,24 +33,21 @@ from rich.progress import track
 SUPPORT = str(Path(__file__).parent / "support")
 sys.path.insert(0, SUPPORT)
 from operators import Mutant, mutants_of  # noqa: E402
+from reach import Reach, measure  # noqa: E402
+from trial import Reader, Trial, run_afresh  # noqa: E402
 
 sys.path.remove(SUPPORT)  # what is tried is all in the copy
 
 ROOT = Path(__file__).parent.parent
 ROOMS = ("geometry", "procedures", "evidence", "check")
-FEW = "a few pairs"  # instead of tests
-PAIRS = 60
-STAGES = ("pairs", "named", "room", "wider")
-WIDER = ("tests/geometry", "tests/procedures", "tests/check", "tests/evidence")
-NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "LICENSE")
-OPTIONS = (
-    *("-q", "-x", "-n0", "-p", "no:cacheprovider"),
-    *("--hypothesis-seed=0", "--tb=no", "--assert=plain"),
+TESTS = (
+    *(f"tests/{room}" for room in ROOMS),
+    *(f"exactsweep/{room}" for room in ROOMS),
+    "exactsweep/sweep.py",
 )
+NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "LICENSE")
 # By all tests; what is loaded before the tests are begun need not be loaded again.
-LOADED = ("hypothesis.strategies", "rich.table", "rich.progress", "click.testing", "sympy")
-MEMORY = 4 << 30
-SPARE = 6  # seconds that any run may take more
+LOADED = ("hypothesis.strategies", "rich.table", "rich.progress", "click.testing", "sympy", "numpy")
 
 
 class Result(NamedTuple):
@@ -65,12 +59,17 @@ class Result(NamedTuple):
     seconds: float
 
 
+def modules() -> list[Path]:
+    """What is changed: the kernel and the checking side."""
+    package = ROOT / "exactsweep"
+    rooms = [path for room in ROOMS for path in sorted((package / room).glob("*.py"))]
+    return [*rooms, package / "sweep.py"]
+
+
 def every_mutant() -> list[tuple[Mutant, bytes]]:
     """All mutants of the kernel and of the checking side, each with the text of its module."""
-    package = ROOT / "exactsweep"
-    paths = [path for room in ROOMS for path in sorted((package / room).glob("*.py"))]
     found = []
-    for path in (*paths, package / "sweep.py"):
+    for path in modules():
         text = path.read_bytes()
         found += [(m, text) for m in mutants_of(path.relative_to(ROOT).as_posix(), text)]
     return found
@@ -85,76 +84,8 @@ def read_equivalent() -> dict[tuple[str, str, str], str]:
     }
 
 
-def stages_of(path: str, tests: str) -> list[tuple[str, ...]]:
-    """What a mutant of a module goes through, in this order."""
-    room = path.split("/")[1]
-    own = f"tests/{room if room in ROOMS else 'evidence'}"
-    others = tuple(folder for folder in WIDER if folder != own)
-    stages = [(FEW,), tests_naming(path), (own,), others][: 1 + STAGES.index(tests)]
-    return [stage for stage in stages if stage]
-
-
-@cache
-def tests_naming(path: str) -> tuple[str, ...]:
-    """The tests of the room that import a module, or say its name."""
-    *_, room, name = Path(path).with_suffix("").parts
-    module = re.compile(rf"\b{room}(\.| import (.*\W)?){name}\b")
-    files = (ROOT / "tests" / room).rglob("test_*.py")
-    return tuple(
-        sorted(f.relative_to(ROOT).as_posix() for f in files if module.search(f.read_text()))
-    )
-
-
-def run_tests(tree: Path, paths: Sequence[str], limit: float) -> tuple[str, str, float]:
-    """Run tests in a copy of the checkout until one fails.
-
-    Returns:
-        The verdict, the test that failed, and the seconds of the processor.
-    """
-    output = tree / "output.txt"
-    child = os.fork()
-    if child == 0:
-        with output.open("w") as written:
-            os.dup2(written.fileno(), 1)
-            os.dup2(written.fileno(), 2)
-        seconds = int(limit) + 1
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        os.chdir(tree)
-        os.environ["PYTHONPATH"] = str(tree)
-        sys.dont_write_bytecode = True
-        sys.path.insert(0, str(tree))
-        status = 3  # unless it comes to an end
-        try:
-            status = _find_failure(tree) if paths == (FEW,) else pytest.main([*OPTIONS, *paths])
-        except BaseException:
-            traceback.print_exc()
-        finally:
-            sys.stdout.flush()
-            sys.stderr.flush()
-            os._exit(status)
-    _, status, usage = os.wait4(child, 0)
-    seconds_used = usage.ru_utime + usage.ru_stime
-    shutil.rmtree(tree / ".hypothesis", ignore_errors=True)
-    if os.WIFSIGNALED(status):
-        return "time", signal.Signals(os.WTERMSIG(status)).name, seconds_used
-    if os.WEXITSTATUS(status) == 0:
-        return "survived", "", seconds_used
-    lines = output.read_text(errors="replace").splitlines()
-    failed = [line.split(" - ")[0] for line in lines if line.startswith(("FAILED", "ERROR"))]
-    return "killed", (failed or lines[-1:] or [""])[0], seconds_used
-
-
-def _find_failure(tree: Path) -> int:
-    sys.path[:0] = [str(tree / "tests"), str(tree / "tests/support")]
-    campaign = importlib.import_module("small_campaign")
-    failure = campaign.find_failure(1, PAIRS)
-    print(failure)
-    return bool(failure)
-
-
 def try_mutants(
-    sample: Sequence[tuple[Mutant, bytes]], tests: str, console: Console
+    sample: Sequence[tuple[Mutant, bytes]], budget: float, console: Console
 ) -> Iterator[Result]:
     """Try one mutant after the other in a copy of the checkout."""
     for name in LOADED:
@@ -164,26 +95,43 @@ def try_mutants(
         tree = Path(folder)
         for name in NEEDED:
             _copy(ROOT / name, tree / name)
-        limits: dict[tuple[str, ...], float] = {}
+        compile_dir(tree, quiet=1, invalidation_mode=PycInvalidationMode.CHECKED_HASH)
+        reach = measure(tree, TESTS, [path.relative_to(ROOT).as_posix() for path in modules()])
+        reader = Reader(tree, TESTS, reach.seconds)
         for mutant, text in track(sample, "mutants", console=console):
             before, after = mutant.shown(text)
             if why := equivalent.get((mutant.path, before, after)):
                 yield Result(mutant, "equivalent", why, 0)
                 continue
-            total = 0.0
-            for paths in stages_of(mutant.path, tests):
-                if paths not in limits:
-                    verdict, by, seconds = run_tests(tree, paths, 3600)
-                    if verdict != "survived":
-                        raise click.ClickException(f"without a mutant: {by}")
-                    limits[paths] = 3 * seconds + SPARE
-                (tree / mutant.path).write_bytes(mutant.applied(text))
-                verdict, by, seconds = run_tests(tree, paths, limits[paths])
-                (tree / mutant.path).write_bytes(text)
-                total += seconds
-                if verdict != "survived":
-                    break
-            yield Result(mutant, verdict, by, round(total, 1))
+            (tree / mutant.path).write_bytes(mutant.applied(text))
+            yield Result(mutant, *_try_mutant(mutant, text, tree, reach, reader, budget))
+            (tree / mutant.path).write_bytes(text)
+        reader.close()
+
+
+def _try_mutant(
+    mutant: Mutant, text: bytes, tree: Path, reach: Reach, reader: Reader, budget: float
+) -> Trial:
+    """First the tests for which a function can be changed, then those that import the change."""
+    lines = mutant.lines(text)
+    tests = within(reach.tests_of(mutant.path, lines), reach.seconds, budget)
+    if not tests:
+        return Trial("survived", "no test reaches it", 0)
+    importing = reach.importing(mutant.path, lines)
+    running = [test for test in tests if test not in importing]
+    found = reader.run(mutant, text, running) if running else Trial("survived", "", 0)
+    if found is None:
+        return run_afresh(tree, tests, reach.seconds)
+    if found.verdict == "survived" and len(running) < len(tests):
+        rest = [test for test in tests if test in importing]
+        return run_afresh(tree, rest, reach.seconds)
+    return found
+
+
+def within(tests: list[str], seconds: Mapping[str, float], budget: float) -> list[str]:
+    """As many of the tests as take so many seconds."""
+    until = list(accumulate(seconds[test] for test in tests))
+    return tests[: bisect_right(until, budget)]
 
 
 def _copy(source: Path, target: Path) -> None:
@@ -204,11 +152,10 @@ def _copy(source: Path, target: Path) -> None:
     help="Only there: a folder, a module, or MODULE:LINE.",
 )
 @click.option(
-    "--tests",
-    type=click.Choice(STAGES),
-    default="room",
+    "--budget",
+    default=60.0,
     show_default=True,
-    help="How far to go with what survives: pairs, tests that name it, its room, all rooms.",
+    help="Seconds of tests that a mutant goes through, the quickest first.",
 )
 @click.option("--results", type=click.File("a"), help="A file to add results to, as JSON lines.")
 def main(
@@ -216,7 +163,7 @@ def main(
     seed: int,
     first: int,
     under: str,
-    tests: str,
+    budget: float,
     results: IO[str] | None,
 ) -> None:
     """Try a sample of mutants; exit code 1 if one survives."""
@@ -230,7 +177,7 @@ def main(
     drawn = Random(seed).sample(chosen, min(sample, len(chosen)))[first:]
     texts = dict(drawn)
     counts: Counter[str] = Counter()
-    for result in try_mutants(drawn, tests, console):
+    for result in try_mutants(drawn, budget, console):
         counts[result.verdict] += 1
         before, after = result.mutant.shown(texts[result.mutant])
         place = f"{result.mutant.path}:{result.mutant.line}"

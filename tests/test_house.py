@@ -4,7 +4,8 @@ Imports are read from the source, those inside functions and under TYPE_CHECKING
 """
 
 import ast
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -186,3 +187,92 @@ def test_few_files_lie_at_the_top_and_none_is_long() -> None:
         if len(path.read_text(encoding="utf-8").splitlines()) > 400
     ]
     assert not long
+
+
+def named_types(source: str) -> Iterator[str]:
+    """The classes and type aliases of a source, without leading underscores."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            yield node.name.lstrip("_")
+    for node in tree.body:
+        if isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = [ast.unparse(target).lstrip("_") for target in targets]
+            # Constants are in capitals; what holds a value of a type is in small letters.
+            yield from (name for name in names if name[:1].isupper() and not name.isupper())
+
+
+def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """The names that more than one type has, each with the modules; of pairs module, source."""
+    homes: dict[str, list[str]] = {}
+    for module, source in sources:
+        for name in named_types(source):
+            homes.setdefault(name, []).append(module)
+    return {name: places for name, places in homes.items() if len(places) > 1}
+
+
+def test_no_two_types_have_one_name() -> None:
+    # One word for one thing: a reader who meets a name knows which type it is.
+    found = namesakes((name, path.read_text(encoding="utf-8")) for name, path in modules().items())
+    assert not found, found
+
+
+def test_namesakes_are_found() -> None:
+    one = "class Ring: ...\n"
+    other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
+    third = "Loop: TypeAlias = list[int]\n"
+    found = namesakes([("a", one), ("b", other), ("c", third)])
+    assert found == {"Ring": ["a", "b"], "Loop": ["b", "c"]}
+
+
+ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))
+EXAMPLE = "Example"
+HEADING = re.compile(r"([A-Z]\w+):(\s|$)")
+
+
+def misplaced(docstring: str) -> str:
+    """The first part of a docstring that is out of order or unknown, if there is one."""
+    ranks = {name: rank for rank, names in enumerate(ORDER) for name in names}
+    ranks[EXAMPLE] = len(ORDER)
+    reached = 0
+    for line in docstring.splitlines()[1:]:
+        heading = HEADING.match(line)
+        name = heading[1] if heading else EXAMPLE if line.startswith(">>>") else ""
+        if name:
+            if ranks.get(name, -1) < reached:
+                return line
+            reached = ranks[name]
+    return ""
+
+
+def docstrings(source: str) -> Iterator[tuple[str, str]]:
+    """The classes and functions of a source, each with its docstring."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
+            yield node.name, text
+
+
+def test_docstrings_keep_one_order() -> None:
+    # What; arguments; what is returned; what is raised; cost; source; example.
+    found = [
+        f"{module}.{name}: {line}"
+        for module, path in modules().items()
+        for name, text in docstrings(path.read_text(encoding="utf-8"))
+        if (line := misplaced(text))
+    ]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize(
+    ("docstring", "line"),
+    [
+        ("What.\n\nArgs:\n    a: one.\n\nReturns:\n    Two.\n\nCost: O(n).\n\n>>> f(1)\n2", ""),
+        ("What.\n\nReturns:\n    Two.\n\nArgs:\n    a: one.", "Args:"),
+        ("What.\n\nExample:\n    >>> f(1)\n    2\n\nCost: O(n).", "Cost: O(n)."),
+        ("What.\n\n>>> f(1)\n2\n\nRaises:\n    Error: no.", "Raises:"),
+        ("What.\n\nNote: beware.", "Note: beware."),
+    ],
+)
+def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
+    assert misplaced(docstring) == line

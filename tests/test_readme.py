@@ -16,7 +16,7 @@ from command import EXAMPLE, ROOT, run, shell
 
 import exactsweep
 from exactsweep.corpus import cases
-from exactsweep.draw import new_figure, plot_sweep, save
+from exactsweep.draw import make_figure, plot_sweep, save
 
 ROOMS = [path for path in (ROOT / "exactsweep").rglob("README.md") if "vendor" not in path.parts]
 READMES = [ROOT / "README.md", ROOT / "benchmarks/README.md", ROOT / "tests/README.md", *ROOMS]
@@ -100,7 +100,7 @@ def lines_drawn(path: Path) -> list[tuple[str, list[tuple[float, float]]]]:
 
 def test_the_picture_is_what_is_drawn(tmp_path: Path) -> None:
     # Not the bytes, which change with matplotlib's layout of the legend.
-    figure = new_figure()
+    figure = make_figure()
     plot_sweep(EXAMPLE, figure.axes[0])
     save(figure, str(tmp_path / "block.svg"))
     drawn = lines_drawn(tmp_path / "block.svg")

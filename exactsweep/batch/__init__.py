@@ -1,7 +1,7 @@
 """Batches: very many pairs, on all processors or a Dask cluster, resumed where they were left."""
 
 from exactsweep.batch.error import BatchError
-from exactsweep.batch.job import Job, all_pairs, pairs_of
+from exactsweep.batch.job import Job, take_all_pairs, take_listed_pairs
 from exactsweep.batch.parts import Part, read_parts
 from exactsweep.batch.record import QUANTITIES
 from exactsweep.batch.run import Counts, run
@@ -14,8 +14,8 @@ __all__ = [
     "Job",
     "Part",
     "Rounding",
-    "all_pairs",
-    "pairs_of",
     "read_parts",
     "run",
+    "take_all_pairs",
+    "take_listed_pairs",
 ]

@@ -9,8 +9,8 @@ from typing import Any
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.formats.error import needs
-from exactsweep.geometry.number import quoted
+from exactsweep.formats.error import require_imports
+from exactsweep.geometry.number import quote
 
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""
@@ -54,18 +54,18 @@ class Cluster:
             self.client.register_plugin(_holder(work, self.name))
         except (OSError, ValueError) as error:
             reason = str(error).partition("\n")[0]
-            raise BatchError(f"no Dask scheduler at {quoted(address)}: {reason}") from None
+            raise BatchError(f"no Dask scheduler at {quote(address)}: {reason}") from None
         self.connection = self.client.scheduler_comm
         self.pool = self.client.get_executor(pure=False)
 
-    def submit(self, chunk: Chunk) -> _Answer:
+    def submit(self, chunk: Chunk) -> _RecordsOfCluster:
         """Compute a chunk in some process.
 
         Raises:
             CancelledError: the scheduler is gone.
         """
         try:
-            return _Answer(self.pool.submit(_compute, chunk, self.name), self)
+            return _RecordsOfCluster(self.pool.submit(_compute, chunk, self.name), self)
         except self.closed:
             raise CancelledError from None
 
@@ -85,7 +85,7 @@ class Cluster:
             self.own.close()
 
 
-class _Answer:
+class _RecordsOfCluster:
     """What a chunk gives, some time."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
@@ -100,7 +100,7 @@ class _Answer:
 
 
 def _dask() -> Any:
-    with needs("distributed", "distributed", "a scheduler"):
+    with require_imports("distributed", "distributed", "a scheduler"):
         import distributed
     return distributed
 

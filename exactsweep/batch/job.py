@@ -15,10 +15,10 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import MAX_BYTES, file_name
+from exactsweep.formats.files import MAX_BYTES, show_path
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.number import format_fraction, quoted
+from exactsweep.geometry.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
 """How many pairs a process is given at a time in a small batch."""
@@ -45,7 +45,7 @@ class Job(NamedTuple):
     path: str | None
 
     def chunks(self, start: int) -> Iterator[Chunk]:
-        """Yield the pairs from one on, in order."""
+        """Yield the pairs in order, beginning with one of them."""
         size = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         if self.path is not None:
             return _chunks_of_lines(self.path, start, self.total, size)
@@ -53,7 +53,7 @@ class Job(NamedTuple):
         return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
 
 
-def all_pairs(
+def take_all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
     what: str = "loops",
@@ -76,15 +76,17 @@ def all_pairs(
     Example:
         >>> from exactsweep import Polygon
         >>> square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
-        >>> all_pairs([square], [square, square]).total
+        >>> take_all_pairs([square], [square, square]).total
         2
     """
-    work = Work(_known(what), _unique(generatrices), _unique(directrices), rounding)
+    work = Work(
+        _require_known(what), _make_unique(generatrices), _make_unique(directrices), rounding
+    )
     total = len(work.generatrices) * len(work.directrices)
-    return Job(work, total, _digest(work, b"all pairs"), None)
+    return Job(work, total, _digest_input(work, b"all pairs"), None)
 
 
-def pairs_of(
+def take_listed_pairs(
     path: str,
     parts: Iterable[NamedPolygon | Part] = (),
     what: str = "loops",
@@ -98,7 +100,7 @@ def pairs_of(
             Empty lines do not count.
         parts: those that the lines may name.
         what: "trajectory", "loops", "areas" or "nfp".
-        rounding: as for `all_pairs`.
+        rounding: as for `take_all_pairs`.
 
     Returns:
         A Job for `run`.
@@ -111,20 +113,20 @@ def pairs_of(
     listed = _parts(parts)
     for name, count in Counter(part.name for part in listed).items():
         if count > 1:
-            raise BatchError(f"{count} parts have the name {quoted(name)}")
+            raise BatchError(f"{count} parts have the name {quote(name)}")
     seen, total = sha256(), 0
     for line in _lines(path):
         seen.update(line)
         total += 1
-    work = Work(_known(what), listed, listed, rounding)
-    return Job(work, total, _digest(work, seen.digest()), path)
+    work = Work(_require_known(what), listed, listed, rounding)
+    return Job(work, total, _digest_input(work, seen.digest()), path)
 
 
-def _known(what: str) -> Quantities:
+def _require_known(what: str) -> Quantities:
     for known in QUANTITIES:
         if what == known:
             return known
-    raise BatchError(f"{quoted(what)} is none of {', '.join(QUANTITIES)}")
+    raise BatchError(f"{quote(what)} is none of {', '.join(QUANTITIES)}")
 
 
 def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
@@ -133,13 +135,13 @@ def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
     )
 
 
-def _unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
+def _make_unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
     parts = _parts(polygons)
     names = make_unique([part.name for part in parts])
     return tuple(part._replace(name=name) for part, name in zip(parts, names, strict=True))
 
 
-def _digest(work: Work, source: bytes) -> str:
+def _digest_input(work: Work, source: bytes) -> str:
     rounded = "" if work.rounding is None else f"{tuple(work.rounding)} "
     digest = sha256(f"{__version__} {work.what} {rounded}".encode() + source)
     for part in (*work.generatrices, None, *work.directrices):
@@ -172,7 +174,7 @@ def _lines(path: str) -> Iterator[bytes]:
     try:
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
-            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be read twice")
+            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
         with open(path, "rb") as lines:
             while line := lines.readline(MAX_BYTES + 1):
                 end = line
@@ -181,4 +183,4 @@ def _lines(path: str) -> Iterator[bytes]:
                 if line.strip():
                     yield line if len(line) <= MAX_BYTES else b""
     except OSError as error:
-        raise BatchError(f"{file_name(path)}: {error.strerror or error}") from None
+        raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None

@@ -18,7 +18,7 @@ from typing import Self
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.record import is_error, is_record
-from exactsweep.formats.files import file_name
+from exactsweep.formats.files import show_path
 from exactsweep.processes import lock
 
 PARQUET = ".parquet"
@@ -53,11 +53,11 @@ class Output:
         except (OSError, ValueError) as error:
             # A part of the path that is too long, for instance, or a byte 0 in it.
             reason = error.strerror if isinstance(error, OSError) else str(error)
-            raise BatchError(f"{file_name(path)}: {reason}") from None
+            raise BatchError(f"{show_path(path)}: {reason}") from None
         if S_ISDIR(mode):
-            raise BatchError(f"{file_name(path)}: Is a directory")
+            raise BatchError(f"{show_path(path)}: Is a directory")
         if not S_ISREG(mode):
-            raise BatchError(f"{file_name(path)}: a pipe or a device, which cannot be resumed")
+            raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be resumed")
         self.is_table = self.path.suffix.lower() in (PARQUET, CSV)
         self.part = self.path.with_name(f"{self.path.name}.part")
         self.note = self.path.with_name(f"{self.path.name}.job")
@@ -70,12 +70,12 @@ class Output:
             try:
                 self.lock = opened.enter_context(open(self.note, "a+", encoding="utf-8"))
                 if not lock(self.lock):
-                    raise BatchError(f"{file_name(path)}: a batch is writing it already")
+                    raise BatchError(f"{show_path(path)}: a batch is writing it already")
                 self._agree(restart)
                 self.file = opened.enter_context(open(self.part, "r+b"))
                 self._resume()
             except OSError as error:
-                name = file_name(str(error.filename or path))
+                name = show_path(str(error.filename or path))
                 raise BatchError(f"{name}: {error.strerror or error}") from None
             self.opened = opened.pop_all()
 
@@ -90,7 +90,7 @@ class Output:
                 ours = False
             if not ours:
                 raise BatchError(
-                    f"{file_name(str(self.part))} has records of another batch, or of other input; "
+                    f"{show_path(str(self.part))} has records of another batch, or of other input; "
                     "--restart throws them away"
                 )
         else:
@@ -122,7 +122,7 @@ class Output:
                 self._count(line)
             self.file.flush()
         except OSError as error:
-            raise BatchError(f"{file_name(str(self.part))}: {error.strerror or error}") from None
+            raise BatchError(f"{show_path(str(self.part))}: {error.strerror or error}") from None
 
     def finish(self) -> None:
         """Make the records the result."""
@@ -146,7 +146,7 @@ class Output:
                 self.part.replace(self.path)
             self.note.unlink()
         except OSError as error:
-            raise BatchError(f"{file_name(str(self.path))}: {error.strerror or error}") from None
+            raise BatchError(f"{show_path(str(self.path))}: {error.strerror or error}") from None
 
     def __enter__(self) -> Self:
         return self

@@ -28,7 +28,7 @@ Only records of kind "SS" have "unswept".
 """
 
 
-def result_line(
+def write_result_line(
     index: int,
     names: Mapping[str, object],
     result: Sweep | NoFitPolygon,
@@ -56,7 +56,7 @@ def result_line(
     return _line({"index": index, **names, **values}, format_decimal if rounding else None)
 
 
-def error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
+def write_error_line(index: int, names: Mapping[str, object], reason: str) -> bytes:
     """Write that a pair is refused; the members are "index", "error" and the names."""
     return _line({"index": index, "error": reason, **names})
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.batch.record import COLUMNS, Quantities
-from exactsweep.formats.error import needs
+from exactsweep.formats.error import require_imports
 
 _ROWS = 1024
 _NAMES = ("error", "id", "generatrix", "directrix")
@@ -18,7 +18,7 @@ _NAMES = ("error", "id", "generatrix", "directrix")
 
 def require_pyarrow() -> None:
     """Refuse to begin what could not be finished."""
-    with needs("pyarrow", "parquet", "Parquet"):
+    with require_imports("pyarrow", "parquet", "Parquet"):
         import pyarrow.parquet  # noqa: F401
 
 

@@ -7,21 +7,20 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from exactsweep.batch.parts import Part
-from exactsweep.batch.record import Quantities, error_line, result_line
+from exactsweep.batch.record import Quantities, write_error_line, write_result_line
 from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import described, parse_certificate, parse_json
+from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
 from exactsweep.formats.files import MAX_BYTES, decode_text
 from exactsweep.formats.polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
-from exactsweep.words import suggestion
+from exactsweep.words import suggest
 
 Names = dict[str, object]
-_Shape = Polygon | Region
 _OPTIONS = ("direction", "reference")
 _MEMBERS = ("id", "generatrix", "directrix", *_OPTIONS)
 
@@ -81,7 +80,7 @@ class Work:
                 )
             else:
                 result = self._read(pair, names)
-            return result_line(index, names, result, self.what, self.rounding)
+            return write_result_line(index, names, result, self.what, self.rounding)
         except ValueError as error:
             reason = str(error)
         except RecursionError:
@@ -90,7 +89,7 @@ class Work:
             reason = "out of memory"
         except Exception as error:  # a fault of this program ends no batch either
             reason = f"internal error: {type(error).__name__}: {error}"
-        return error_line(index, names, reason)
+        return write_error_line(index, names, reason)
 
     def lost_line(self, chunk: Chunk) -> bytes:
         """Write the record of a chunk of one pair that no process survives."""
@@ -99,14 +98,16 @@ class Work:
         if isinstance(pair, int):
             generatrix, directrix = self._parts(pair)
             names = {"generatrix": generatrix.name, "directrix": directrix.name}
-        return error_line(chunk.first, names, "the process that computed it was killed each time")
+        return write_error_line(
+            chunk.first, names, "the process that computed it was killed each time"
+        )
 
     def _parts(self, pair: int) -> tuple[Part, Part]:
         i, k = divmod(pair, len(self.directrices))
         return self.generatrices[i], self.directrices[k]
 
     def _result(
-        self, generatrix: _Shape, directrix: _Shape, **options: Any
+        self, generatrix: Polygon | Region, directrix: Polygon | Region, **options: Any
     ) -> Sweep | NoFitPolygon:
         if self.what != "nfp":
             return sweep(generatrix, directrix, **options)
@@ -120,7 +121,7 @@ class Work:
         text = decode_text(line)
         document = parse_json(text)
         if not isinstance(document, dict):
-            raise FormatError(f"$ is {described(document)}, not an object")
+            raise FormatError(f"$ is {describe_kind(document)}, not an object")
         if document.get("id") is not None:
             names |= _identity(text)
         for member in ("generatrix", "directrix"):
@@ -128,21 +129,21 @@ class Work:
                 names[member] = document[member]
         for member in document:
             if member not in _MEMBERS:
-                raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+                raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
         options: dict[str, Any] = {
             name: _pair(document[name], name) for name in _OPTIONS if document.get(name) is not None
         }
         polygons = [self._member(document, name) for name in ("generatrix", "directrix")]
         return self._result(*polygons, **options)
 
-    def _member(self, document: Mapping[str, object], name: str) -> _Shape:
+    def _member(self, document: Mapping[str, object], name: str) -> Polygon | Region:
         if name not in document:
             raise FormatError(f"$ has no {name}")
         value = document[name]
         if isinstance(value, str):
             if value not in self._by_name:
-                near = suggestion(value, self._by_name)
-                raise FormatError(f"$.{name}: there is no part {quoted(value)}{near}")
+                near = suggest(value, self._by_name)
+                raise FormatError(f"$.{name}: there is no part {quote(value)}{near}")
             return _polygon(self._by_name[value], name)
         try:
             return choose(find_candidates(value), None).region()
@@ -154,7 +155,7 @@ class Work:
         return {part.name: part for part in self.generatrices}
 
 
-def _polygon(part: Part, member: str) -> _Shape:
+def _polygon(part: Part, member: str) -> Polygon | Region:
     if isinstance(part.polygon, str):
         raise FormatError(f"{member}: {part.polygon}")
     return part.polygon
@@ -166,11 +167,11 @@ def _identity(text: str) -> Names:
     assert isinstance(document, dict)
     identity = document["id"]
     if not isinstance(identity, (str, int)) or isinstance(identity, bool):
-        raise FormatError(f"$.id is {described(identity)}, not a string or an integer")
+        raise FormatError(f"$.id is {describe_kind(identity)}, not a string or an integer")
     return {"id": identity}
 
 
 def _pair(value: object, name: str) -> list[object]:
     if not isinstance(value, list) or len(value) != 2:
-        raise FormatError(f"$.{name} is {described(value)}, not a pair of numbers")
+        raise FormatError(f"$.{name} is {describe_kind(value)}, not a pair of numbers")
     return value

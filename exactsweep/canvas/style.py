@@ -72,10 +72,10 @@ JUDGED = {"theirs": "#e7298a", "witness": "#4daf4a"}
 """The colours of another program's answer and of a witness against it, beside those of LIGHT."""
 
 
-def style_sheet() -> str:
+def write_style_sheet() -> str:
     """Write all colours as variables of CSS, those for a dark ground where the reader has one.
 
-    >>> style_sheet().splitlines()[0][:24]
+    >>> write_style_sheet().splitlines()[0][:24]
     ':root { --directrix: #5f'
     """
     light, dark = (
@@ -112,7 +112,7 @@ _SETTINGS: Any = {
 }
 
 
-def in_style() -> AbstractContextManager[None]:
+def use_style() -> AbstractContextManager[None]:
     """Return a context in which matplotlib has the settings of the style."""
     from matplotlib import rc_context
 
@@ -211,10 +211,10 @@ SUB_TRAJECTORY = Look(GREY, 0.9, dash=(0, (4, 2)), order=3)
 ENVELOPE = Look(BLACK, 2.2, order=4)
 
 
-def chain_look(k: int) -> Look:
+def choose_chain_look(k: int) -> Look:
     """The look of chain number k of several: by colour, marker and dashes.
 
-    >>> chain_look(0) == chain_look(1)
+    >>> choose_chain_look(0) == choose_chain_look(1)
     False
     """
     markers, dashes = "os^Dv", ("-", (0, (5, 1.5)), (0, (2, 1)))

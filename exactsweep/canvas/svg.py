@@ -27,7 +27,7 @@ class Shape(NamedTuple):
     closed: bool = True
 
 
-def svg(shapes: Iterable[Shape], title: str) -> str:
+def write_svg(shapes: Iterable[Shape], title: str) -> str:
     """Write shapes as one SVG image on a white ground.
 
     Args:
@@ -35,7 +35,7 @@ def svg(shapes: Iterable[Shape], title: str) -> str:
         title: what the picture shows.
 
     Returns:
-        An `svg` element.
+        An `write_svg` element.
 
     Raises:
         DrawError: there is nothing to draw.
@@ -55,7 +55,7 @@ def svg(shapes: Iterable[Shape], title: str) -> str:
 
 
 def _path(shape: Shape, window: Window) -> str:
-    data = path_data((map(window.place, loop) for loop in shape.loops), closed=shape.closed)
+    data = write_path((map(window.place, loop) for loop in shape.loops), closed=shape.closed)
     look = shape.look
     fill, hatching = look.fill or "none", ""
     if look.hatch:
@@ -79,7 +79,7 @@ def _path(shape: Shape, window: Window) -> str:
 
 def draw_rings(rings: Iterable[Iterable[Vertex]], title: str) -> str:
     """Draw the rings of one polygon as an SVG image. Cost: O(n)."""
-    return svg([Shape(list(rings), style.DIRECTRIX)], title)
+    return write_svg([Shape(list(rings), style.DIRECTRIX)], title)
 
 
 def put_beside(picture: str, rows: Iterable[tuple[str, str]]) -> str:
@@ -95,7 +95,7 @@ def put_beside(picture: str, rows: Iterable[tuple[str, str]]) -> str:
     )
 
 
-def path_data(
+def write_path(
     lines: Iterable[Iterable[tuple[float, float]]], *, closed: bool, digits: int = 2
 ) -> str:
     """Write lines as the data of one SVG path.
@@ -107,7 +107,7 @@ def path_data(
 
     Cost: linear in the number of points.
 
-    >>> path_data([[(0, 0), (1, 0.125)]], closed=True)
+    >>> write_path([[(0, 0), (1, 0.125)]], closed=True)
     'M0.00 0.00L1.00 0.12Z'
     """
     corners = ("L".join(f"{x:.{digits}f} {y:.{digits}f}" for x, y in line) for line in lines)

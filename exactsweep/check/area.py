@@ -8,7 +8,7 @@ from fractions import Fraction
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
 
-_Ratio = tuple[int, int]
+_Quotient = tuple[int, int]
 
 
 def check_area(
@@ -35,7 +35,7 @@ def check_area(
         raise CertificateError("area: it is not that of the outer loop minus those inside it")
 
 
-def _doubled(nodes: Sequence[Node], sign: int) -> Iterator[_Ratio]:
+def _doubled(nodes: Sequence[Node], sign: int) -> Iterator[_Quotient]:
     """Terms of twice the area of a loop, numerators and denominators."""
     for (px, py, pw), (qx, qy, qw) in zip(nodes, [*nodes[1:], nodes[0]], strict=True):
         yield sign * (px * qy - qx * py), pw * qw

@@ -12,40 +12,40 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.check.cone import Pair, by_turn, cross, minus, ratio
-from exactsweep.check.uncovered import OpenSets, Piece, Segment
-from exactsweep.geometry.canonical import canonical_ring, doubled_area
-from exactsweep.geometry.point import Rational
+from exactsweep.check.cone import by_turn, cross, divide, subtract
+from exactsweep.check.uncovered import LinePiece, OpenSets
+from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
+from exactsweep.geometry.point import Edge, Rational, Vertex
 
 
-class Loop(NamedTuple):
+class WalkedLoop(NamedTuple):
     """A simple loop as it is walked, what is free on its left, and a point inside an edge.
 
     No other loop passes through that point.
     """
 
-    points: tuple[Pair, ...]
-    beside: Pair
+    points: tuple[Vertex, ...]
+    beside: Vertex
 
     @property
     def is_hole(self) -> bool:
         """Whether what is free is inside: the loop is walked counter-clockwise."""
-        return doubled_area(self.points) > 0
+        return find_doubled_area(self.points) > 0
 
 
 class Boundary(NamedTuple):
     """Loops, and exact fits as pairs of points, the end that hangs on a loop first."""
 
-    loops: list[Loop]
-    fits: list[Segment]
+    loops: list[WalkedLoop]
+    fits: list[Edge]
 
 
-def canonical(points: Sequence[Pair]) -> tuple[Pair, ...]:
+def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
     """The canonical form of a simple loop."""
-    return canonical_ring(points).points
+    return canonicalize_ring(points).points
 
 
-def assemble(pieces: Sequence[Piece], points: Iterable[Pair], sets: OpenSets) -> Boundary:
+def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets) -> Boundary:
     """Assemble loops and fits.
 
     Args:
@@ -58,13 +58,13 @@ def assemble(pieces: Sequence[Piece], points: Iterable[Pair], sets: OpenSets) ->
 
     Cost: O(p**2) for p pieces, and the number of sets for each edge.
     """
-    cuts = _cuts(pieces)
-    ahead: dict[Pair, list[Pair]] = defaultdict(list)
-    slits: list[list[Segment]] = []
+    cuts = _find_cuts(pieces)
+    ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
+    slits: list[list[Edge]] = []
     for piece, at in zip(pieces, cuts, strict=True):
         slits.append([])
         for low, high in pairwise(sorted(at)):
-            middle = ratio(low + high, 2)
+            middle = divide(low + high, 2)
             left, right = (not sets.is_beside(piece.line, middle, side) for side in (1, -1))
             p, q = at[low], at[high]
             if left:
@@ -74,17 +74,17 @@ def assemble(pieces: Sequence[Piece], points: Iterable[Pair], sets: OpenSets) ->
             else:
                 slits[-1].append((p, q))
     on_loops = set(ahead)
-    fits = [fit for edges in slits for fit in _joined(edges, on_loops)]
+    fits = [fit for edges in slits for fit in _join(edges, on_loops)]
     fits += [(p, p) for p in points if not any(_is_on(p, piece) for piece in pieces)]
-    return Boundary(_loops(ahead), fits)
+    return Boundary(_walk_loops(ahead), fits)
 
 
-def _is_on(p: Pair, piece: Piece) -> bool:
+def _is_on(p: Vertex, piece: LinePiece) -> bool:
     dx, dy, c = piece.line
     return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
 
 
-def _cuts(pieces: Sequence[Piece]) -> list[dict[Rational, Pair]]:
+def _find_cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
     order = sorted(range(len(pieces)), key=lambda k: pieces[k].ends[0])
@@ -93,27 +93,27 @@ def _cuts(pieces: Sequence[Piece]) -> list[dict[Rational, Pair]]:
         start = pieces[k].ends[0][0]
         active = [j for j in active if pieces[j].ends[1][0] >= start]
         for j in active:
-            if (p := _common_point(pieces[j], pieces[k])) is not None:
+            if (p := _find_common_point(pieces[j], pieces[k])) is not None:
                 for i in (j, k):
                     cuts[i][p[pieces[i].line.axis]] = p
         active.append(k)
     return cuts
 
 
-def _common_point(one: Piece, other: Piece) -> Pair | None:
+def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     """Where two pieces of different lines meet."""
     (dx, dy, c), (ex, ey, e) = one.line, other.line
     turn = dx * ey - dy * ex
     if turn == 0:
         return None
-    p = ratio(c * ex - e * dx, turn), ratio(c * ey - e * dy, turn)
+    p = divide(c * ex - e * dx, turn), divide(c * ey - e * dy, turn)
     on_both = all(piece.low <= p[piece.line.axis] <= piece.high for piece in (one, other))
     return p if on_both else None
 
 
-def _joined(edges: Iterable[Segment], on_loops: set[Pair]) -> Iterator[Segment]:
+def _join(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
     """Join edges that follow each other on a line, except where a loop passes."""
-    joined: list[Segment] = []
+    joined: list[Edge] = []
     for p, q in edges:
         if joined and joined[-1][1] == p and p not in on_loops:
             joined[-1] = joined[-1][0], q
@@ -123,9 +123,9 @@ def _joined(edges: Iterable[Segment], on_loops: set[Pair]) -> Iterator[Segment]:
         yield (q, p) if q in on_loops and p not in on_loops else (p, q)
 
 
-def _loops(ahead: dict[Pair, list[Pair]]) -> list[Loop]:
+def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
     """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
-    behind: dict[Pair, list[Pair]] = defaultdict(list)
+    behind: dict[Vertex, list[Vertex]] = defaultdict(list)
     for p, ends in ahead.items():
         for q in ends:
             behind[q].append(p)
@@ -138,32 +138,32 @@ def _loops(ahead: dict[Pair, list[Pair]]) -> list[Loop]:
             left.discard((p, q))
             if q in walk:
                 k = walk.index(q)
-                loops.append(_loop(walk[k:]))
+                loops.append(_make_loop(walk[k:]))
                 del walk[k + 1 :]
             else:
                 walk.append(q)
-            p, q = q, _next(p, q, ahead[q])
+            p, q = q, _choose_next(p, q, ahead[q])
             if (p, q) == start:
                 break
     return loops
 
 
-def _next(p: Pair, q: Pair, ends: Sequence[Pair]) -> Pair:
+def _choose_next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
     """The next edge around what is free: the first one clockwise from the way back."""
     if len(ends) == 1:
         return ends[0]
-    back = minus(p, q)
-    turned = sorted((minus(end, q) for end in ends), key=by_turn)
+    back = subtract(p, q)
+    turned = sorted((subtract(end, q) for end in ends), key=by_turn)
     before = [way for way in turned if by_turn(way) < by_turn(back)]
     dx, dy = (before or turned)[-1]
     return q[0] + dx, q[1] + dy
 
 
-def _loop(points: Sequence[Pair]) -> Loop:
+def _make_loop(points: Sequence[Vertex]) -> WalkedLoop:
     (ax, ay), (bx, by) = points[:2]
     corners = [
         q
         for p, q, r in zip((points[-1], *points), points, (*points[1:], points[0]), strict=False)
-        if cross(minus(q, p), minus(r, q))
+        if cross(subtract(q, p), subtract(r, q))
     ]
-    return Loop(tuple(corners), (ratio(ax + bx, 2), ratio(ay + by, 2)))
+    return WalkedLoop(tuple(corners), (divide(ax + bx, 2), divide(ay + by, 2)))

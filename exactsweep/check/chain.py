@@ -10,29 +10,32 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 Node = tuple[int, int, int]
 Line = tuple[int, int, int]
 
 
-class Edge(NamedTuple):
-    """An edge that is not vertical, from left to right; b of its line is positive."""
+# An edge that is not vertical, from left to right, with its line; b of it is positive.
+ChainEdge = tuple[Node, Node, Line]
 
-    left: Node
-    right: Node
-    line: Line
+# A corner, by its number, with the lines of the edges before and after it.
+ChainCorner = tuple[int, Node, Line, Line]
+
+# What bounds the region above a chain on its left side, going down, and on its right side.
+_DOWN, _UP = (1, 0, 0), (-1, 0, 0)
 
 
-class Chain:
+class LowerChain:
     """A lower chain, from left to right: a piecewise linear function, and its region above it.
 
     Two neighbouring edges that do not meet are the two sides of a jump, a vertical edge; the
     function takes the lower value there.
 
     Attributes:
-        edges: list of Edge; each begins at the x where the last one ends.
-        convex: pairs of vertex number and node, where the region has an angle below two right ones.
+        edges: list of ChainEdge; each begins at the x where the last one ends.
+        jumps: how many vertical edges there are.
+        runs: the convex corners, where the region has an angle below two right ones, as lists of
+            ChainCorner with no concave corner between them: slopes grow all along a run.
         concave: the other corners, as tuples of vertex number, node, a side (1 right, -1 left) on
             which the chain goes on from the node without a jump, and the next node on that side.
     """
@@ -40,20 +43,25 @@ class Chain:
     def __init__(self, corners: Sequence[tuple[int, Node]], lines: Sequence[Line]) -> None:
         """Take the corners from left to right, and the lines between them."""
         self.edges = [
-            Edge(left, right, line)
+            (left, right, line)
             for ((_, left), (_, right)), line in zip(pairwise(corners), lines, strict=True)
             if line[1]
         ]
-        self.convex = [corners[0], corners[-1]]
+        self.jumps = len(lines) - len(self.edges)
+        self.runs: list[list[ChainCorner]] = []
         self.concave = []
-        for m in range(1, len(lines)):
-            number, node = corners[m]
-            if turn(lines[m - 1], lines[m]) > 0:
-                self.convex.append((number, node))
+        before, run = _DOWN, list[ChainCorner]()
+        for m, ((number, node), after) in enumerate(zip(corners, (*lines, _UP), strict=True)):
+            if turn(before, after) > 0:
+                run.append((number, node, before, after))
             else:
-                side = 1 if lines[m][1] else -1
+                side = 1 if after[1] else -1
                 self.concave.append((number, node, side, corners[m + side][1]))
-        self._floors = [edge.right[0] // edge.right[2] for edge in self.edges]
+                self.runs.append(run)
+                run = []
+            before = after
+        self.runs = [run for run in (*self.runs, run) if run]
+        self._floors = [x // w for _, (x, _, w), _ in self.edges]
 
     def first_reaching(self, x: int, w: int) -> int:
         """The number of the first edge that ends at x/w or to the right of it.
@@ -65,9 +73,7 @@ class Chain:
         if k == len(self.edges) or self._floors[k] > unit:
             return k
         same = bisect_right(self._floors, unit, k)
-        return bisect_left(
-            self.edges, 0, k, same, key=lambda edge: edge.right[0] * w - x * edge.right[2]
-        )
+        return bisect_left(self.edges, 0, k, same, key=lambda edge: edge[1][0] * w - x * edge[1][2])
 
     def holds(self, node: Node) -> bool:
         """Whether a point is on the chain or above it."""
@@ -87,7 +93,9 @@ def turn(one: Line, other: Line) -> int:
     return one[0] * other[1] - one[1] * other[0]
 
 
-def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[int, int]]:
+def walk_heights(
+    first: LowerChain, second: LowerChain, o: Node, side: int
+) -> Iterator[tuple[int, int]]:
     """Walk along A(u) + B(x - u) - y for a point o = (x, y), through all u with both defined.
 
     Between breakpoints this is linear in u; so its limits at breakpoints are given, from left to
@@ -109,7 +117,7 @@ def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[i
     ox, oy, ow = o
     # B turned about o runs from left to right, and A + B passes o as A passes the turned B.
     below = [
-        Edge(
+        (
             (ox * rw - rx * ow, oy * rw - ry * ow, rw * ow),
             (ox * lw - lx * ow, oy * lw - ly * ow, lw * ow),
             (a * ow, b * ow, -a * ox - b * oy - c * ow),
@@ -117,12 +125,12 @@ def heights(first: Chain, second: Chain, o: Node, side: int) -> Iterator[tuple[i
         for (lx, ly, lw), (rx, ry, rw), (a, b, c) in reversed(second.edges)
     ]
     above = first.edges
-    i, j = first.first_reaching(below[0].left[0], below[0].left[2]), 0
+    i, j = first.first_reaching(below[0][0][0], below[0][0][2]), 0
     # Just right of x, the turned B has been moved to the right a little: an edge of A that ends
     # where an edge of B begins is past, and one of B that ends where one of A begins is not.
-    while i < len(above) and _order(above[i].right, below[0].left, -side) <= 0:
+    while i < len(above) and _order(above[i][1], below[0][0], -side) <= 0:
         i += 1
-    while j < len(below) and _order(below[j].right, above[0].left, side) <= 0:
+    while j < len(below) and _order(below[j][1], above[0][0], side) <= 0:
         j += 1
     if i == len(above) or j == len(below):
         return

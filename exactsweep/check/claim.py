@@ -17,20 +17,19 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.certificate import (
     CertificateError,
-    Loop,
+    KeyPath,
     check_keys,
+    flaw,
     is_exactly,
     read_fit,
     read_list,
     read_loop,
     read_number,
 )
-from exactsweep.geometry.point import Point
-
-Fits = tuple[tuple[Point, Point], ...]
+from exactsweep.geometry.point import Fit, Loop
 
 
-class Outline(NamedTuple):
+class ClaimedShape(NamedTuple):
     """A polygon with holes, not checked yet."""
 
     exterior: Loop
@@ -40,20 +39,20 @@ class Outline(NamedTuple):
 class NoFitClaim(NamedTuple):
     """All positions at which G touches D without overlap: loops, and exact fits."""
 
-    directrix: Outline
-    generatrix: Outline
+    directrix: ClaimedShape
+    generatrix: ClaimedShape
     exterior: Loop
     holes: tuple[Loop, ...]
-    exact_fits: Fits
+    exact_fits: tuple[Fit, ...]
 
 
 class InnerFitClaim(NamedTuple):
     """All positions of a part inside a container: regions, and exact fits."""
 
-    container: Outline
-    part: Outline
-    regions: tuple[Outline, ...]
-    exact_fits: Fits
+    container: ClaimedShape
+    part: ClaimedShape
+    regions: tuple[ClaimedShape, ...]
+    exact_fits: tuple[Fit, ...]
 
 
 class SweepClaim(NamedTuple):
@@ -66,7 +65,7 @@ class SweepClaim(NamedTuple):
     area: Fraction
 
 
-Claim = NoFitClaim | InnerFitClaim | SweepClaim
+ShapeClaim = NoFitClaim | InnerFitClaim | SweepClaim
 
 _SWEPT = ("kind", "inner", "outer", "unswept", "area")
 _KEYS = {
@@ -76,7 +75,7 @@ _KEYS = {
 }
 
 
-def read_claim(certificate: dict[Any, Any]) -> Claim:
+def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
     """Read a certificate that has the key `claim`.
 
     Returns:
@@ -92,10 +91,10 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
         raise CertificateError(f"claim is not {', '.join(_KEYS)}")
     check_keys(certificate, ("claim", *_KEYS[name]))
     shapes = ("container", "part") if name == "inner_fit" else ("directrix", "generatrix")
-    d, g = (_outline(certificate[key], key) for key in shapes)
+    d, g = (_read_shape(certificate[key], key) for key in shapes)
     fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
     if name == "inner_fit":
-        return InnerFitClaim(d, g, read_list(certificate["regions"], "regions", _outline), fits)
+        return InnerFitClaim(d, g, read_list(certificate["regions"], "regions", _read_shape), fits)
     exterior = read_loop(certificate["exterior"], "exterior")
     no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
     if name == "no_fit":
@@ -107,12 +106,12 @@ def read_claim(certificate: dict[Any, Any]) -> Claim:
     return SweepClaim(no_fit, inner, outer, unswept, read_number(certificate["area"], "area"))
 
 
-def _loops(item: Any, place: str) -> tuple[Loop, ...]:
+def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:
     return read_list(item, place, read_loop)
 
 
-def _outline(item: Any, place: str) -> Outline:
+def _read_shape(item: Any, place: KeyPath) -> ClaimedShape:
     if type(item) is not dict or item.keys() != {"exterior", "holes"}:
-        raise CertificateError(f"{place}: not an object of exterior and holes")
-    exterior = read_loop(item["exterior"], f"{place}.exterior")
-    return Outline(exterior, _loops(item["holes"], f"{place}.holes"))
+        raise flaw(place, "not an object of exterior and holes")
+    exterior = read_loop(item["exterior"], (place, ".exterior"))
+    return ClaimedShape(exterior, _loops(item["holes"], (place, ".holes")))

@@ -18,21 +18,21 @@ from fractions import Fraction
 from itertools import chain
 from typing import Any, Literal, NamedTuple
 
-from exactsweep.check.cone import Pair, common_direction, direction_inside, dot
+from exactsweep.check.cone import dot, find_common_direction, find_direction_inside
 from exactsweep.check.location import locate_in_shape
-from exactsweep.check.meeting import cones_of, meetings, split_where_touching
-from exactsweep.check.shape import Shape, on_one_lattice, polygons_of
-from exactsweep.geometry.error import named
-from exactsweep.geometry.point import Point
+from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
+from exactsweep.check.shape import LatticeShape, bring_to_one_lattice, list_rings
+from exactsweep.geometry.error import name_refusals
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.reading import read_point
 
-Verdict = Literal["FREE", "CONTACT", "OVERLAP"]
+Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 
 
 class Classification(NamedTuple):
     """A verdict, and a point of both open interiors (OVERLAP) or of both boundaries (CONTACT)."""
 
-    verdict: Verdict
+    verdict: Meeting
     witness: Point | None
 
 
@@ -63,18 +63,18 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     ['FREE', 'CONTACT', 'OVERLAP']
     """
     x, y = read_point(t, "the position")
-    with named("directrix"):
-        polygons = [polygons_of(directrix)]
-    with named("generatrix"):
-        polygons.append(polygons_of(generatrix))
-    scale, (d, g) = on_one_lattice(polygons, (x.denominator, y.denominator))
+    with name_refusals("directrix"):
+        polygons = [list_rings(directrix)]
+    with name_refusals("generatrix"):
+        polygons.append(list_rings(generatrix))
+    scale, (d, g) = bring_to_one_lattice(polygons, (x.denominator, y.denominator))
     dx, dy = int(x * scale), int(y * scale)
     shapes = d, tuple(tuple((px + dx, py + dy) for px, py in ring) for ring in g)
     if _boxes_apart(*shapes):
         return Classification("FREE", None)
     contact = None
-    for point, cones in meetings(shapes):
-        if direction := common_direction(*cones):
+    for point, cones in list_meetings(shapes):
+        if direction := find_common_direction(*cones):
             return Classification("OVERLAP", _witness(point, direction, shapes, scale))
         contact = contact or point
     if contact:
@@ -82,12 +82,12 @@ def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classificat
     for inner, outer in (shapes, shapes[::-1]):
         start = inner[0][0]
         if locate_in_shape(start, outer) > 0:
-            direction = direction_inside(cones_of(split_where_touching(inner))[start][0])
+            direction = find_direction_inside(find_cones_of(split_where_touching(inner))[start][0])
             return Classification("OVERLAP", _witness(start, direction, shapes, scale))
     return Classification("FREE", None)
 
 
-def _boxes_apart(one: Shape, other: Shape) -> bool:
+def _boxes_apart(one: LatticeShape, other: LatticeShape) -> bool:
     for axis in (0, 1):
         # The exterior is the first ring.
         a, b = [p[axis] for p in one[0]], [p[axis] for p in other[0]]
@@ -96,7 +96,9 @@ def _boxes_apart(one: Shape, other: Shape) -> bool:
     return False
 
 
-def _witness(point: Pair, direction: Pair, shapes: tuple[Shape, Shape], scale: int) -> Point:
+def _witness(
+    point: Vertex, direction: Vertex, shapes: tuple[LatticeShape, LatticeShape], scale: int
+) -> Point:
     """A point of both interiors: half-way to the next boundary in a direction of both cones."""
     x, y = point
     dx, dy = direction

@@ -26,20 +26,20 @@ from collections.abc import Iterable, Sequence
 from math import lcm
 
 from exactsweep.check.area import check_area
-from exactsweep.check.certificate import CertificateError, Loop
+from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
-from exactsweep.check.claim import Claim, InnerFitClaim, NoFitClaim, Outline, SweepClaim
+from exactsweep.check.claim import ClaimedShape, InnerFitClaim, NoFitClaim, ShapeClaim, SweepClaim
+from exactsweep.check.claimed_shape import check_loop, check_shape
 from exactsweep.check.classify import classify
-from exactsweep.check.difference import Part, Segment, compare
+from exactsweep.check.difference import LoopOrFit, compare
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
-from exactsweep.check.outline import check_loop, check_outline
 from exactsweep.check.size import check_size
-from exactsweep.geometry.canonical import turn_products
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.canonical import find_turns
+from exactsweep.geometry.point import Fit, Loop, Point
 
 
-def prove_claim(claim: Claim, max_steps: int) -> None:
+def prove_claim(claim: ShapeClaim, max_steps: int) -> None:
     """Prove a claim by steps 1 to 6.
 
     Raises:
@@ -58,8 +58,8 @@ def prove_claim(claim: Claim, max_steps: int) -> None:
 def _prove_no_fit(c: NoFitClaim, max_steps: int) -> None:
     claimed = _parts_of_no_fit(c.exterior, c.holes, c.exact_fits)
     _check_size(c.directrix, c.generatrix, claimed, max_steps)
-    check_outline(c.directrix, "directrix")
-    check_outline(c.generatrix, "generatrix")
+    check_shape(c.directrix, "directrix")
+    check_shape(c.generatrix, "generatrix")
     _check_loops(claimed)
     true = _parts_of_no_fit(*reference_no_fit(c.directrix, c.generatrix))
 
@@ -73,11 +73,11 @@ def _prove_no_fit(c: NoFitClaim, max_steps: int) -> None:
 def _prove_inner_fit(c: InnerFitClaim, max_steps: int) -> None:
     claimed = _parts_of_inner_fit(c.regions, c.exact_fits)
     _check_size(c.container, c.part, claimed, max_steps)
-    check_outline(c.container, "container")
-    check_outline(c.part, "part")
+    check_shape(c.container, "container")
+    check_shape(c.part, "part")
     _check_loops(claimed)
     found = reference_inner_fit(c.container, c.part)
-    regions = [Outline(*region) for region in found.regions]
+    regions = [ClaimedShape(*region) for region in found.regions]
     compare(
         claimed,
         _parts_of_inner_fit(regions, found.exact_fits),
@@ -91,7 +91,7 @@ def _prove_inner_fit(c: InnerFitClaim, max_steps: int) -> None:
 def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
     d, g = c.no_fit.directrix, c.no_fit.generatrix
     claimed = _parts_of_sweep(c.outer, c.inner, c.unswept)
-    _check_size(Outline(c.no_fit.exterior, ()), g, claimed, max_steps)
+    _check_size(ClaimedShape(c.no_fit.exterior, ()), g, claimed, max_steps)
     _prove_no_fit(c.no_fit, max_steps)
     if not d.holes and not g.holes and has_shared_direction([d.exterior, g.exterior]):
         raise CertificateError("kind: there is a shared direction, so it is not SS")
@@ -104,16 +104,18 @@ def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
 # --- Size and form -------------------------------------------------------------------------------
 
 
-def _check_size(d: Outline, g: Outline, parts: Sequence[Part], max_steps: int) -> None:
+def _check_size(
+    d: ClaimedShape, g: ClaimedShape, parts: Sequence[LoopOrFit], max_steps: int
+) -> None:
     """Refuse what would take too long: pairs of pieces on all contact segments, at a guess."""
     rings = [d.exterior, *d.holes, g.exterior, *g.holes]
     loops = [_nodes(points) for points in (*rings, *(part.points for part in parts))]
     sizes, pieces = [], []
-    for outline in (d, g):
-        around = (outline.exterior, *outline.holes)
+    for shape in (d, g):
+        around = (shape.exterior, *shape.holes)
         sizes.append(sum(map(len, around)))
-        concave = sum(turn < 0 for turn in turn_products(outline.exterior))
-        pieces.append(1 + concave + sum(map(len, outline.holes)))
+        concave = sum(turn < 0 for turn in find_turns(shape.exterior))
+        pieces.append(1 + concave + sum(map(len, shape.holes)))
     (m, n), (p, q) = sizes, pieces
     check_size(loops, 2 * m * n * (1 + p * q // 16) + m * m + n * n, max_steps)
 
@@ -126,37 +128,37 @@ def _nodes(points: Iterable[Point]) -> list[Node]:
     return nodes
 
 
-def _check_loops(parts: Iterable[Part]) -> None:
+def _check_loops(parts: Iterable[LoopOrFit]) -> None:
     for part in parts:
         if part.is_loop:
             check_loop(part.points, part.name)
 
 
-def _parts_of_no_fit(exterior: Loop, holes: Sequence[Loop], fits: Sequence[Segment]) -> list[Part]:
+def _parts_of_no_fit(exterior: Loop, holes: Sequence[Loop], fits: Sequence[Fit]) -> list[LoopOrFit]:
     return [
-        Part("exterior", "exterior", exterior, True),
+        LoopOrFit("exterior", "exterior", exterior, True),
         *_loops_of("holes", holes),
         *_fits_of(fits),
     ]
 
 
-def _parts_of_inner_fit(regions: Sequence[Outline], fits: Sequence[Segment]) -> list[Part]:
+def _parts_of_inner_fit(regions: Sequence[ClaimedShape], fits: Sequence[Fit]) -> list[LoopOrFit]:
     parts = []
     for k, (exterior, holes) in enumerate(regions):
-        parts.append(Part("regions", f"regions[{k}].exterior", exterior, True))
+        parts.append(LoopOrFit("regions", f"regions[{k}].exterior", exterior, True))
         parts += _loops_of(f"regions[{k}].holes", holes, "holes of regions")
     return parts + _fits_of(fits)
 
 
-def _parts_of_sweep(outer: Loop, inner: Loop, unswept: Sequence[Loop]) -> list[Part]:
+def _parts_of_sweep(outer: Loop, inner: Loop, unswept: Sequence[Loop]) -> list[LoopOrFit]:
     named = ("outer", outer), ("inner", inner)
-    parts = [Part(name, name, points, True) for name, points in named]
+    parts = [LoopOrFit(name, name, points, True) for name, points in named]
     return parts + _loops_of("unswept", unswept)
 
 
-def _loops_of(name: str, loops: Sequence[Loop], group: str = "") -> list[Part]:
-    return [Part(group or name, f"{name}[{k}]", p, True) for k, p in enumerate(loops)]
+def _loops_of(name: str, loops: Sequence[Loop], group: str = "") -> list[LoopOrFit]:
+    return [LoopOrFit(group or name, f"{name}[{k}]", p, True) for k, p in enumerate(loops)]
 
 
-def _fits_of(fits: Sequence[Segment]) -> list[Part]:
-    return [Part("exact_fits", f"exact_fits[{k}]", fit, False) for k, fit in enumerate(fits)]
+def _fits_of(fits: Sequence[Fit]) -> list[LoopOrFit]:
+    return [LoopOrFit("exact_fits", f"exact_fits[{k}]", fit, False) for k, fit in enumerate(fits)]

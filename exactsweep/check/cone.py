@@ -7,38 +7,36 @@ from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
-from exactsweep.geometry.point import LatticePoint, Rational
-
-Pair = LatticePoint
+from exactsweep.geometry.point import Rational, Vertex
 
 
 class Ray(NamedTuple):
     """An edge as seen from a point on it: the direction, and whether the walk goes that way."""
 
-    along: Pair
+    along: Vertex
     outgoing: bool
 
 
 class Cone(NamedTuple):
     """An angle at a boundary point that a shape fills: counter-clockwise from start to end."""
 
-    start: Pair
-    end: Pair
+    start: Vertex
+    end: Vertex
 
-    def holds(self, d: Pair) -> bool:
+    def holds(self, d: Vertex) -> bool:
         """Whether a direction is in the cone, its start included and its end not."""
         if cross(self.start, d) == 0 and dot(self.start, d) > 0:
             return True
         return self.surrounds(d)
 
-    def surrounds(self, d: Pair) -> bool:
+    def surrounds(self, d: Vertex) -> bool:
         """Whether a direction is strictly inside the cone."""
         if cross(self.start, self.end) > 0:
             return cross(self.start, d) > 0 and cross(d, self.end) > 0
         return cross(self.start, d) > 0 or cross(d, self.end) > 0
 
 
-def cones_between(rays: Sequence[Ray]) -> list[Cone]:
+def find_cones(rays: Sequence[Ray]) -> list[Cone]:
     """The cones of a shape at a point, from the rays of the boundary there.
 
     With the interior on the left of every edge, an outgoing ray opens a cone and the next ray
@@ -54,39 +52,39 @@ def cones_between(rays: Sequence[Ray]) -> list[Cone]:
     return [Cone(ray.along, after.along) for ray, after in following if ray.outgoing]
 
 
-def common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Pair | None:
+def find_common_direction(some: Iterable[Cone], others: Sequence[Cone]) -> Vertex | None:
     """A direction strictly inside a cone of each. Of two that meet, one begins in the other."""
     for one in some:
         for other in others:
             for a, b in ((one, other), (other, one)):
                 if a.holds(b.start):
                     end = a.end if b.holds(a.end) else b.end
-                    return direction_inside(Cone(b.start, end))
+                    return find_direction_inside(Cone(b.start, end))
     return None
 
 
-def direction_inside(cone: Cone) -> Pair:
+def find_direction_inside(cone: Cone) -> Vertex:
     """A direction strictly inside: between the two sides, or square to one if the cone is wide."""
     (x, y), (end_x, end_y) = cone
     return (x + end_x, y + end_y) if cross(*cone) > 0 else (-y, x)
 
 
-def minus(p: Pair, q: Pair) -> Pair:
+def subtract(p: Vertex, q: Vertex) -> Vertex:
     """The way from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
 
-def cross(p: Pair, q: Pair) -> Rational:
+def cross(p: Vertex, q: Vertex) -> Rational:
     """Cross product of two directions, positive where the second is to the left of the first."""
     return p[0] * q[1] - p[1] * q[0]
 
 
-def dot(p: Pair, q: Pair) -> Rational:
+def dot(p: Vertex, q: Vertex) -> Rational:
     """Scalar product of two directions."""
     return p[0] * q[0] + p[1] * q[1]
 
 
-def ratio(n: Rational, d: Rational) -> Rational:
+def divide(n: Rational, d: Rational) -> Rational:
     """Divide, by an int without going through Fractions where an int comes out."""
     if type(n) is int and type(d) is int:
         quotient, rest = divmod(n, d)
@@ -94,12 +92,12 @@ def ratio(n: Rational, d: Rational) -> Rational:
     return Fraction(n) / d
 
 
-def is_between(p: Pair, a: Pair, b: Pair) -> bool:
+def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:
     """Whether p lies on the segment from a to b, the ends included."""
-    return cross(minus(b, a), minus(p, a)) == 0 and min(a, b) <= p <= max(a, b)
+    return cross(subtract(b, a), subtract(p, a)) == 0 and min(a, b) <= p <= max(a, b)
 
 
-def _compare_turns(p: Pair, q: Pair) -> int:
+def _compare_turns(p: Vertex, q: Vertex) -> int:
     lower_p, lower_q = (y < 0 or (y == 0 and x < 0) for x, y in (p, q))
     if lower_p != lower_q:
         return lower_p - lower_q

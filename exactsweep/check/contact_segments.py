@@ -9,13 +9,13 @@ links of a chain may hold each other by such vertices and nothing else.
 
 from __future__ import annotations
 
-from exactsweep.check.cone import Cone, Pair, common_direction, minus
-from exactsweep.check.meeting import cones_of, split_where_touching
-from exactsweep.check.shape import Ring, Shape, edges_of
-from exactsweep.check.uncovered import Segment
+from exactsweep.check.cone import Cone, find_common_direction, subtract
+from exactsweep.check.meeting import find_cones_of, split_where_touching
+from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
+from exactsweep.geometry.point import Edge, Vertex
 
 
-def contacts_of_shapes(d: Shape, g: Shape) -> tuple[list[Segment], set[Pair]]:
+def find_contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge], set[Vertex]]:
     """Translations t at which a vertex of D or G + t is on an edge, or a vertex, of the other.
 
     Args:
@@ -28,28 +28,28 @@ def contacts_of_shapes(d: Shape, g: Shape) -> tuple[list[Segment], set[Pair]]:
     Cost: O(mn) for m and n edges.
     """
     d, g = split_where_touching(d), split_where_touching(g)
-    d_cones, g_cones = cones_of(d), cones_of(g)
+    d_cones, g_cones = find_cones_of(d), find_cones_of(g)
     segments = []
-    for a, b in edges_of(g):
-        wall = [_half_plane(minus(b, a))]
+    for a, b in list_edges(g):
+        wall = [_half_plane(subtract(b, a))]
         for v, cones in d_cones.items():
-            if not common_direction(cones, wall):
-                segments.append((minus(v, a), minus(v, b)))
-    for a, b in edges_of(d):
-        wall = [_half_plane(minus(b, a))]
+            if not find_common_direction(cones, wall):
+                segments.append((subtract(v, a), subtract(v, b)))
+    for a, b in list_edges(d):
+        wall = [_half_plane(subtract(b, a))]
         for v, cones in g_cones.items():
-            if not common_direction(cones, wall):
-                segments.append((minus(a, v), minus(b, v)))
+            if not find_common_direction(cones, wall):
+                segments.append((subtract(a, v), subtract(b, v)))
     points = {
-        minus(v, w)
+        subtract(v, w)
         for v, cones in d_cones.items()
         for w, others in g_cones.items()
-        if not common_direction(cones, others)
+        if not find_common_direction(cones, others)
     }
     return segments, points
 
 
-def contacts_of_curve(curve: Ring, g: Shape) -> list[Segment]:
+def find_contacts_of_curve(curve: LatticeRing, g: LatticeShape) -> list[Edge]:
     """Points p at which p - G touches a closed curve with a vertex of either on an edge.
 
     Args:
@@ -63,24 +63,24 @@ def contacts_of_curve(curve: Ring, g: Shape) -> list[Segment]:
     """
     g = split_where_touching(g)
     segments = []
-    ways = [minus(b, a) for a, b in edges_of([curve])]
-    for a, b in edges_of(g):
-        x, y = minus(b, a)
+    ways = [subtract(b, a) for a, b in list_edges([curve])]
+    for a, b in list_edges(g):
+        x, y = subtract(b, a)
         inverse = _half_plane((-x, -y))
         for k, (vx, vy) in enumerate(curve):
             if not any(map(inverse.surrounds, (_back(ways[k - 1]), ways[k]))):
                 segments.append(((vx + a[0], vy + a[1]), (vx + b[0], vy + b[1])))
-    for w, cones in cones_of(g).items():
+    for w, cones in find_cones_of(g).items():
         inverses = [Cone(_back(cone.start), _back(cone.end)) for cone in cones]
-        for (a, b), way in zip(edges_of([curve]), ways, strict=True):
+        for (a, b), way in zip(list_edges([curve]), ways, strict=True):
             if not any(c.surrounds(along) for c in inverses for along in (way, _back(way))):
                 segments.append(((a[0] + w[0], a[1] + w[1]), (b[0] + w[0], b[1] + w[1])))
     return segments
 
 
-def _half_plane(way: Pair) -> Cone:
+def _half_plane(way: Vertex) -> Cone:
     return Cone(way, _back(way))
 
 
-def _back(way: Pair) -> Pair:
+def _back(way: Vertex) -> Vertex:
     return -way[0], -way[1]

@@ -1,29 +1,45 @@
 """The contacts of a trajectory: exactly the pairs of features that touch along each of its edges.
 
 G + t touches D in a pair of features if t is in the sum of both in D + I(G). So the pairs that
-touch along an edge of the trajectory are those whose sum draws it.
+touch along an edge of the trajectory are those whose sum draws it. If the trajectory is right,
+D + I(G) lies to the left of the edge, and with it D moved by any point of I(G), and I(G) by any of
+D. Both lie to the left of their own edges. So a sum that draws the edge is that of
+
+- two edges of its direction, or
+- an edge of its direction and a convex corner of the other polygon, whose own two edges have this
+  direction between theirs, counter-clockwise. Where one of them has it, too, it is as above.
+
+No other pairs are looked at. Whether the trajectory is right is not decided here.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Container, Iterator, Mapping, Sequence
 
-from exactsweep.check.certificate import CertificateError, Contact, Feature
-from exactsweep.check.chain import Line
-from exactsweep.check.cover import Extent, check_covered, edge_extent, middle, sum_extent
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.certificate import ListedContact, ListedFeature, flaw
+from exactsweep.check.chain import Line, Node, turn
+from exactsweep.check.cone import by_turn
+from exactsweep.check.cover import (
+    LineInterval,
+    check_covered,
+    find_edge_extent,
+    find_middle,
+    find_sum_extent,
+    share_a_part,
+)
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 _Normal = tuple[int, int]
 
 
 def check_contacts(
-    trajectory: Loop,
-    directrix: Loop,
-    inverse: Loop,
-    listed: Sequence[Sequence[Contact]],
-    frame: Frame,
+    trajectory: MonotoneLoop,
+    directrix: MonotoneLoop,
+    inverse: MonotoneLoop,
+    listed: Sequence[Sequence[ListedContact]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed contacts of each edge are those that draw it, and cover all of it.
 
@@ -38,76 +54,95 @@ def check_contacts(
     Raises:
         CertificateError: they are not, or do not.
 
-    Cost: O(mn) look-ups of lines, and O(c log k) for c contacts of k edges.
+    Cost: O((m + n) log(m + n)), a look-up of a line for each edge of one polygon and each convex
+    corner of the other that may touch so, and O(c log k) for c contacts of k edges.
     """
-    edges = [edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
-    # By normal and constant of the line; edges of a simple loop on one line do not overlap.
-    rows: dict[_Normal, dict[int, list[tuple[Extent, int]]]] = defaultdict(dict)
-    for k, (a, b, c) in enumerate(trajectory.lines):
-        rows[a, b].setdefault(c, []).append((edges[k], k))
-    for constants in rows.values():
-        for row in constants.values():
-            row.sort()
+    edges = [find_edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
+    # Edges of a simple loop on one line do not overlap.
+    rows: dict[Line, list[tuple[LineInterval, int]]] = defaultdict(list)
+    for k, line in enumerate(trajectory.lines):
+        rows[line].append((edges[k], k))
+    for row in rows.values():
+        row.sort()
     expected = [set(contacts) for contacts in listed]
-    found: list[dict[Contact, Extent]] = [{} for _ in listed]
+    found: list[dict[ListedContact, LineInterval]] = [{} for _ in listed]
     for contact, line in _contacts_on_lines(directrix, inverse, rows):
         piece = _extent_of(contact, directrix, inverse, line)
-        row = rows[line[:2]][line[2]]
-        for m in range(bisect_right(row, piece.low, key=lambda entry: entry[0].high), len(row)):
+        row = rows[line]
+        for m in range(bisect_right(row, piece[0], key=lambda entry: entry[0][1]), len(row)):
             edge, k = row[m]
-            part = edge.common(piece)
-            if part.low >= part.high:
+            if not share_a_part(edge, piece):
                 break
             if contact not in expected[k]:
-                witness = frame.leave(middle(part, line))
-                raise CertificateError(f"contacts[{k}]: {contact} is missing", witness)
+                part = max(edge[0], piece[0]), min(edge[1], piece[1])
+                witness = frame.leave(find_middle(part, line))
+                raise flaw(("contacts", k), f"{_name(contact)} is missing", witness)
             found[k][contact] = piece
     for k, contacts in enumerate(listed):
         for contact in contacts:
             if contact not in found[k]:
-                raise CertificateError(f"contacts[{k}]: {contact} does not touch along the edge")
+                raise flaw(("contacts", k), f"{_name(contact)} does not touch along the edge")
         pieces = found[k].values()
-        check_covered(f"contacts[{k}]", edges[k], pieces, trajectory.lines[k], frame)
+        check_covered(("contacts", k), edges[k], pieces, trajectory.lines[k], frame)
 
 
 def _contacts_on_lines(
-    directrix: Loop, inverse: Loop, lines: Mapping[_Normal, Container[int]]
-) -> Iterator[tuple[Contact, Line]]:
-    """Find all contacts on some lines, given by normal and constant.
-
-    D and I(G) lie to the left of their edges, and their sum to the left of any sum that is part of
-    its boundary: so the sense of a line must agree, too.
-    """
+    directrix: MonotoneLoop, inverse: MonotoneLoop, lines: Container[Line]
+) -> Iterator[tuple[ListedContact, Line]]:
+    """Find all contacts on some lines."""
+    normals = dict.fromkeys(line[:2] for loop in (directrix, inverse) for line in loop.lines)
+    ranks = {normal: k for k, normal in enumerate(sorted(normals, key=by_turn))}
+    for i, j in _facing(inverse, directrix, ranks):
+        if (line := _moved(inverse.lines[i], directrix.nodes[j])) in lines:
+            yield ("EV", i, j), line
+    for j, i in _facing(directrix, inverse, ranks):
+        if (line := _moved(directrix.lines[j], inverse.nodes[i])) in lines:
+            yield ("VE", i, j), line
     parallel: dict[_Normal, list[int]] = defaultdict(list)
-    for i, (a, b, c) in enumerate(inverse.lines):
-        parallel[a, b].append(i)
-        constants = lines.get((a, b), ())
-        for j, (x, y, _) in enumerate(directrix.nodes if constants else ()):
-            shifted = c - a * x - b * y
-            if shifted in constants and not _on_edge_along(directrix, j, (a, b)):
-                yield Contact("EV", i, j), (a, b, shifted)
-    for j, (a, b, c) in enumerate(directrix.lines):
-        constants = lines.get((a, b), ())
-        for i, (x, y, _) in enumerate(inverse.nodes if constants else ()):
-            shifted = c - a * x - b * y
-            if shifted in constants and not _on_edge_along(inverse, i, (a, b)):
-                yield Contact("VE", i, j), (a, b, shifted)
-        for i in parallel[a, b] if constants else ():
-            x, y, _ = inverse.nodes[i]
-            shifted = c - a * x - b * y
-            if shifted in constants:
-                yield Contact("EE", i, j), (a, b, shifted)
+    for i, edge in enumerate(inverse.lines):
+        parallel[edge[:2]].append(i)
+    for j, edge in enumerate(directrix.lines):
+        for i in parallel.get(edge[:2], ()):
+            if (line := _moved(edge, inverse.nodes[i])) in lines:
+                yield ("EE", i, j), line
 
 
-def _on_edge_along(loop: Loop, k: int, normal: _Normal) -> bool:
-    """Whether a vertex ends an edge with this normal: then EE includes what it would add."""
-    return normal in (loop.lines[k - 1][:2], loop.lines[k][:2])
+def _facing(
+    edges: MonotoneLoop, corners: MonotoneLoop, ranks: Mapping[_Normal, int]
+) -> Iterator[tuple[int, int]]:
+    """Pairs of an edge and a convex corner, the edge's direction between those of the two there.
+
+    Ranks are those of all directions, counter-clockwise.
+    """
+    order = sorted((ranks[line[:2]], k) for k, line in enumerate(edges.lines))
+    ordered = [rank for rank, _ in order]
+    for m, after in enumerate(corners.lines):
+        before = corners.lines[m - 1]
+        if turn(before, after) <= 0:
+            continue
+        start, end = ranks[before[:2]], ranks[after[:2]]
+        first, last = bisect_right(ordered, start), bisect_left(ordered, end)
+        for _, k in order[first:last] if start < end else order[first:] + order[:last]:
+            yield k, m
 
 
-def _extent_of(contact: Contact, directrix: Loop, inverse: Loop, line: Line) -> Extent:
+def _moved(line: Line, by: Node) -> Line:
+    """A line moved by a node of the lattice."""
+    (a, b, c), (x, y, _) = line, by
+    return a, b, c - a * x - b * y
+
+
+def _extent_of(
+    contact: ListedContact, directrix: MonotoneLoop, inverse: MonotoneLoop, line: Line
+) -> LineInterval:
     event, i, j = contact
-    of_g = Feature("edge" if event[0] == "E" else "vertex", i)
-    of_d = Feature("edge" if event[1] == "E" else "vertex", j)
-    extent = sum_extent(directrix, of_d, inverse, of_g, line)
+    of_g: ListedFeature = ("edge" if event[0] == "E" else "vertex", i)
+    of_d: ListedFeature = ("edge" if event[1] == "E" else "vertex", j)
+    extent = find_sum_extent(directrix, of_d, inverse, of_g, line)
     assert extent is not None  # its line is how it was found
     return extent
+
+
+def _name(contact: ListedContact) -> str:
+    event, i, j = contact
+    return f"{event} ({i}, {j})"

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.check.cone import Cone, Pair, cross, dot, minus
-from exactsweep.check.meeting import cones_of, split_where_touching
-from exactsweep.check.shape import Ring, Shape, edges_of
+from exactsweep.check.cone import Cone, cross, dot, subtract
+from exactsweep.check.meeting import find_cones_of, split_where_touching
+from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
+from exactsweep.geometry.point import Vertex
 
 
-def convex_pieces(shape: Shape) -> list[Ring]:
+def cut_to_convex(shape: LatticeShape) -> list[LatticeRing]:
     """Cut a shape into convex pieces without new vertices.
 
     Args:
@@ -27,31 +28,31 @@ def convex_pieces(shape: Shape) -> list[Ring]:
 
     Cost: O(c n**2) at worst, O(c n log n) where the first diagonals tried are good.
 
-    >>> len(convex_pieces((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),)))
+    >>> len(cut_to_convex((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),)))
     2
     """
     touching = split_where_touching(shape)
-    cones, walls = cones_of(touching), edges_of(touching)
+    cones, walls = find_cones_of(touching), list_edges(touching)
     for p in cones:
         while wide := next((cone for cone in cones[p] if _is_wide(cone)), None):
             q = _best_diagonal(p, wide, cones, walls)
             walls.append((p, q))
             for a, b in ((p, q), (q, p)):
-                _split(cones[a], minus(b, a))
+                _split(cones[a], subtract(b, a))
     return _faces(cones)
 
 
-def convex_sum(first: Sequence[Pair], second: Sequence[Pair]) -> Ring:
+def add_convex(first: Sequence[Vertex], second: Sequence[Vertex]) -> LatticeRing:
     """Add two convex rings, counter-clockwise, by merging their edges by direction.
 
     A ring of two vertices is a segment.
 
-    >>> convex_sum([(0, 0), (1, 0), (0, 1)], [(0, 0), (2, 0)])
+    >>> add_convex([(0, 0), (1, 0), (0, 1)], [(0, 0), (2, 0)])
     ((0, 0), (3, 0), (2, 1), (0, 1))
     """
     a, b = _from_lowest(first), _from_lowest(second)
     x, y = a[0][0] + b[0][0], a[0][1] + b[0][1]
-    ways, others = ([minus(q, p) for p, q in edges_of([ring])] for ring in (a, b))
+    ways, others = ([subtract(q, p) for p, q in list_edges([ring])] for ring in (a, b))
     found = [(x, y)]
     i = j = 0
     while i < len(ways) or j < len(others):
@@ -66,7 +67,7 @@ def convex_sum(first: Sequence[Pair], second: Sequence[Pair]) -> Ring:
     return tuple(found[:-1])
 
 
-def _faces(cones: dict[Pair, list[Cone]]) -> list[Ring]:
+def _faces(cones: dict[Vertex, list[Cone]]) -> list[LatticeRing]:
     """Walk around the faces: the end of an edge is the cone that ends in the way back."""
     ending = {(p, cone.end): cone for p, found in cones.items() for cone in found}
     faces = []
@@ -85,7 +86,7 @@ def _faces(cones: dict[Pair, list[Cone]]) -> list[Ring]:
     return faces
 
 
-def _from_lowest(ring: Sequence[Pair]) -> Ring:
+def _from_lowest(ring: Sequence[Vertex]) -> LatticeRing:
     k = min(range(len(ring)), key=lambda i: (ring[i][1], ring[i][0]))
     return (*ring[k:], *ring[:k])
 
@@ -94,22 +95,22 @@ def _is_wide(cone: Cone) -> bool:
     return cross(cone.start, cone.end) < 0
 
 
-def _halves(cone: Cone, way: Pair) -> list[Cone]:
+def _halves(cone: Cone, way: Vertex) -> list[Cone]:
     return [Cone(cone.start, way), Cone(way, cone.end)]
 
 
-def _split(cones: list[Cone], way: Pair) -> None:
+def _split(cones: list[Cone], way: Vertex) -> None:
     k = next(k for k, cone in enumerate(cones) if cone.surrounds(way))
     cones[k : k + 1] = _halves(cones[k], way)
 
 
 def _best_diagonal(
-    p: Pair, wide: Cone, cones: dict[Pair, list[Cone]], walls: Sequence[tuple[Pair, Pair]]
-) -> Pair:
+    p: Vertex, wide: Cone, cones: dict[Vertex, list[Cone]], walls: Sequence[tuple[Vertex, Vertex]]
+) -> Vertex:
     """The end of a diagonal into a wide angle: best if it leaves none wide, here and there."""
     ranked = []
     for q, there in cones.items():
-        way = minus(q, p)
+        way = subtract(q, p)
         if q == p or not wide.surrounds(way):
             continue
         back = (-way[0], -way[1])
@@ -120,19 +121,19 @@ def _best_diagonal(
     return next(q for _, _, q in sorted(ranked) if not _is_blocked(p, q, walls))
 
 
-def _is_blocked(p: Pair, q: Pair, walls: Sequence[tuple[Pair, Pair]]) -> bool:
+def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[tuple[Vertex, Vertex]]) -> bool:
     """Whether a wall that does not end in p or q meets the segment between them.
 
     A wall along the segment does not count, as at its end there is another one that does not.
     """
-    way = minus(q, p)
+    way = subtract(q, p)
     for a, b in walls:
         if p in (a, b) or q in (a, b):
             continue
-        from_a, from_b = cross(way, minus(a, p)), cross(way, minus(b, p))
+        from_a, from_b = cross(way, subtract(a, p)), cross(way, subtract(b, p))
         if from_a * from_b > 0 or from_a == from_b == 0:
             continue
-        along = minus(b, a)
-        if cross(along, minus(p, a)) * cross(along, minus(q, a)) <= 0:
+        along = subtract(b, a)
+        if cross(along, subtract(p, a)) * cross(along, subtract(q, a)) <= 0:
             return True
     return False

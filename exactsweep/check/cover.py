@@ -6,80 +6,88 @@ edge and has more than a point in common with it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
-from typing import NamedTuple
 
-from exactsweep.check.certificate import CertificateError, Drawing, Feature
+from exactsweep.check.certificate import KeyPath, ListedDrawing, ListedFeature, flaw
 from exactsweep.check.chain import Line, Node
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.geometry.point import Rational
+
+# A segment on a known line, by its least and greatest x, or y if the line is vertical; ints where
+# they are ints, for Fractions take ten times as long.
+LineInterval = tuple[Rational, Rational]
 
 
-class Extent(NamedTuple):
-    """A segment on a known line, by its least and greatest x, or y if the line is vertical."""
-
-    low: Fraction
-    high: Fraction
-
-    def common(self, other: Extent) -> Extent:
-        """The part of both; its low is not below its high if there is none of positive length."""
-        return Extent(max(self.low, other.low), min(self.high, other.high))
+def share_a_part(one: LineInterval, other: LineInterval) -> bool:
+    """Whether two segments on a line have a part of positive length in common."""
+    return max(one[0], other[0]) < min(one[1], other[1])
 
 
-def edge_extent(loop: Loop, k: int) -> Extent:
+def find_edge_extent(loop: MonotoneLoop, k: int) -> LineInterval:
     """The extent of an edge on its own line."""
-    return _extent(_ends(loop, Feature("edge", k)), loop.lines[k])
+    axis = 0 if loop.lines[k][1] else 1
+    one, other = (_ratio(node[axis], node[2]) for node in _ends(loop, ("edge", k)))
+    return (one, other) if one < other else (other, one)
 
 
-def sum_extent(
-    first: Loop, feature: Feature, second: Loop, other: Feature, line: Line
-) -> Extent | None:
+def find_sum_extent(
+    first: MonotoneLoop,
+    feature: ListedFeature,
+    second: MonotoneLoop,
+    other: ListedFeature,
+    line: Line,
+) -> LineInterval | None:
     """The extent on a line of the sum of two features, or None if it is not all on the line.
 
     The nodes of the second loop are on the lattice.
     """
     a, b, c = line
-    ends = [
-        (x + dx * w, y + dy * w, w)
-        for x, y, w in _ends(first, feature)
-        for dx, dy, _ in _ends(second, other)
-    ]
-    if any(a * x + b * y + c * w for x, y, w in ends):
-        return None
-    return _extent(ends, line)
+    along = []
+    for x, y, w in _ends(first, feature):
+        for dx, dy, _ in _ends(second, other):
+            u, v = x + dx * w, y + dy * w
+            if a * u + b * v + c * w:
+                return None
+            along.append(_ratio(u if b else v, w))
+    return min(along), max(along)
 
 
-def middle(extent: Extent, line: Line) -> Node:
+def find_middle(extent: LineInterval, line: Line) -> Node:
     """The point of a line half-way along an extent."""
     a, b, c = line
-    along = (extent.low + extent.high) / 2
+    along = Fraction(extent[0] + extent[1], 2)
     n, w = along.numerator, along.denominator
     return (n * b, -a * n - c * w, w * b) if b else (-c * w, n * a, w * a)
 
 
 def check_covered(
-    place: str, edge: Extent, pieces: Collection[Extent], line: Line, frame: Frame
+    place: KeyPath,
+    edge: LineInterval,
+    pieces: Collection[LineInterval],
+    line: Line,
+    frame: NodeFrame,
 ) -> None:
     """Raise CertificateError if pieces of a line leave a gap on an edge."""
-    reach = edge.low
+    reach, end = edge
     for low, high in sorted(pieces):
         if low > reach:
             break
         reach = max(reach, high)
-    if reach < edge.high:
+    if reach < end:
         # To the next piece, or to the end if there is no piece beyond.
-        gap = Extent(reach, min([edge.high, *(low for low, _ in pieces if low > reach)]))
-        witness = frame.leave(middle(gap, line))
-        raise CertificateError(f"{place}: nothing that is listed draws all of the edge", witness)
+        gap = reach, min([end, *(low for low, _ in pieces if low > reach)])
+        witness = frame.leave(find_middle(gap, line))
+        raise flaw(place, "nothing that is listed draws all of the edge", witness)
 
 
 def check_drawings(
     name: str,
-    loop: Loop,
-    trajectory: Loop,
-    generatrix: Loop,
-    listed: Sequence[Sequence[Drawing]],
-    frame: Frame,
+    loop: MonotoneLoop,
+    trajectory: MonotoneLoop,
+    generatrix: MonotoneLoop,
+    listed: Sequence[Sequence[ListedDrawing]],
+    frame: NodeFrame,
 ) -> None:
     """Check that the listed features of G, at their positions, draw each edge, all of it.
 
@@ -97,28 +105,31 @@ def check_drawings(
     Cost: O(d log d) for d drawings of one edge, summed over the edges.
     """
     for k, drawings in enumerate(listed):
-        line, edge = loop.lines[k], edge_extent(loop, k)
+        line, edge = loop.lines[k], find_edge_extent(loop, k)
         pieces = []
         for drawing in drawings:
             position, feature = drawing
-            piece = sum_extent(trajectory, position, generatrix, feature, line)
+            piece = find_sum_extent(trajectory, position, generatrix, feature, line)
             if piece is None:
-                raise CertificateError(f"{name}[{k}]: {drawing} is not on the line of the edge")
-            low, high = piece.common(edge)
-            if low >= high:
-                raise CertificateError(f"{name}[{k}]: {drawing} draws no part of the edge")
+                raise flaw((name, k), f"{_name(drawing)} is not on the line of the edge")
+            if not share_a_part(piece, edge):
+                raise flaw((name, k), f"{_name(drawing)} draws no part of the edge")
             pieces.append(piece)
-        check_covered(f"{name}[{k}]", edge, pieces, line, frame)
+        check_covered((name, k), edge, pieces, line, frame)
 
 
-def _ends(loop: Loop, feature: Feature) -> list[Node]:
+def _ends(loop: MonotoneLoop, feature: ListedFeature) -> list[Node]:
     kind, k = feature
+    if kind == "vertex":
+        return [loop.nodes[k]]
     # Edge k ends in node k + 1, the last one in node 0.
-    ends = [loop.nodes[k], loop.nodes[k + 1 - len(loop.nodes)]]
-    return ends[:1] if kind == "vertex" else ends
+    return [loop.nodes[k], loop.nodes[k + 1 - len(loop.nodes)]]
 
 
-def _extent(nodes: Iterable[Node], line: Line) -> Extent:
-    axis = 0 if line[1] else 1
-    along = [Fraction(node[axis], node[2]) for node in nodes]
-    return Extent(min(along), max(along))
+def _name(drawing: ListedDrawing) -> str:
+    (where, k), (what, i) = drawing
+    return f"generatrix {what} {i} at trajectory {where} {k}"
+
+
+def _ratio(n: int, d: int) -> Rational:
+    return n if d == 1 else Fraction(n, d)

@@ -20,13 +20,18 @@ from itertools import pairwise
 from math import lcm
 from typing import Any, NamedTuple
 
-from exactsweep.check.piecewise import Function, Piece, ends, least_sum, mirror
-from exactsweep.check.shape import Ring, on_integers, to_points
-from exactsweep.check.uncovered import Segment
-from exactsweep.geometry.canonical import canonical_ring
+from exactsweep.check.piecewise import (
+    LinearPiece,
+    PiecewiseLinear,
+    list_ends,
+    mirror,
+    take_least_sum,
+)
+from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
+from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import LatticePoint, Point, Rational
+from exactsweep.geometry.point import Edge, Fit, Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
 
 
@@ -61,7 +66,7 @@ def reference_loops(
     >>> [(str(x), str(y)) for x, y in reference_loops(square, square).trajectory]
     [('-1', '-1'), ('1', '-1'), ('1', '1'), ('-1', '1')]
     """
-    frame = _Frame(direction, Polygon(generatrix), Polygon(directrix))
+    frame = _IntegerFrame(direction, Polygon(generatrix), Polygon(directrix))
     (g_bottom, g_top), (d_bottom, d_top) = frame.generatrix, frame.directrix
     lower = _lower_halves(d_bottom, g_bottom, g_top)
     mirrored = _lower_halves(mirror(d_top), mirror(g_top), mirror(g_bottom))
@@ -71,7 +76,7 @@ def reference_loops(
 
 def reference_exact_fits(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
-) -> tuple[tuple[Point, Point], ...]:
+) -> tuple[Fit, ...]:
     """List the exact fits of the sweep (G, D): contact without overlap, hemmed in on both sides.
 
     At a difference x0 of vertex abscissas, G slides up from the lower trajectory as far as D_b
@@ -102,7 +107,7 @@ def reference_exact_fits(
     >>> [[tuple(map(str, p)) for p in fit] for fit in reference_exact_fits(square, slot)]
     [[('1', '3'), ('1', '1')]]
     """
-    frame = _Frame(direction, Polygon(generatrix), Polygon(directrix))
+    frame = _IntegerFrame(direction, Polygon(generatrix), Polygon(directrix))
     (g_bottom, g_top), (d_bottom, d_top) = frame.generatrix, frame.directrix
     below = _fits_from_below(d_bottom, g_top)
     above = _fits_from_below(mirror(d_top), mirror(g_bottom))
@@ -111,7 +116,7 @@ def reference_exact_fits(
     return tuple(sorted(map(frame.segment, fits)))
 
 
-class _Frame:
+class _IntegerFrame:
     """Coordinates along a direction u and its left normal: the matrix [u; u_perp] and back.
 
     Attributes:
@@ -125,70 +130,70 @@ class _Frame:
             raise ExactSweepError("the direction (0, 0) is no direction")
         unit = lcm(ux.denominator, uy.denominator)
         self._ux, self._uy = int(ux * unit), int(uy * unit)
-        self._scale, ((g,), (d,)) = on_integers([[generatrix], [directrix]])
+        self._scale, ((g,), (d,)) = bring_to_integers([[generatrix], [directrix]])
         self.generatrix = self._halves(g, "generatrix")
         self.directrix = self._halves(d, "directrix")
 
-    def _halves(self, ring: Ring, name: str) -> tuple[Function, Function]:
+    def _halves(self, ring: LatticeRing, name: str) -> tuple[PiecewiseLinear, PiecewiseLinear]:
         turned = [(self._ux * x + self._uy * y, self._ux * y - self._uy * x) for x, y in ring]
         # Counter-clockwise: the bottom runs to the right and the top to the left. Edges that do
         # neither are vertical; they are the jumps of the functions and need no piece.
         edges = list(zip(turned, turned[1:] + turned[:1], strict=True))
-        bottom = sorted(Piece(*p, *q) for p, q in edges if p[0] < q[0])
-        top = sorted(Piece(*q, *p) for p, q in edges if p[0] > q[0])
+        bottom = sorted(LinearPiece(*p, *q) for p, q in edges if p[0] < q[0])
+        top = sorted(LinearPiece(*q, *p) for p, q in edges if p[0] > q[0])
         # Monotone is: bottom and top each cover the range of x once.
         if any(p.x1 != q.x0 for half in (bottom, top) for p, q in pairwise(half)):
             raise ExactSweepError(f"the {name} is not monotone to ({self._ux}, {self._uy})")
         return tuple(bottom), tuple(top)
 
-    def _back(self, x: Rational, y: Rational) -> LatticePoint:
+    def _back(self, x: Rational, y: Rational) -> Vertex:
         return self._ux * x - self._uy * y, self._uy * x + self._ux * y
 
-    def _leave(self, ring: Iterable[LatticePoint], finer: int = 1) -> tuple[Point, ...]:
+    def _leave(self, ring: Iterable[Vertex], finer: int = 1) -> tuple[Point, ...]:
         return to_points(ring, (self._ux**2 + self._uy**2) * self._scale * finer)
 
-    def segment(self, ends: Segment) -> tuple[Point, Point]:
+    def segment(self, ends: Edge) -> Fit:
         """The segment in the plane."""
         hanging, inner = self._leave(self._back(x, y) for x, y in ends)
         return hanging, inner
 
-    def loop(self, bottom: Function, top: Function) -> tuple[Point, ...]:
+    def loop(self, bottom: PiecewiseLinear, top: PiecewiseLinear) -> tuple[Point, ...]:
         """The canonical loop between two functions on the same range."""
         there = [xy for p in bottom for xy in ((p.x0, p.y0), (p.x1, p.y1))]
         return_ = [xy for p in reversed(top) for xy in ((p.x1, p.y1), (p.x0, p.y0))]
         finer = lcm(*(c.denominator for xy in there + return_ for c in xy))
         ring = [self._back(int(x * finer), int(y * finer)) for x, y in there + return_]
-        return self._leave(canonical_ring(ring).points, finer)
+        return self._leave(canonicalize_ring(ring).points, finer)
 
 
 def _lower_halves(
-    d_bottom: Function, g_bottom: Function, g_top: Function
-) -> tuple[Function, Function, Function]:
+    d_bottom: PiecewiseLinear, g_bottom: PiecewiseLinear, g_top: PiecewiseLinear
+) -> tuple[PiecewiseLinear, PiecewiseLinear, PiecewiseLinear]:
     """T, R and S, in the order of ReferenceLoops."""
     trajectory = _trajectory(d_bottom, g_top)
-    outer = least_sum(trajectory, g_bottom)
+    outer = take_least_sum(trajectory, g_bottom)
     # max(f + g) = -min(-f - g). Over D's range x - u runs through all of G's range, so nothing
     # of T is passed by and no partial overlap at T's ends comes in.
     within = d_bottom[0].x0, d_bottom[-1].x1
-    inner = mirror(least_sum(mirror(trajectory), mirror(g_top), within))
+    inner = mirror(take_least_sum(mirror(trajectory), mirror(g_top), within))
     return trajectory, inner, outer
 
 
 # Who asks for the loops of a pair asks for its exact fits next.
 @lru_cache(maxsize=2)
-def _trajectory(d_bottom: Function, g_top: Function) -> Function:
+def _trajectory(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear) -> PiecewiseLinear:
     """D_b(a) - G_t(a - x) is D_b(a) plus the bottom of I(G) at x - a."""
-    inverse = tuple(Piece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))
-    return least_sum(d_bottom, inverse)
+    inverse = tuple(LinearPiece(-p.x1, -p.y1, -p.x0, -p.y0) for p in reversed(g_top))
+    return take_least_sum(d_bottom, inverse)
 
 
 def _fits_from_below(
-    d_bottom: Function, g_top: Function
+    d_bottom: PiecewiseLinear, g_top: PiecewiseLinear
 ) -> Iterator[tuple[Rational, Rational, Rational]]:
     """Triples x0, height on the trajectory, height of the inner end."""
     trajectory = _trajectory(d_bottom, g_top)
-    d_cuts = {x for x, _ in ends(d_bottom)}
-    g_cuts = {x for x, _ in ends(g_top)}
+    d_cuts = {x for x, _ in list_ends(d_bottom)}
+    g_cuts = {x for x, _ in list_ends(g_top)}
     for x0 in {d - g for d in d_cuts for g in g_cuts}:
         limit = _least_gap(d_bottom, g_top, x0)
         # At the two ends of the trajectory's range no open interval is shared.
@@ -199,7 +204,7 @@ def _fits_from_below(
             yield x0, hanging, limit
 
 
-def _least_gap(d_bottom: Function, g_top: Function, x0: Rational) -> Rational | None:
+def _least_gap(d_bottom: PiecewiseLinear, g_top: PiecewiseLinear, x0: Rational) -> Rational | None:
     """The least limit of D_b(a) - G_t(a - x0) inside intervals without breakpoints."""
     gaps = []
     i = j = 0

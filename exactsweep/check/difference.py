@@ -11,13 +11,11 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.check.certificate import CertificateError, Loop
-from exactsweep.geometry.point import Point
-
-Segment = tuple[Point, Point]
+from exactsweep.check.certificate import CertificateError
+from exactsweep.geometry.point import Fit, Loop, Point
 
 
-class Part(NamedTuple):
+class LoopOrFit(NamedTuple):
     """A loop or an exact fit of a list."""
 
     group: str
@@ -26,12 +24,14 @@ class Part(NamedTuple):
     is_loop: bool
 
     @property
-    def segments(self) -> list[Segment]:
+    def segments(self) -> list[Fit]:
         """Its edges, or the fit itself."""
         return list(pairwise((*self.points, self.points[0]) if self.is_loop else self.points))
 
 
-def compare(claimed: Sequence[Part], true: Sequence[Part], say: Callable[[Point], str]) -> None:
+def compare(
+    claimed: Sequence[LoopOrFit], true: Sequence[LoopOrFit], say: Callable[[Point], str]
+) -> None:
     """Check that parts are those that they should be, in the same order.
 
     Args:
@@ -72,8 +72,8 @@ def compare(claimed: Sequence[Part], true: Sequence[Part], say: Callable[[Point]
 class _Segments:
     """The segments of some parts, by the lines that they are on."""
 
-    def __init__(self, parts: Iterable[Part]) -> None:
-        self._spans: dict[_Line, list[tuple[Fraction, Fraction]]] = defaultdict(list)
+    def __init__(self, parts: Iterable[LoopOrFit]) -> None:
+        self._spans: dict[_SlopeForm, list[tuple[Fraction, Fraction]]] = defaultdict(list)
         self._points = set()
         for a, b in (segment for part in parts for segment in part.segments):
             if a == b:
@@ -84,7 +84,7 @@ class _Segments:
         for spans in self._spans.values():
             spans.sort()
 
-    def first_outside(self, part: Part) -> Point | None:
+    def first_outside(self, part: LoopOrFit) -> Point | None:
         """A point of a part that is on none of the segments."""
         for a, b in part.segments:
             if a == b:
@@ -110,21 +110,21 @@ class _Segments:
 
 
 # Slope and height at x = 0, or None and x.
-_Line = tuple[Fraction | None, Fraction]
+_SlopeForm = tuple[Fraction | None, Fraction]
 
 
-def _line_through(a: Point, b: Point) -> _Line:
+def _line_through(a: Point, b: Point) -> _SlopeForm:
     if a.x == b.x:
         return None, a.x
     slope = (b.y - a.y) / (b.x - a.x)
     return slope, a.y - slope * a.x
 
 
-def _span(a: Point, b: Point, line: _Line) -> tuple[Fraction, Fraction]:
+def _span(a: Point, b: Point, line: _SlopeForm) -> tuple[Fraction, Fraction]:
     low, high = sorted((a.y, b.y) if line[0] is None else (a.x, b.x))
     return low, high
 
 
-def _at(along: Fraction, line: _Line) -> Point:
+def _at(along: Fraction, line: _SlopeForm) -> Point:
     slope, height = line
     return Point(height, along) if slope is None else Point(along, slope * along + height)

@@ -14,12 +14,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.check.chain import Chain, Node, heights
-from exactsweep.check.loop import Frame, Loop
-from exactsweep.geometry.point import Point
+from exactsweep.check.chain import LowerChain, Node, walk_heights
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.geometry.point import Fit
 
 
-def exact_fits(directrix: Loop, inverse: Loop, frame: Frame) -> list[tuple[Point, Point]]:
+def list_exact_fits(directrix: MonotoneLoop, inverse: MonotoneLoop, frame: NodeFrame) -> list[Fit]:
     """List the exact fits of the sweep (G, D), as translations.
 
     Args:
@@ -44,7 +44,7 @@ def exact_fits(directrix: Loop, inverse: Loop, frame: Frame) -> list[tuple[Point
     return sorted(fits)
 
 
-def _lower_fits(a: Chain, b: Chain) -> Iterator[tuple[int, Fraction, Fraction]]:
+def _lower_fits(a: LowerChain, b: LowerChain) -> Iterator[tuple[int, Fraction, Fraction]]:
     """Triples x, y on the trajectory, y at the inner end."""
     (a_falls, a_rises), (b_falls, b_rises) = _jumps(a), _jumps(b)
     falls = {x + z for x in a_falls for z in b_falls}
@@ -56,15 +56,14 @@ def _lower_fits(a: Chain, b: Chain) -> Iterator[tuple[int, Fraction, Fraction]]:
             yield x, hanging, limit
 
 
-def _jumps(chain: Chain) -> tuple[list[int], list[int]]:
-    falls, rises = [chain.edges[0].left[0]], [chain.edges[-1].right[0]]
-    for edge, after in pairwise(chain.edges):
-        (x, before_y, _), (_, after_y, _) = edge.right, after.left
+def _jumps(chain: LowerChain) -> tuple[list[int], list[int]]:
+    falls, rises = [chain.edges[0][0][0]], [chain.edges[-1][1][0]]
+    for (_, (x, before_y, _), _), ((_, after_y, _), _, _) in pairwise(chain.edges):
         if before_y != after_y:
             (falls if after_y < before_y else rises).append(x)
     return falls, rises
 
 
-def _least(a: Chain, b: Chain, x: int, side: int) -> Fraction:
+def _least(a: LowerChain, b: LowerChain, x: int, side: int) -> Fraction:
     origin: Node = (x, 0, 1)
-    return min(Fraction(*height) for height in heights(a, b, origin, side))
+    return min(Fraction(*height) for height in walk_heights(a, b, origin, side))

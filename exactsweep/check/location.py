@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactsweep.check.shape import on_one_lattice, polygons_of
+from exactsweep.check.shape import bring_to_one_lattice, list_rings
 from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import LatticePoint as Coordinates
+from exactsweep.geometry.point import Vertex
 
 
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
@@ -27,18 +27,18 @@ def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     >>> [point_in_polygon(p, square) for p in [(1, 1), (2, "1/3"), (3, 1)]]
     [1, 0, -1]
     """
-    scale, (shape,) = on_one_lattice([polygons_of(polygon)])
+    scale, (shape,) = bring_to_one_lattice([list_rings(polygon)])
     x, y = point
     return locate_in_shape((to_fraction(x) * scale, to_fraction(y) * scale), shape)
 
 
-def locate_in_shape(point: Coordinates, rings: Sequence[Sequence[Coordinates]]) -> int:
+def locate_in_shape(point: Vertex, rings: Sequence[Sequence[Vertex]]) -> int:
     """Locate a point like `point_in_polygon`; outside all rings or in a hole is outside."""
     sides = [locate(point, ring) for ring in rings]
     return 0 if 0 in sides else 1 if sides.count(1) == 1 else -1
 
 
-def locate(point: Coordinates, loop: Sequence[Coordinates]) -> int:
+def locate(point: Vertex, loop: Sequence[Vertex]) -> int:
     """Locate a point like `point_in_polygon`, by the parity of the edges to the right of it.
 
     Args:

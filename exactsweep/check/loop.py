@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from fractions import Fraction
 from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Chain, Line, Node, heights, turn
-from exactsweep.geometry.point import Point
+from exactsweep.check.chain import Line, LowerChain, Node, turn, walk_heights
+from exactsweep.geometry.number import split_ratios
+from exactsweep.geometry.point import ORIGIN, Point
 
 
-class Frame:
+class NodeFrame:
     """The integer map [u; u_perp], and back. Scale: units of the lattice in one unit of length."""
 
     def __init__(self, direction: tuple[int, int], scale: int) -> None:
@@ -25,14 +27,18 @@ class Frame:
 
     def enter(self, points: Sequence[Point], origin: Point) -> list[Node]:
         """Nodes of points, taken from an origin."""
+        if origin != ORIGIN:
+            points = [Point(x - origin.x, y - origin.y) for x, y in points]
+        (us, ws), (vs, zs) = (split_ratios([point[axis] for point in points]) for axis in (0, 1))
         nodes = []
-        for point in points:
-            x, y = (a - b if b else a for a, b in zip(point, origin, strict=True))
-            w = lcm(x.denominator, y.denominator)
-            u = x.numerator * (w // x.denominator) * self._scale
-            v = y.numerator * (w // y.denominator) * self._scale
-            common = gcd(w, u, v)  # w first: it is small, as a rule, and then the rest is quick
-            u, v, w = u // common, v // common, w // common
+        for u, v, w, z in zip(us, vs, ws, zs, strict=True):
+            if w != 1 or z != 1:
+                common = lcm(w, z)
+                u, v, w = u * (common // w), v * (common // z), common
+            u, v = u * self._scale, v * self._scale
+            if w != 1:
+                common = gcd(w, u, v)  # w first: it is small, as a rule, and then the rest is quick
+                u, v, w = u // common, v // common, w // common
             nodes.append((self._p * u + self._q * v, self._p * v - self._q * u, w))
         return nodes
 
@@ -43,7 +49,7 @@ class Frame:
         return Point(Fraction(self._p * x - self._q * y, w), Fraction(self._q * x + self._p * y, w))
 
 
-class Loop:
+class MonotoneLoop:
     """A simple polygon, weakly monotone to x.
 
     Attributes:
@@ -53,47 +59,56 @@ class Loop:
             makes it a lower chain, too. Of the polygon turned so, the halves change places.
     """
 
-    def __init__(self, nodes: list[Node], name: str, frame: Frame) -> None:
+    def __init__(self, nodes: list[Node], name: str, frame: NodeFrame) -> None:
         """Raise CertificateError if the nodes are not those of a canonical loop, monotone to x.
 
         Cost: O(n).
         """
-        n = len(nodes)
         self.nodes = nodes
-        self.lines = [line_through(nodes[k], nodes[(k + 1) % n]) for k in range(n)]
+        self.lines = [line_through(p, q) for p, q in zip(nodes, nodes[1:] + nodes[:1], strict=True)]
 
         def flaw(what: str, k: int) -> CertificateError:
             return CertificateError(f"{name}: {what} vertex {k}", frame.leave(nodes[k]))
 
-        for k, line in enumerate(self.lines):
-            if line == (0, 0, 0):
-                raise flaw("not canonical, the next vertex repeats", k)
-        for k in range(n):
-            if turn(self.lines[k - 1], self.lines[k]) == 0:
-                raise flaw("not canonical, the boundary does not turn at", k)
-        self.is_convex = all(turn(self.lines[k - 1], self.lines[k]) > 0 for k in range(n))
+        if (0, 0, 0) in self.lines:
+            raise flaw("not canonical, the next vertex repeats", self.lines.index((0, 0, 0)))
+        turns = [turn(self.lines[k - 1], line) for k, line in enumerate(self.lines)]
+        if 0 in turns:
+            raise flaw("not canonical, the boundary does not turn at", turns.index(0))
+        self.is_convex = min(turns) > 0
         steps = [(k, line[1] > 0) for k, line in enumerate(self.lines) if line[1]]
         turning = [k for m, (k, ahead) in enumerate(steps) if ahead != steps[m - 1][1]]
         if len(turning) != 2:
             raise flaw("not monotone to the direction, it turns back again at", turning[-1])
-        start, end = turning if dict(steps)[turning[0]] else turning[::-1]
-        turned = [(-x, -y, w) for x, y, w in nodes]
-        turned_lines = [(-a, -b, c) for a, b, c in self.lines]
+        start, end = turning if self.lines[turning[0]][1] > 0 else turning[::-1]
         self.halves = (
             self._chain(nodes, self.lines, start, end),
-            self._chain(turned, turned_lines, end, start),
+            self._chain(*_turn_half(nodes, self.lines), end, start),
         )
-        if not _is_below(*self.halves):
+        # Where all turns are to the left, the direction goes round once, for x turns back twice:
+        # then it is a convex polygon.
+        if not self.is_convex and not _is_below(*self.halves):
             raise CertificateError(f"{name}: not simple and counter-clockwise")
 
-    def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> Chain:
+    def turn_half(self) -> MonotoneLoop:
+        """The loop turned by half a turn about the origin, its nodes numbered as they are here."""
+        turned = copy(self)
+        turned.nodes, turned.lines = _turn_half(self.nodes, self.lines)
+        turned.halves = self.halves[1], self.halves[0]
+        return turned
+
+    def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> LowerChain:
         """The chain from node `start` to the end of the last edge that does not go back."""
         n = len(nodes)
         last = (end - start) % n
         while lines[(start + last - 1) % n][1] == 0:
             last -= 1
         numbers = [(start + k) % n for k in range(last + 1)]
-        return Chain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
+        return LowerChain([(k, nodes[k]) for k in numbers], [lines[k] for k in numbers[:-1]])
+
+
+def _turn_half(nodes: Sequence[Node], lines: Sequence[Line]) -> tuple[list[Node], list[Line]]:
+    return [(-x, -y, w) for x, y, w in nodes], [(-a, -b, c) for a, b, c in lines]
 
 
 def line_through(p: Node, q: Node) -> Line:
@@ -104,10 +119,13 @@ def line_through(p: Node, q: Node) -> Line:
     return a // common, b // common, c // common
 
 
-def _is_below(lower: Chain, turned_upper: Chain) -> bool:
+def _is_below(lower: LowerChain, turned_upper: LowerChain) -> bool:
     """Whether a lower chain is below an upper one, except for a common first and last point."""
-    for side in (-1, 1):
-        first, *inside, last = (gap for gap, _ in heights(lower, turned_upper, (0, 0, 1), side))
+    # Without jumps the limits from both sides are the same.
+    for side in (-1, 1) if lower.jumps or turned_upper.jumps else (1,):
+        first, *inside, last = (
+            gap for gap, _ in walk_heights(lower, turned_upper, (0, 0, 1), side)
+        )
         if max(first, last) > 0 or max(inside, default=-1) >= 0:
             return False
     return True

@@ -9,20 +9,21 @@ from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
-from exactsweep.check.cone import Cone, Pair, Ray, cones_between, cross, dot, is_between, minus
-from exactsweep.check.shape import Shape, edges_of
+from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
+from exactsweep.check.shape import LatticeShape, list_edges
+from exactsweep.geometry.point import Vertex
 
 
-class _Edge(NamedTuple):
+class _StatusEdge(NamedTuple):
     """An edge from its lexicographically lesser end to the greater one."""
 
-    left: Pair
-    right: Pair
-    along: Pair  # right minus left
+    left: Vertex
+    right: Vertex
+    along: Vertex  # right minus left
     sense: int  # 1 if the counter-clockwise walk goes from left to right, else -1
     owner: int
 
-    def side(self, point: Pair) -> int | Fraction:
+    def side(self, point: Vertex) -> int | Fraction:
         """Negative where the point is above the edge (left of it), 0 on it, positive below."""
         (x, y), (dx, dy) = self.left, self.along
         return dy * (point[0] - x) - dx * (point[1] - y)
@@ -37,23 +38,25 @@ class _Edge(NamedTuple):
 Cones = list[Cone]
 
 
-def meetings(shapes: tuple[Shape, Shape]) -> Iterator[tuple[Pair, tuple[Cones, Cones]]]:
+def list_meetings(
+    shapes: tuple[LatticeShape, LatticeShape],
+) -> Iterator[tuple[Vertex, tuple[Cones, Cones]]]:
     """Common boundary points in the order of the sweep, each with the cones of both shapes.
 
     Complete as long as no cones met so far; past that, the order of the status is not kept.
     """
-    corners: dict[Pair, dict[int, list[Ray]]] = defaultdict(dict)
-    starting: dict[Pair, list[_Edge]] = defaultdict(list)
+    corners: dict[Vertex, dict[int, list[Ray]]] = defaultdict(dict)
+    starting: dict[Vertex, list[_StatusEdge]] = defaultdict(list)
     for owner, shape in enumerate(shapes):
         for ring in shape:
             for k, p in enumerate(ring):
-                corners[p].setdefault(owner, []).extend(corner(ring, k))
+                corners[p].setdefault(owner, []).extend(find_rays(ring, k))
                 left, right = sorted((ring[k - 1], p))
                 sense = 1 if right == p else -1
-                starting[left].append(_Edge(left, right, minus(right, left), sense, owner))
+                starting[left].append(_StatusEdge(left, right, subtract(right, left), sense, owner))
     # The status: the edges over the current event from below to above. At equal x the lower
     # event comes first, as if the plane were tilted a little; so a vertical edge is the steepest.
-    status: list[_Edge] = []
+    status: list[_StatusEdge] = []
     for point in sorted(corners):
         low = bisect_left(status, True, key=lambda edge: edge.side(point) >= 0)
         high = bisect_left(status, True, lo=low, key=lambda edge: edge.side(point) > 0)
@@ -62,19 +65,19 @@ def meetings(shapes: tuple[Shape, Shape]) -> Iterator[tuple[Pair, tuple[Cones, C
         for edge in through:
             rays.setdefault(edge.owner, []).extend(edge.rays)
         if len(rays) == 2:
-            yield point, (cones_between(rays[0]), cones_between(rays[1]))
+            yield point, (find_cones(rays[0]), find_cones(rays[1]))
         # Edges that run on together share one line: either order of them is right until the
         # first one ends, at an event that lies on both.
         onward = through + starting[point]
         onward.sort(key=_BY_SLOPE)
         status[low:high] = onward
         for k in {low, low + len(onward)}:
-            if 0 < k < len(status) and (crossing := _crossing(status[k - 1], status[k])):
+            if 0 < k < len(status) and (crossing := _find_crossing(status[k - 1], status[k])):
                 a, b = sorted(status[k - 1 : k + 1], key=lambda edge: edge.owner)
-                yield crossing, (cones_between(a.rays), cones_between(b.rays))
+                yield crossing, (find_cones(a.rays), find_cones(b.rays))
 
 
-def _crossing(e: _Edge, f: _Edge) -> Pair | None:
+def _find_crossing(e: _StatusEdge, f: _StatusEdge) -> Vertex | None:
     """The point inside both edges in which they cross; touching is left to the events."""
     if e.owner == f.owner:
         return None
@@ -85,7 +88,7 @@ def _crossing(e: _Edge, f: _Edge) -> Pair | None:
     return f.left[0] + share * f.along[0], f.left[1] + share * f.along[1]
 
 
-def _compare_slopes(e: _Edge, f: _Edge) -> int:
+def _compare_slopes(e: _StatusEdge, f: _StatusEdge) -> int:
     turn = cross(f.along, e.along)
     return (turn > 0) - (turn < 0)
 
@@ -93,14 +96,14 @@ def _compare_slopes(e: _Edge, f: _Edge) -> int:
 _BY_SLOPE = cmp_to_key(_compare_slopes)
 
 
-def corner(ring: Sequence[Pair], k: int) -> tuple[Ray, Ray]:
+def find_rays(ring: Sequence[Vertex], k: int) -> tuple[Ray, Ray]:
     """The rays of a ring at its vertex k."""
     p = ring[k]
-    ahead, back = minus(ring[(k + 1) % len(ring)], p), minus(ring[k - 1], p)
+    ahead, back = subtract(ring[(k + 1) % len(ring)], p), subtract(ring[k - 1], p)
     return Ray(ahead, True), Ray(back, False)
 
 
-def split_where_touching(shape: Shape) -> Shape:
+def split_where_touching(shape: LatticeShape) -> LatticeShape:
     """Make vertices of rings that lie inside edges of others vertices of those, too.
 
     Cost: O(n) for one ring, O(n**2) for several.
@@ -110,19 +113,19 @@ def split_where_touching(shape: Shape) -> Shape:
     corners = {p for ring in shape for p in ring}
     rings = []
     for ring in shape:
-        points: list[Pair] = []
-        for a, b in edges_of([ring]):
-            way = minus(b, a)
+        points: list[Vertex] = []
+        for a, b in list_edges([ring]):
+            way = subtract(b, a)
             inside = [p for p in corners if p not in (a, b) and is_between(p, a, b)]
-            points += [a, *sorted(inside, key=lambda p: dot(minus(p, a), way))]
+            points += [a, *sorted(inside, key=lambda p: dot(subtract(p, a), way))]
         rings.append(tuple(points))
     return tuple(rings)
 
 
-def cones_of(shape: Shape) -> dict[Pair, Cones]:
+def find_cones_of(shape: LatticeShape) -> dict[Vertex, Cones]:
     """The cones of a shape at each of its vertices; its rings touch in vertices only."""
-    rays: dict[Pair, list[Ray]] = defaultdict(list)
+    rays: dict[Vertex, list[Ray]] = defaultdict(list)
     for ring in shape:
         for k, p in enumerate(ring):
-            rays[p].extend(corner(ring, k))
-    return {p: cones_between(found) for p, found in rays.items()}
+            rays[p].extend(find_rays(ring, k))
+    return {p: find_cones(found) for p, found in rays.items()}

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactsweep.check.cone import Pair, dot, minus
-from exactsweep.check.shape import Ring, edges_of
+from exactsweep.check.cone import dot, subtract
+from exactsweep.check.shape import LatticeRing, list_edges
+from exactsweep.geometry.point import Vertex
 
 
-def has_shared_direction(rings: Sequence[Ring]) -> bool:
+def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:
     """Decide whether some direction is one to which all rings are weakly monotone.
 
     These directions are closed angles, which end in directions square to edges; so it is enough to
@@ -16,12 +17,12 @@ def has_shared_direction(rings: Sequence[Ring]) -> bool:
 
     Cost: O(n**2) for n edges.
     """
-    edges = [[minus(b, a) for a, b in edges_of([ring])] for ring in rings]
+    edges = [[subtract(b, a) for a, b in list_edges([ring])] for ring in rings]
     square = {(-y, x) for ways in edges for x, y in ways}
     return any(all(_turns(ways, u) == 2 for ways in edges) for u in square)
 
 
-def _turns(ways: Iterable[Pair], u: Pair) -> int:
+def _turns(ways: Iterable[Vertex], u: Vertex) -> int:
     """How often a ring turns back in a direction; edges square to it do not count."""
     signs = [along > 0 for way in ways if (along := dot(way, u))]
     return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))

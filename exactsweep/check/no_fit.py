@@ -32,42 +32,44 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from exactsweep.check.arrangement import Boundary, Loop, assemble, canonical
-from exactsweep.check.cone import Pair
-from exactsweep.check.contact_segments import contacts_of_curve, contacts_of_shapes
-from exactsweep.check.convex import convex_pieces, convex_sum
+from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonicalize
+from exactsweep.check.contact_segments import find_contacts_of_curve, find_contacts_of_shapes
+from exactsweep.check.convex import add_convex, cut_to_convex
 from exactsweep.check.location import locate
-from exactsweep.check.shape import Ring, Shape, on_integers, polygons_of, to_points
+from exactsweep.check.shape import (
+    LatticeRing,
+    LatticeShape,
+    bring_to_integers,
+    list_rings,
+    to_points,
+)
 from exactsweep.check.uncovered import OpenSets
-from exactsweep.geometry.canonical import doubled_area
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
-
-Vertices = tuple[Point, ...]
-Fit = tuple[Point, Point]
 
 
 class ReferenceNoFit(NamedTuple):
     """Loops as tuples of Point in canonical order, sorted, and exact fits, sorted."""
 
-    exterior: Vertices
-    holes: tuple[Vertices, ...]
+    exterior: Loop
+    holes: tuple[Loop, ...]
     exact_fits: tuple[Fit, ...]
 
 
 class ReferenceInnerFit(NamedTuple):
     """Regions, each an exterior and its holes, sorted, and exact fits, sorted."""
 
-    regions: tuple[tuple[Vertices, tuple[Vertices, ...]], ...]
+    regions: tuple[tuple[Loop, tuple[Loop, ...]], ...]
     exact_fits: tuple[Fit, ...]
 
 
 class ReferenceSwept(NamedTuple):
     """The outer loop of the area swept, the loop around D, and further holes, sorted."""
 
-    outer: Vertices
-    inner: Vertices
-    unswept: tuple[Vertices, ...]
+    outer: Loop
+    inner: Loop
+    unswept: tuple[Loop, ...]
 
 
 def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
@@ -92,8 +94,8 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     >>> [[tuple(map(str, p)) for p in fit] for fit in found.exact_fits]
     [[('1', '1'), ('1', '1')]]
     """
-    scale, (d, g) = on_integers([polygons_of(directrix), polygons_of(generatrix)])
-    found = boundary_of_overlap(convex_pieces(d), d, g)
+    scale, (d, g) = bring_to_integers([list_rings(directrix), list_rings(generatrix)])
+    found = assemble_boundary(cut_to_convex(d), d, g)
     (exterior,) = (loop for loop in found.loops if not loop.is_hole)
     return ReferenceNoFit(
         _vertices(exterior, scale),
@@ -121,11 +123,11 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     >>> reference_inner_fit([(0, 0), (3, 0), (3, 1), (0, 1)], [(0, 0), (1, 0), (1, 1), (0, 1)])[1]
     ((Point(x=Fraction(0, 1), y=Fraction(0, 1)), Point(x=Fraction(2, 1), y=Fraction(0, 1))),)
     """
-    scale, (c, g) = on_integers([polygons_of(container), polygons_of(part)])
+    scale, (c, g) = bring_to_integers([list_rings(container), list_rings(part)])
     outside = tuple(ring[::-1] for ring in c)
     solids = [(_box_around(c[0], g[0]), outside[0]), *((ring,) for ring in outside[1:])]
-    pieces = [piece for solid in solids for piece in convex_pieces(solid)]
-    found = boundary_of_overlap(pieces, outside, g)
+    pieces = [piece for solid in solids for piece in cut_to_convex(solid)]
+    found = assemble_boundary(pieces, outside, g)
     return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
 
 
@@ -155,22 +157,24 @@ def reference_swept(
     if exterior is None:
         exterior = reference_no_fit(directrix, generatrix).exterior
     trajectory = Polygon(exterior)
-    shapes = [polygons_of(directrix), polygons_of(generatrix), (trajectory,)]
-    scale, (d, g, (curve,)) = on_integers(shapes)
+    shapes = [list_rings(directrix), list_rings(generatrix), (trajectory,)]
+    scale, (d, g, (curve,)) = bring_to_integers(shapes)
     edges = zip(curve, (*curve[1:], curve[0]), strict=True)
-    pieces = convex_pieces(g)
-    sets = OpenSets(convex_sum(piece, edge) for edge in edges for piece in pieces)
-    left, _ = sets.uncovered(contacts_of_curve(curve, g))
+    pieces = cut_to_convex(g)
+    sets = OpenSets(add_convex(piece, edge) for edge in edges for piece in pieces)
+    left, _ = sets.uncovered(find_contacts_of_curve(curve, g))
     loops = assemble(left, (), sets).loops
     (outer,) = (loop for loop in loops if not loop.is_hole)
     holes = [loop for loop in loops if loop.is_hole]
-    inside = _point_inside(convex_pieces(d)[0])
+    inside = _point_inside(cut_to_convex(d)[0])
     (inner,) = (loop for loop in holes if locate(inside, loop.points) > 0)
     unswept = sorted(_vertices(loop, scale) for loop in holes if loop is not inner)
     return ReferenceSwept(_vertices(outer, scale), _vertices(inner, scale), tuple(unswept))
 
 
-def boundary_of_overlap(pieces: Sequence[Ring], boundary: Shape, g: Shape) -> Boundary:
+def assemble_boundary(
+    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape
+) -> Boundary:
     """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
 
     Args:
@@ -178,16 +182,16 @@ def boundary_of_overlap(pieces: Sequence[Ring], boundary: Shape, g: Shape) -> Bo
         boundary: its rings, as far as G is to touch them.
         g: the rings of G.
     """
-    inverses = [tuple((-x, -y) for x, y in piece) for piece in convex_pieces(g)]
-    sets = OpenSets(convex_sum(a, b) for a in pieces for b in inverses)
-    segments, points = contacts_of_shapes(boundary, g)
+    inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g)]
+    sets = OpenSets(add_convex(a, b) for a in pieces for b in inverses)
+    segments, points = find_contacts_of_shapes(boundary, g)
     left, more = sets.uncovered(segments)
     single = more | {p for p in points if not sets.holds(p)}
     return assemble(left, single, sets)
 
 
-def _vertices(loop: Loop, scale: int) -> Vertices:
-    return to_points(canonical(loop.points), scale)
+def _vertices(loop: WalkedLoop, scale: int) -> Loop:
+    return to_points(canonicalize(loop.points), scale)
 
 
 def _fits(found: Boundary, scale: int) -> tuple[Fit, ...]:
@@ -195,13 +199,11 @@ def _fits(found: Boundary, scale: int) -> tuple[Fit, ...]:
     return tuple(sorted((hanging, end) for hanging, end in pairs))
 
 
-def _regions(
-    loops: Sequence[Loop], scale: int
-) -> tuple[tuple[Vertices, tuple[Vertices, ...]], ...]:
+def _regions(loops: Sequence[WalkedLoop], scale: int) -> tuple[tuple[Loop, tuple[Loop, ...]], ...]:
     """Give each hole of a region to the least exterior around it."""
     exteriors = [loop for loop in loops if loop.is_hole]
-    exteriors.sort(key=lambda loop: doubled_area(loop.points))
-    holes: list[list[Vertices]] = [[] for _ in exteriors]
+    exteriors.sort(key=lambda loop: find_doubled_area(loop.points))
+    holes: list[list[Loop]] = [[] for _ in exteriors]
     for loop in loops:
         if not loop.is_hole:
             around = (k for k, e in enumerate(exteriors) if locate(loop.beside, e.points) > 0)
@@ -210,7 +212,7 @@ def _regions(
     return tuple(sorted((_vertices(e, scale), tuple(sorted(inside))) for e, inside in found))
 
 
-def _box_around(c: Ring, g: Ring) -> Ring:
+def _box_around(c: LatticeRing, g: LatticeRing) -> LatticeRing:
     """A box so large that G + t, touching C, is inside it."""
     lows, highs = [], []
     for axis in (0, 1):
@@ -221,7 +223,7 @@ def _box_around(c: Ring, g: Ring) -> Ring:
     return (lows[0], lows[1]), (highs[0], lows[1]), (highs[0], highs[1]), (lows[0], highs[1])
 
 
-def _point_inside(piece: Ring) -> Pair:
+def _point_inside(piece: LatticeRing) -> Vertex:
     """The centre of a triangle of a convex piece."""
     xs, ys = zip(*piece[:3], strict=True)
     return Fraction(sum(xs)) / 3, Fraction(sum(ys)) / 3

@@ -9,11 +9,11 @@ from itertools import pairwise
 from math import lcm
 from typing import NamedTuple
 
-from exactsweep.check.cone import ratio
+from exactsweep.check.cone import divide
 from exactsweep.geometry.point import Rational
 
 
-class Piece(NamedTuple):
+class LinearPiece(NamedTuple):
     """A linear function on the open interval (x0, x1); y0 and y1 are its limits at the ends."""
 
     x0: Rational
@@ -27,16 +27,16 @@ class Piece(NamedTuple):
             return self.y0
         if x == self.x1:
             return self.y1
-        return self.y0 + ratio((self.y1 - self.y0) * (x - self.x0), self.x1 - self.x0)
+        return self.y0 + divide((self.y1 - self.y0) * (x - self.x0), self.x1 - self.x0)
 
 
 # A function of x: pieces from left to right, each beginning where the last one ends. Two limits
 # that differ at a common end are a vertical edge; a value at one x alone is never represented,
 # because the loops bound regular closed sets.
-Function = tuple[Piece, ...]
+PiecewiseLinear = tuple[LinearPiece, ...]
 
 
-class _Line(NamedTuple):
+class _Graph(NamedTuple):
     """All (x, slope * x + constant), in a unit of length for y that makes both ints."""
 
     slope: int
@@ -47,19 +47,19 @@ class _Line(NamedTuple):
         return self.slope * x + self.constant
 
 
-def mirror(function: Iterable[Piece]) -> Function:
+def mirror(function: Iterable[LinearPiece]) -> PiecewiseLinear:
     """The function with the sign of its values changed."""
-    return tuple(Piece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
+    return tuple(LinearPiece(x0, -y0, x1, -y1) for x0, y0, x1, y1 in function)
 
 
-def ends(function: Iterable[Piece]) -> set[tuple[Rational, Rational]]:
+def list_ends(function: Iterable[LinearPiece]) -> set[tuple[Rational, Rational]]:
     """The breakpoints with the limits there: one where the function goes on, two at a jump."""
     return {end for x0, y0, x1, y1 in function for end in ((x0, y0), (x1, y1))}
 
 
-def least_sum(
-    f: Function, g: Function, within: tuple[Rational, Rational] | None = None
-) -> Function:
+def take_least_sum(
+    f: PiecewiseLinear, g: PiecewiseLinear, within: tuple[Rational, Rational] | None = None
+) -> PiecewiseLinear:
     """Take the function x -> min over u of f(u) + g(x - u), all of it or between two cuts.
 
     For x strictly between two consecutive sums of breakpoints, no breakpoint of f meets one of
@@ -70,18 +70,18 @@ def least_sum(
     unit = lcm(*(c.denominator for function in (f, g) for piece in function for c in piece))
     scaled = [[[int(c * unit) for c in piece] for piece in function] for function in (f, g)]
     fine = lcm(*(x1 - x0 for function in scaled for x0, _, x1, _ in function))
-    starting: dict[int, set[tuple[_Line, int]]] = defaultdict(set)
+    starting: dict[int, set[tuple[_Graph, int]]] = defaultdict(set)
     cuts: set[int] = set()
     for fixed, other in (scaled, scaled[::-1]):
         corners = {end for x0, y0, x1, y1 in fixed for end in ((x0, y0), (x1, y1))}
         for x0, y0, x1, y1 in other:
             slope = (y1 - y0) * (fine // (x1 - x0))
             for x, y in corners:
-                line = _Line(slope, (y0 + y) * fine - slope * (x0 + x))
+                line = _Graph(slope, (y0 + y) * fine - slope * (x0 + x))
                 starting[x0 + x].add((line, x1 + x))
                 cuts.update((x0 + x, x1 + x))
-    over: set[tuple[_Line, int]] = set()  # the pieces over the interval, and where they end
-    found: list[tuple[_Line, Rational]] = []  # each line with where it becomes the lowest
+    over: set[tuple[_Graph, int]] = set()  # the pieces over the interval, and where they end
+    found: list[tuple[_Graph, Rational]] = []  # each line with where it becomes the lowest
     last: Rational = 0
     for left, right in pairwise(sorted(cuts)):
         over = {entry for entry in over if entry[1] > left} | starting[left]
@@ -92,19 +92,19 @@ def least_sum(
                     found.append(lowest)
     stops = [x for _, x in found[1:]] + [last]
     return tuple(
-        Piece(
-            ratio(x0, unit),
-            ratio(line.at(x0), fine * unit),
-            ratio(x1, unit),
-            ratio(line.at(x1), fine * unit),
+        LinearPiece(
+            divide(x0, unit),
+            divide(line.at(x0), fine * unit),
+            divide(x1, unit),
+            divide(line.at(x1), fine * unit),
         )
         for (line, x0), x1 in zip(found, stops, strict=True)
     )
 
 
 def _lower_envelope(
-    left: int, right: int, lines: Iterable[_Line]
-) -> Iterator[tuple[_Line, Rational]]:
+    left: int, right: int, lines: Iterable[_Graph]
+) -> Iterator[tuple[_Graph, Rational]]:
     """The lowest of some lines over an interval, each with where it becomes the lowest."""
     _, _, line = min((line.at(left), line.slope, line) for line in lines)
     yield line, left

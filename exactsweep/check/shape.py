@@ -9,29 +9,29 @@ from collections.abc import Iterable, Sequence
 from math import lcm
 from typing import Any
 
-from exactsweep.geometry.number import quotient
-from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.geometry.number import divide_exactly
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 
-Ring = tuple[LatticePoint, ...]
-Shape = tuple[Ring, ...]
+LatticeRing = tuple[Vertex, ...]
+LatticeShape = tuple[LatticeRing, ...]
 
 
-def polygons_of(shape: Any) -> tuple[Polygon, ...]:
+def list_rings(shape: Any) -> tuple[Polygon, ...]:
     """The rings of a Polygon, of its vertices or of a Region, as Polygons, the exterior first."""
     if hasattr(shape, "exterior") and hasattr(shape, "holes"):
         return Polygon(shape.exterior), *map(Polygon, shape.holes)
     return (Polygon(shape),)
 
 
-def edges_of(shape: Iterable[Ring]) -> list[tuple[LatticePoint, LatticePoint]]:
+def list_edges(shape: Iterable[LatticeRing]) -> list[tuple[Vertex, Vertex]]:
     """The edges of all rings, the interior on the left."""
     return [edge for ring in shape for edge in zip(ring, (*ring[1:], ring[0]), strict=True)]
 
 
-def on_one_lattice(
+def bring_to_one_lattice(
     shapes: Sequence[Sequence[Polygon]], denominators: Iterable[int] = ()
-) -> tuple[int, list[Shape]]:
+) -> tuple[int, list[LatticeShape]]:
     """Bring shapes to a common integer lattice.
 
     Args:
@@ -51,9 +51,9 @@ def on_one_lattice(
     return scale, brought
 
 
-def on_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[Shape]]:
+def bring_to_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[LatticeShape]]:
     """Bring shapes to a common integer lattice, however fine."""
-    scale, brought = on_one_lattice(shapes)
+    scale, brought = bring_to_one_lattice(shapes)
     finer = lcm(*(c.denominator for shape in brought for ring in shape for p in ring for c in p))
     if finer == 1:
         return scale, brought
@@ -63,6 +63,6 @@ def on_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[Shape]]:
     ]
 
 
-def to_points(ring: Iterable[LatticePoint], scale: int) -> tuple[Point, ...]:
+def to_points(ring: Iterable[Vertex], scale: int) -> tuple[Point, ...]:
     """Leave the lattice."""
-    return tuple(Point(quotient(x, scale), quotient(y, scale)) for x, y in ring)
+    return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)

@@ -11,7 +11,7 @@ from exactsweep.check.chain import Node
 from exactsweep.geometry.point import Point
 
 
-def common_scale(points: Collection[Point], max_steps: int) -> int:
+def find_common_scale(points: Collection[Point], max_steps: int) -> int:
     """The least common denominator; raise CertificateError if it alone makes too many steps."""
     scale = 1
     for x, y in points:
@@ -22,7 +22,8 @@ def common_scale(points: Collection[Point], max_steps: int) -> int:
 
 def check_size(loops: Collection[Sequence[Node]], steps: int, max_steps: int) -> None:
     """Raise CertificateError if so many steps, and the loops themselves, are more than allowed."""
-    bits = max(number.bit_length() for nodes in loops for node in nodes for number in node)
+    columns = [column for nodes in loops for column in zip(*nodes, strict=True)]
+    bits = max(n.bit_length() for column in columns for n in (min(column), max(column)))
     work = (steps + sum(map(len, loops))) * _weight(bits)
     # The area comes over the product of all denominators.
     work += max(_weight(2 * sum(w.bit_length() for _, _, w in nodes)) for nodes in loops)

@@ -1,19 +1,22 @@
 """Nothing goes beyond a loop: a sum of two regions is held by the region of a loop.
 
-Lemma. Let A, B and Q be simple polygons, all weakly monotone to x. If
+Lemma. Let A, B and Q be simple polygons, all weakly monotone to x. A corner of a lower chain *has*
+the slopes of the lines through it that the chain near it is not below: from that of the edge before
+it to that of the edge after it, from minus infinity at the first corner, to infinity at the last.
+It is convex if it has more than one. If
 
-(a) a + b is in Q for every convex corner a of A and b of B, and
+(a) a + b is in Q for all corners a of A and b of B that have more than one slope in common, and
 (b) at every concave corner o of Q the boundary of A + B keeps to the inner side of o: in the limit
     from a side on which the boundary of Q goes on from o without a vertical edge,
 
-then A + B is in Q.
+both for the lower chains and, turned by half a turn, for the upper ones, then A + B is in Q.
 
 Proof, for the lower halves: Q is above the chain q; A + B is above s(x) = min A(u) + B(x - u).
 
-A convex corner of A + B is a sum of convex corners of A and B: if a is no convex corner of A, then
-a segment through a lies in A, so one through a + b lies in A + B, and a convex corner is inside
-no segment. The ends of s and the bottoms of its vertical edges are convex corners of A + B, so by
-(a) they are in Q; also, A + B is in the range of x of Q.
+A convex corner of s is one of the sums of (a). It is a sum a + b, and s is nowhere above A moved by
+b, nor above B moved by a, which pass through a + b, too. So a has all slopes that a + b has, and so
+has b. The ends of s and the bottoms of its vertical edges are convex corners, so by (a) they are in
+Q; also, A + B is in the range of x of Q.
 
 Suppose q - s is positive somewhere. Take its greatest one-sided limit, at x from side i.
 
@@ -28,15 +31,21 @@ Suppose q - s is positive somewhere. Take its greatest one-sided limit, at x fro
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
+from itertools import islice
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Chain, Node, heights
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.chain import ChainCorner, Line, LowerChain, Node, turn, walk_heights
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
 def check_sum_within(
-    loop: Loop, first: Loop, second: Loop, frame: Frame, outside: str, inside: str
+    loop: MonotoneLoop,
+    first: MonotoneLoop,
+    second: MonotoneLoop,
+    frame: NodeFrame,
+    outside: str,
+    inside: str,
 ) -> None:
     """Check that A + B is in the region of a loop, by the lemma.
 
@@ -52,7 +61,7 @@ def check_sum_within(
         CertificateError: the witness is the sum of the corners, or a point of the loop inside
             A + B, at or near the corner of the loop.
 
-    Cost: `steps_within`.
+    Cost: `count_steps`.
     """
     for sign, chain, a, b in zip((1, -1), loop.halves, first.halves, second.halves, strict=True):
         if found := _corner_outside(chain, a, b) or _corner_inside(chain, a, b):
@@ -61,77 +70,60 @@ def check_sum_within(
             raise CertificateError(reason.format(*numbers), frame.leave((sign * x, sign * y, w)))
 
 
-def steps_within(loop: Loop, first: Loop, second: Loop) -> int:
+def count_steps(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -> int:
     """Count the steps of `check_sum_within`.
 
-    For (a) they are pairs of convex corners, or all corners and edges once where all three are
-    convex; for (b), at each concave corner of the loop, the edges
-    of B, and those edges of A that B turned about the corner is over.
+    For (a) each run of convex corners of A is walked along with each of B; for (b), at each concave
+    corner of the loop, the edges of B, and those edges of A that B turned about the corner is over.
     """
     steps = 0
     for chain, a, b in zip(loop.halves, first.halves, second.halves, strict=True):
-        if _are_convex(chain, a, b):
-            steps += len(chain.edges) + len(a.convex) + len(b.convex)
-        else:
-            steps += len(a.convex) * len(b.convex)
-        (left, _, _), (right, _, _) = b.edges[0].left, b.edges[-1].right
+        steps += len(a.runs) * sum(map(len, b.runs)) + len(b.runs) * sum(map(len, a.runs))
+        (left, _, _), (right, _, _) = b.edges[0][0], b.edges[-1][1]
         for _, (x, _, w), _, _ in chain.concave:
             passed = a.first_reaching(x - left * w, w) - a.first_reaching(x - right * w, w)
             steps += passed + len(b.edges)
     return steps
 
 
+def corners_with_common_slopes(
+    first: LowerChain, second: LowerChain
+) -> Iterator[tuple[ChainCorner, ChainCorner]]:
+    """Pairs of corners, one of each chain, that have more than one slope in common.
+
+    Along two runs slopes grow: what a corner is too steep for, the later ones are, too.
+    """
+    for a_run in first.runs:
+        for b_run in second.runs:
+            start = 0
+            for a in a_run:
+                _, _, before, after = a
+                while start < len(b_run) and not _is_below(before, b_run[start][3]):
+                    start += 1
+                for b in islice(b_run, start, None):
+                    if not _is_below(b[2], after):
+                        break
+                    yield a, b
+
+
+def _is_below(one: Line, other: Line) -> bool:
+    """Whether the slope of an edge before a corner is less than that of an edge after one."""
+    return turn(one, other) > 0 or one[1] == other[1] == 0
+
+
 _Found = tuple[Node, tuple[int, ...]]
 
 
-def _are_convex(*chains: Chain) -> bool:
-    return not any(chain.concave for chain in chains)
-
-
-def are_above(chain: Chain, first: Chain, second: Chain) -> bool:
-    """Whether all sums of corners are in the region, all three chains being convex.
-
-    They are if the first and the last one are, and if at each edge the lowest corners of both, as
-    seen from its line, have a sum above it. From edge to edge the lowest corners move to the right.
-    """
-    a_corners, b_corners = ([c[0], *c[2:], c[1]] for c in (first.convex, second.convex))
-    for k in (0, -1):
-        (x, y, w), (dx, dy, _) = a_corners[k][1], b_corners[k][1]
-        if not chain.holds((x + dx * w, y + dy * w, w)):
-            return False
-    i = j = 0
-    for _, _, (a, b, c) in chain.edges:
-        i, j = _lowest(a_corners, i, a, b), _lowest(b_corners, j, a, b)
-        (x, y, w), (dx, dy, _) = a_corners[i][1], b_corners[j][1]
-        if a * (x + dx * w) + b * (y + dy * w) + c * w < 0:
-            return False
-    return True
-
-
-def _lowest(corners: Sequence[tuple[int, Node]], k: int, a: int, b: int) -> int:
-    """The corner with the least a x + b y, not before the k-th one."""
-    x, y, w = corners[k][1]
-    least = a * x + b * y
-    while k + 1 < len(corners):
-        x, y, v = corners[k + 1][1]
-        if (a * x + b * y) * w > least * v:
-            break
-        k, least, w = k + 1, a * x + b * y, v
-    return k
-
-
-def _corner_outside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
-    if _are_convex(chain, first, second) and are_above(chain, first, second):
-        return None
-    for k, (x, y, w) in first.convex:
-        for m, (dx, dy, _) in second.convex:
-            node = x + dx * w, y + dy * w, w
-            if not chain.holds(node):
-                return node, (k, m)
+def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
+    pairs = corners_with_common_slopes(first, second)
+    for (k, (x, y, w), _, _), (m, (dx, dy, _), _, _) in pairs:
+        node = x + dx * w, y + dy * w, w
+        if not chain.holds(node):
+            return node, (k, m)
     return None
 
 
-def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
+def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     for k, corner, side, beside in chain.concave:
         if _passes_below(first, second, corner, side):
             # Below in the limit may mean touching at the corner itself, but not all along.
@@ -142,8 +134,8 @@ def _corner_inside(chain: Chain, first: Chain, second: Chain) -> _Found | None:
     return None
 
 
-def _passes_below(first: Chain, second: Chain, node: Node, side: int) -> bool:
-    return any(height < 0 for height, _ in heights(first, second, node, side))
+def _passes_below(first: LowerChain, second: LowerChain, node: Node, side: int) -> bool:
+    return any(height < 0 for height, _ in walk_heights(first, second, node, side))
 
 
 def _middle(p: Node, q: Node) -> Node:

@@ -7,16 +7,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.check.cone import Pair, cross, minus, ratio
-from exactsweep.check.shape import Ring, edges_of
-from exactsweep.geometry.point import Rational
+from exactsweep.check.cone import cross, divide, subtract
+from exactsweep.check.shape import LatticeRing, list_edges
+from exactsweep.geometry.point import Edge, Rational, Vertex
 
-Segment = tuple[Pair, Pair]
-Span = tuple[Rational, Rational]
-Box = tuple[Rational, Rational, Rational, Rational]
+Interval = tuple[Rational, Rational]
+Rectangle = tuple[Rational, Rational, Rational, Rational]
 
 
-class Line(NamedTuple):
+class LatticeLine(NamedTuple):
     """All (x, y) with dx y - dy x = c: a primitive direction to the right, or straight up."""
 
     dx: int
@@ -28,32 +27,32 @@ class Line(NamedTuple):
         """Which coordinate tells the points of the line apart."""
         return 0 if self.dx else 1
 
-    def at(self, along: Rational) -> Pair:
+    def at(self, along: Rational) -> Vertex:
         """The point with that coordinate."""
         if self.dx:
-            return along, ratio(self.c + self.dy * along, self.dx)
+            return along, divide(self.c + self.dy * along, self.dx)
         return -self.c, along
 
 
-def line_through(a: Pair, b: Pair) -> Line:
+def find_line(a: Vertex, b: Vertex) -> LatticeLine:
     """The line through two different points with integer coordinates."""
-    dx, dy = (int(c) for c in minus(b, a))
+    dx, dy = (int(c) for c in subtract(b, a))
     common = gcd(dx, dy)
     if (dx, dy) < (0, 0):
         common = -common
     dx, dy = dx // common, dy // common
-    return Line(dx, dy, int(dx * a[1] - dy * a[0]))
+    return LatticeLine(dx, dy, int(dx * a[1] - dy * a[0]))
 
 
-class Piece(NamedTuple):
+class LinePiece(NamedTuple):
     """A part of a line, of positive length."""
 
-    line: Line
+    line: LatticeLine
     low: Rational
     high: Rational
 
     @property
-    def ends(self) -> Segment:
+    def ends(self) -> Edge:
         """Both ends, the lexicographically least first."""
         return self.line.at(self.low), self.line.at(self.high)
 
@@ -69,16 +68,16 @@ class _Reach(NamedTuple):
 class OpenSets:
     """The union of the interiors of convex rings with integer vertices."""
 
-    def __init__(self, rings: Iterable[Ring]) -> None:
+    def __init__(self, rings: Iterable[LatticeRing]) -> None:
         # Large sets first: few of them cover most of what is covered.
-        boxed = [(_box(ring), ring) for ring in dict.fromkeys(rings)]
-        boxed.sort(key=lambda pair: _width(pair[0]), reverse=True)
+        boxed = [(_find_bounds(ring), ring) for ring in dict.fromkeys(rings)]
+        boxed.sort(key=lambda pair: _measure_width(pair[0]), reverse=True)
         self._rings = [ring for _, ring in boxed]
         self._boxes = [box for box, _ in boxed]
         # By the direction of a line and the number of the set.
         self._reaches: dict[tuple[int, int], dict[int, _Reach]] = defaultdict(dict)
 
-    def uncovered(self, segments: Iterable[Segment]) -> tuple[list[Piece], set[Pair]]:
+    def uncovered(self, segments: Iterable[Edge]) -> tuple[list[LinePiece], set[Vertex]]:
         """Take the union away from segments.
 
         Args:
@@ -91,21 +90,21 @@ class OpenSets:
         Cost: for s segments on l lines and k rings of v vertices in all, O(lk + s log s) and
         O(v) for each line at worst.
         """
-        by_line: dict[Line, list[Span]] = defaultdict(list)
+        by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
-            line = line_through(a, b)
+            line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
         pieces, points = [], set()
         for line, spans in by_line.items():
-            for low, high in self._left_on(line, _joined(spans)):
+            for low, high in self._left_on(line, _unite(spans)):
                 if low < high:
-                    pieces.append(Piece(line, low, high))
+                    pieces.append(LinePiece(line, low, high))
                 else:
                     points.add(line.at(low))
         return pieces, points
 
-    def _left_on(self, line: Line, spans: list[Span]) -> list[Span]:
+    def _left_on(self, line: LatticeLine, spans: list[Interval]) -> list[Interval]:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis = line.axis
         reaches = self._reaches[line[:2]]
@@ -113,21 +112,21 @@ class OpenSets:
             if box[2 * axis] >= spans[-1][1] or box[2 * axis + 1] <= spans[0][0]:
                 continue
             if k not in reaches:
-                reaches[k] = _reach(self._rings[k], line)
+                reaches[k] = _measure_reach(self._rings[k], line)
             reach = reaches[k]
             if not reach.low < line.c < reach.high:
                 continue
-            low, high = _shadow(self._rings[k], reach.values, line)
-            spans = [part for span in spans for part in _without(span, low, high)]
+            low, high = _find_shadow(self._rings[k], reach.values, line)
+            spans = [part for span in spans for part in _cut_away(span, low, high)]
             if not spans:
                 break
         return spans
 
-    def holds(self, point: Pair) -> bool:
+    def holds(self, point: Vertex) -> bool:
         """Whether a point is in the union."""
         return self._holds_near(point, None)
 
-    def is_beside(self, line: Line, along: Rational, side: int) -> bool:
+    def is_beside(self, line: LatticeLine, along: Rational, side: int) -> bool:
         """Whether points close to one of the line are in the union.
 
         Args:
@@ -137,7 +136,7 @@ class OpenSets:
         """
         return self._holds_near(line.at(along), (-side * line.dy, side * line.dx))
 
-    def _holds_near(self, point: Pair, way: Pair | None) -> bool:
+    def _holds_near(self, point: Vertex, way: Vertex | None) -> bool:
         """Whether the union has a point, or points close to it in a direction."""
         # Homogeneous: only ints below.
         (x, y), w = point, point[0].denominator * point[1].denominator
@@ -145,7 +144,7 @@ class OpenSets:
         for ring, (x_low, x_high, y_low, y_high) in zip(self._rings, self._boxes, strict=True):
             if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
                 continue
-            for (ax, ay), (bx, by) in edges_of([ring]):
+            for (ax, ay), (bx, by) in list_edges([ring]):
                 dx, dy = bx - ax, by - ay
                 side = dx * (py - ay * w) - dy * (px - ax * w)
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
@@ -155,21 +154,21 @@ class OpenSets:
         return False
 
 
-def _reach(ring: Ring, line: Line) -> _Reach:
+def _measure_reach(ring: LatticeRing, line: LatticeLine) -> _Reach:
     values = [line.dx * y - line.dy * x for x, y in ring]
     return _Reach(min(values), max(values), values)
 
 
-def _box(ring: Ring) -> Box:
+def _find_bounds(ring: LatticeRing) -> Rectangle:
     xs, ys = zip(*ring, strict=True)
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def _width(box: Box) -> Rational:
+def _measure_width(box: Rectangle) -> Rational:
     return box[1] - box[0] + box[3] - box[2]
 
 
-def _shadow(ring: Ring, values: Sequence[Rational], line: Line) -> Span:
+def _find_shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) -> Interval:
     """The open interval in which the inside of a ring, on both sides of a line, meets it."""
     axis = line.axis
     ends: list[Rational] = []
@@ -179,14 +178,14 @@ def _shadow(ring: Ring, values: Sequence[Rational], line: Line) -> Span:
         if after == 0:
             ends.append(q[axis])
         elif before and (before > 0) != (after > 0):
-            ends.append(ratio(p[axis] * after - q[axis] * before, after - before))
+            ends.append(divide(p[axis] * after - q[axis] * before, after - before))
         before, p = after, q
     return min(ends), max(ends)
 
 
-def _joined(spans: Iterable[Span]) -> list[Span]:
+def _unite(spans: Iterable[Interval]) -> list[Interval]:
     """The union of closed intervals."""
-    joined: list[Span] = []
+    joined: list[Interval] = []
     for low, high in sorted(spans):
         if joined and low <= joined[-1][1]:
             joined[-1] = joined[-1][0], max(high, joined[-1][1])
@@ -195,7 +194,7 @@ def _joined(spans: Iterable[Span]) -> list[Span]:
     return joined
 
 
-def _without(span: Span, low: Rational, high: Rational) -> Iterator[Span]:
+def _cut_away(span: Interval, low: Rational, high: Rational) -> Iterator[Interval]:
     """What an open interval leaves of a closed one, which may be a point."""
     start, end = span
     if high <= start or end <= low:

@@ -29,7 +29,6 @@ That the loops are nested follows: D is in E, for D + I(G) = P; E is in P + G, f
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 from exactsweep.check.area import check_area
@@ -38,14 +37,11 @@ from exactsweep.check.claim import read_claim
 from exactsweep.check.complete import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
-from exactsweep.check.fits import exact_fits
-from exactsweep.check.loop import Frame, Loop
-from exactsweep.check.size import check_reading, check_size, common_scale
-from exactsweep.check.sums import check_sum_within, steps_within
-from exactsweep.geometry.point import Point
-
-_ORIGIN = Point(Fraction(0), Fraction(0))
-
+from exactsweep.check.fits import list_exact_fits
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.check.size import check_reading, check_size, find_common_scale
+from exactsweep.check.sums import check_sum_within, count_steps
+from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8
@@ -76,10 +72,11 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
         Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
         raised, whatever the certificate.
 
-    Cost: with m and n edges, O(mn) look-ups for contacts, k (m + n) steps for k concave corners of
-    the trajectory, k (t + n) for k of the outer loop around a trajectory of t edges (of m and t
-    those only that are over G), and c log k for c pairs of convex corners, unless all three loops
-    of a sum are convex. For polygons of any shape that of `reference_no_fit` and its like.
+    Cost: with m and n edges, a look-up for each edge and corner that may touch, and each pair of
+    convex corners that have a slope in common, O(m + n) for convex polygons and O(mn) for others;
+    k (m + n) steps for k concave corners of the trajectory, k (t + n) for k of the outer loop
+    around a trajectory of t edges (of m and t those only that are over G). For polygons of any
+    shape that of `reference_no_fit` and its like.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})
@@ -97,19 +94,21 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = Frame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
-        "generatrix": frame.enter(c.generatrix, _ORIGIN),
-        "directrix": frame.enter(c.directrix, _ORIGIN),
+        "generatrix": frame.enter(c.generatrix, ORIGIN),
+        "directrix": frame.enter(c.directrix, ORIGIN),
         "trajectory": frame.enter(c.trajectory, c.reference),
-        "inner": frame.enter(c.inner, _ORIGIN),
-        "outer": frame.enter(c.outer, _ORIGIN),
+        "inner": frame.enter(c.inner, ORIGIN),
+        "outer": frame.enter(c.outer, ORIGIN),
     }
     check_size(placed.values(), len(c.generatrix) * len(c.directrix), max_steps)
-    g, d, trajectory, inner, outer = (Loop(nodes, name, frame) for name, nodes in placed.items())
-    inverse = Loop([(-x, -y, w) for x, y, w in g.nodes], "generatrix", frame)
+    g, d, trajectory, inner, outer = (
+        MonotoneLoop(nodes, name, frame) for name, nodes in placed.items()
+    )
+    inverse = g.turn_half()
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
-    check_size(placed.values(), sum(steps_within(*loops) for loops in sums), max_steps)
+    check_size(placed.values(), sum(count_steps(*loops) for loops in sums), max_steps)
 
     kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
     if c.kind != kind:
@@ -121,7 +120,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
         "trajectory: G overlaps D at vertex {} or beside it",
     )
-    _check_fits(exact_fits(d, inverse, frame), c)
+    _check_fits(list_exact_fits(d, inverse, frame), c)
 
     check_drawings("outer_drawn", outer, trajectory, g, c.outer_drawn, frame)
     check_sum_within(
@@ -139,7 +138,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
     check_area(c.area, outer.nodes, [inner.nodes], frame.unit_area)
 
 
-def _check_fits(found: list[tuple[Point, Point]], c: Certificate) -> None:
+def _check_fits(found: list[Fit], c: Certificate) -> None:
     x0, y0 = c.reference
     listed = [
         (Point(ax - x0, ay - y0), Point(bx - x0, by - y0)) for (ax, ay), (bx, by) in c.exact_fits

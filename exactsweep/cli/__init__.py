@@ -19,7 +19,7 @@ from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
 from exactsweep.cli.view import view_command
-from exactsweep.formats.files import file_name
+from exactsweep.formats.files import show_path
 
 
 class _Commands(click.Group):
@@ -37,7 +37,7 @@ class _Commands(click.Group):
         except BrokenPipeError:
             raise  # click ends without a word
         except OSError as error:
-            place = "" if error.filename is None else f"{file_name(str(error.filename))}: "
+            place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
             raise click.ClickException(f"{place}{error.strerror or error}") from None
         except MemoryError:
             raise click.ClickException("out of memory") from None

@@ -25,7 +25,7 @@ class _Rate(ProgressColumn):
 
 
 @contextmanager
-def bar(total: int) -> Iterator[Callable[[int], None]]:
+def show_bar(total: int) -> Iterator[Callable[[int], None]]:
     """Show a bar on standard error.
 
     Args:

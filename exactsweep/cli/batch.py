@@ -11,10 +11,10 @@ import click
 
 from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import write
-from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
-from exactsweep.formats import file_name
-from exactsweep.geometry.number import quoted
+from exactsweep.formats import show_path
+from exactsweep.geometry.number import quote
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
     try:
         found = [int(word) for word in text.split(",")]
     except ValueError:
-        raise click.BadParameter(f"{quoted(text)} is not a list of integers") from None
+        raise click.BadParameter(f"{quote(text)} is not a list of integers") from None
     if any(degrees % 90 for degrees in found):
         raise click.BadParameter("other angles than multiples of 90 degrees are irrational")
     return found
@@ -91,7 +91,7 @@ def batch_command(
     rotations: list[int] | None,
     restart: bool,
     rounding: Rounding | None,
-    reading: Reading,
+    reading: ReadingOptions,
     output: str,
 ) -> None:
     """Sweep very many pairs.
@@ -157,7 +157,7 @@ def batch_command(
         text += f"; {summary.resumed} of the records were there already"
     write(f"{text}\n", "-")
     if summary.pairs and summary.refused == summary.pairs:
-        raise click.ClickException(f"all pairs were refused; {file_name(output)} says why")
+        raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
 
 
 def _job(
@@ -167,22 +167,24 @@ def _job(
     what: str,
     rounding: Rounding | None,
     rotations: list[int] | None,
-    reading: Reading,
+    reading: ReadingOptions,
 ) -> Job:
-    from exactsweep.batch import all_pairs, pairs_of
+    from exactsweep.batch import take_all_pairs, take_listed_pairs
     from exactsweep.batch.parts import rotate_parts
 
     if pairs is not None:
-        return pairs_of(pairs, () if parts is None else _parts(parts, reading), what, rounding)
+        return take_listed_pairs(
+            pairs, () if parts is None else _parts(parts, reading), what, rounding
+        )
     assert lists is not None
     generatrices, directrices = lists
     first = _parts(generatrices, reading)
     second = first if generatrices == directrices else _parts(directrices, reading)
     turned = first if rotations is None else rotate_parts(first, rotations)
-    return all_pairs(turned, second, what, rounding)
+    return take_all_pairs(turned, second, what, rounding)
 
 
-def _parts(path: str, reading: Reading) -> Sequence[Part]:
+def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
     """Read the parts of files, and say what is left out."""
     from exactsweep.batch.parts import make_parts
 
@@ -195,7 +197,7 @@ def _progress(total: int) -> Iterator[Callable[[int], None]]:
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda done: None
         return
-    from exactsweep.cli.bar import bar
+    from exactsweep.cli.bar import show_bar
 
-    with bar(total) as show:
+    with show_bar(total) as show:
         yield show

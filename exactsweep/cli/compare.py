@@ -36,7 +36,7 @@ def compare_command(
     Verdicts, the worst part of the answer deciding:
       exact          the vertices of the exact loop, in order
       equivalent     the same set of points, with other vertices
-      equivalent but for exact fits
+      equivalent except for exact fits
       within         the exact loop except for rounding
       conservative   free positions are lost, no overlap is permitted
       unsound        overlap is permitted

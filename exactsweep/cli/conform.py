@@ -106,11 +106,11 @@ def conform_command(
     enough cases could be judged; and 1 otherwise.
     """
     from exactsweep.conform.report.text import progress
-    from exactsweep.conform.run.cases import Selection, SelectionError, distinct, read_cases
+    from exactsweep.conform.run.cases import Selection, SelectionError, read_cases, require_distinct
     from exactsweep.conform.run.journal import Journal
     from exactsweep.conform.run.pairs import read_pairs
     from exactsweep.conform.run.pool import Judges
-    from exactsweep.conform.run.runner import conduct
+    from exactsweep.conform.run.runner import judge_cases
 
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
@@ -126,9 +126,9 @@ def conform_command(
         given = read_pairs(pairs, **reading)
     if given is None and sys.stderr is not None and sys.stderr.isatty():
         total = sum(1 for _ in selection.shipped())
-    cases = distinct(selection.shipped() if given is None else selection.among(given))
+    cases = require_distinct(selection.shipped() if given is None else selection.among(given))
     with ExitStack() as stack:
-        stack.enter_context(_terminated_as_interrupted())
+        stack.enter_context(_end_as_interrupted())
         judges = stack.enter_context(
             Judges(command, seconds=timeout, workers=workers, rounding=rounding, most=most)
         )
@@ -146,14 +146,14 @@ def conform_command(
         run = reports.begin(judges.hello, command)
         tell = stack.enter_context(progress(run, total))
         smaller = shrink if reports.html or reports.json else 0
-        conduct(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)
+        judge_cases(run, judges, cases, journal=kept or None, tell=tell, made_smaller=smaller)
     if not run.summary.total() and not run.interrupted:
         raise SelectionError("no case is like that")
     reports.write(run)
 
 
 @contextmanager
-def _terminated_as_interrupted() -> Iterator[None]:
+def _end_as_interrupted() -> Iterator[None]:
     """Let a polite request to end do what Ctrl-C does."""
 
     def interrupt(number: int, frame: object) -> NoReturn:

@@ -6,12 +6,12 @@ import click
 
 from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.output import takes_output
-from exactsweep.cli.pair import PATH, Reading, takes_reading
+from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
     FormatError,
-    file_name,
+    show_path,
 )
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.geometry.canonical import PolygonError
@@ -39,7 +39,7 @@ def convert_command(
     form: str | None,
     free: bool,
     rounding: Rounding | None,
-    reading: Reading,
+    reading: ReadingOptions,
     output: str,
 ) -> None:
     """Write the polygons of files in another format.
@@ -64,7 +64,7 @@ def convert_command(
     try:
         export(polygons, (), form, rounding, output, lambda region: side)
     except (FormatError, PolygonError) as error:
-        raise FormatError(f"{', '.join(map(file_name, files))}: {error}") from None
+        raise FormatError(f"{', '.join(map(show_path, files))}: {error}") from None
     holes = sum(len(polygon.region.holes) for polygon in polygons)
     if form == "dxf" and holes:
         click.echo(

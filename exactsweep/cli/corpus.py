@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import chain, islice
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
@@ -16,12 +16,10 @@ from exactsweep.cli.complete import (
     list_themes,
     offer,
 )
-from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.output import Command, takes_output, write
 
 if TYPE_CHECKING:
     from exactsweep.corpus import Case
-
-_Command = TypeVar("_Command", bound=Callable[..., None])
 
 
 @click.group("corpus")
@@ -29,7 +27,7 @@ def corpus_command() -> None:
     """List, show, export or generate test cases."""
 
 
-def _takes_filters(command: _Command) -> _Command:
+def _takes_filters(command: Command) -> Command:
     for option in (
         click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
         click.option(
@@ -73,12 +71,12 @@ def list_command(
     A case's line has its id, its class, the number of vertices of D and G together, and its title.
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.names import known
-    from exactsweep.corpus.shipped import summaries
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_summaries
 
     if what != "cases" and (prefix or flags or kind or max_size is not None):
         raise click.UsageError("The options choose among cases.")
-    match known(what, ["cases", "themes", "flags", "families"], "list"):
+    match require_known(what, ["cases", "themes", "flags", "families"], "list"):
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
         case "flags":
@@ -86,7 +84,7 @@ def list_command(
         case "families":
             rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
         case _:
-            found = summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
+            found = list_summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
             rows = ((case.id, case.kind, f"{case.size:3}", case.title) for case in found)
     write(_columns([*rows]), "-")
 
@@ -149,7 +147,7 @@ def export_command(
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
-    chosen = _chosen(names, flags, kind, max_size)
+    chosen = _choose(names, flags, kind, max_size)
     match form:
         case "json":
             parts: Iterable[str] = map(case_to_line, chosen)
@@ -190,27 +188,27 @@ def generate_command(families: tuple[str, ...], seed: int, count: int) -> None:
 @corpus_command.command("schema")
 def schema_command() -> None:
     """Write the JSON Schema (2020-12) of a case."""
-    from exactsweep.corpus.shipped import schema_text
+    from exactsweep.corpus.shipped import read_schema
 
-    write(schema_text(), "-")
+    write(read_schema(), "-")
 
 
-def _chosen(
+def _choose(
     names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
 ) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
     from exactsweep.corpus import cases, find_case, themes
-    from exactsweep.corpus.names import known
-    from exactsweep.corpus.shipped import case_ids
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_ids
 
-    ids = case_ids()
+    ids = list_ids()
     found: list[Iterable[Case]] = []
     for name in names or ("",):
         if name in ids or name.startswith("gen-"):
             found.append([find_case(name)])
             continue
         if not any(id.startswith(name) for id in ids):
-            known(name, [*themes(), *ids], "theme or case")
+            require_known(name, [*themes(), *ids], "theme or case")
         found.append(cases(prefix=name, flags=flags, kind=kind, max_size=max_size))
     return chain.from_iterable(found)
 

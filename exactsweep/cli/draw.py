@@ -4,16 +4,16 @@ import click
 
 from exactsweep import Point, Sweep
 from exactsweep.cli.pair import PATH, takes_pair, takes_way_up
-from exactsweep.draw import new_figure, picture_suffix, plot_sweep, save
-from exactsweep.formats import FormatError, file_name
+from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
+from exactsweep.formats import FormatError, show_path
 from exactsweep.geometry.number import to_fraction
 
 
 def _with_suffix(ctx: click.Context, option: click.Parameter, path: str) -> str:
     try:
-        picture_suffix(path)
+        read_suffix(path)
     except ValueError as error:
-        raise click.BadParameter(f"{file_name(path)}: {error}") from None
+        raise click.BadParameter(f"{show_path(path)}: {error}") from None
     return path
 
 
@@ -72,7 +72,7 @@ def draw_command(
 
     Files are read as by 'exactsweep sweep'; without files, its example is drawn.
     """
-    figure = new_figure(size=size)
+    figure = make_figure(size=size)
     (axes,) = figure.axes
     plot_sweep(result, axes, positions=positions or None, y_down=y_down)
     if title:
@@ -81,4 +81,4 @@ def draw_command(
     try:
         save(figure, output)
     except OSError as error:
-        raise FormatError(f"{file_name(output)}: {error.strerror or error}") from None
+        raise FormatError(f"{show_path(output)}: {error.strerror or error}") from None

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from exactsweep.cli.output import takes_output, write
-from exactsweep.formats import FormatError, file_name
+from exactsweep.formats import FormatError, show_path
 
 
 @click.command("example")
@@ -20,7 +20,7 @@ def example_command(name: str | None, output: str) -> None:
     Each of them speaks the protocol and does convex pairs only. Without NAME, their paths are
     printed; with NAME, such as convex.py, the program, or it is copied by -o FILE.
     """
-    from exactsweep.corpus.names import known
+    from exactsweep.corpus.names import require_known
 
     folder = files("exactsweep.conform.examples")
     programs = {entry.name: entry for entry in folder.iterdir() if entry.name.startswith("convex.")}
@@ -28,5 +28,8 @@ def example_command(name: str | None, output: str) -> None:
         write("".join(f"{programs[each]}\n" for each in sorted(programs)), output)
         return
     if output != "-" and Path(output).exists():
-        raise FormatError(f"{file_name(output)}: is there already")
-    write(programs[known(name, sorted(programs), "example")].read_text(encoding="utf-8"), output)
+        raise FormatError(f"{show_path(output)}: is there already")
+    write(
+        programs[require_known(name, sorted(programs), "example")].read_text(encoding="utf-8"),
+        output,
+    )

@@ -10,8 +10,8 @@ import click
 from exactsweep.cli.output import write
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.rounding import Changes, Rounding, Side, contains
-from exactsweep.formats.writing import Fit
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
+from exactsweep.text.report import approximate
 from exactsweep.words import count
 
 
@@ -127,12 +127,9 @@ def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str
     """What rounding did, in one line; nothing if it did nothing."""
     if not changes.changed and not moved:
         return ""
-    # rich takes longer to import than all the rest.
-    from exactsweep.text.report import approximation
-
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]
     if changes.distance:
-        parts.append(f"moved by at most {approximation(_up(changes.distance))}")
+        parts.append(f"moved by at most {approximate(_up(changes.distance))}")
     if moved:
         parts.append(f"{count(moved, 'exact fit')} {'left out' if rounding.outward else 'moved'}")
     if changes.left_out:

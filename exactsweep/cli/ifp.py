@@ -2,11 +2,12 @@
 
 import click
 
-from exactsweep import InnerFit, Point, Region, inner_fit_polygon
+from exactsweep import Point, Region, inner_fit_polygon
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
+from exactsweep.text.report import report_inner_fit
 from exactsweep.text.results import inner_fit_to_json, inner_fit_to_regions, inner_fit_to_wkt
 
 
@@ -32,16 +33,9 @@ def ifp_command(container: Region, part: Region, reference: Point, form: Form) -
         to_wkt=inner_fit_to_wkt,
         to_regions=inner_fit_to_regions,
         side_of=_side,
-        report=_report,
+        report=report_inner_fit,
     )
 
 
 def _side(region: NamedRegion) -> Side:
     return "inward"
-
-
-def _report(result: InnerFit, width: int | None, everything: bool) -> str:
-    # rich takes longer to import than all the rest.
-    from exactsweep.text.report import inner_fit_report
-
-    return inner_fit_report(result, width, everything=everything)

@@ -28,15 +28,15 @@ def judge_command(path: str | None, reports: Reports) -> None:
     case. The exit code is 0 if no verdict is worse than --accept, all lines were answers, and
     enough cases could be judged; and 1 otherwise.
     """
-    from exactsweep.conform.run.cases import distinct, read_cases, standard_input
+    from exactsweep.conform.run.cases import open_standard_input, read_cases, require_distinct
     from exactsweep.conform.run.stream import Stream, finder
     from exactsweep.corpus import find_case
 
     if path == "-":
         raise click.UsageError("Standard input is for the answers; give the cases as a file.")
-    stream = Stream(standard_input())
+    stream = Stream(open_standard_input())
     run = reports.begin(stream.hello)
-    cases = None if path is None else {case.id: case for case in distinct(read_cases(path))}
+    cases = None if path is None else {case.id: case for case in require_distinct(read_cases(path))}
     try:
         for outcome in stream.outcomes(find_case if cases is None else finder(cases)):
             run.add(outcome)

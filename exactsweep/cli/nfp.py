@@ -4,11 +4,12 @@ import click
 
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
-from exactsweep.cli.output import terminal_size, write
+from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
+from exactsweep.text.report import approximate, lay_out, report_no_fit
 from exactsweep.text.results import no_fit_to_json, no_fit_to_regions, no_fit_to_wkt
 
 
@@ -39,7 +40,7 @@ def nfp_command(
             to_wkt=no_fit_to_wkt,
             to_regions=no_fit_to_regions,
             side_of=_side,
-            report=_report,
+            report=report_no_fit,
         )
         return
     names = [(str(d.name), str(g.name)) for d, g in pairs]
@@ -52,10 +53,10 @@ def nfp_command(
         fits = [fit for result in found for fit in result.exact_fits]
         export(regions, fits, form.target, form.rounding, form.output, _side)
     elif form.kind == "json":
-        from exactsweep.batch.record import result_line
+        from exactsweep.batch.record import write_result_line
 
         lines = (
-            result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
+            write_result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
             for k, ((d, g), result) in enumerate(zip(names, found, strict=True))
         )
         write(b"".join(lines).decode(), form.output)
@@ -69,8 +70,6 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
     """A line for each pair."""
     from rich.table import Table
 
-    from exactsweep.text.report import approximation, laid_out
-
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     for head in ("stationary", "orbiting", "class"):
         table.add_column(head)
@@ -78,17 +77,10 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
         table.add_column(head, justify="right")
     for (d, g), n in zip(names, found, strict=True):
         sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
-        table.add_row(d, g, n.kind, *map(str, sizes), approximation(n.area))
-    terminal = terminal_size(output)
-    return laid_out([table], terminal and terminal.columns)
+        table.add_row(d, g, n.kind, *map(str, sizes), approximate(n.area))
+    terminal = measure_terminal(output)
+    return lay_out([table], terminal and terminal.columns)
 
 
 def _side(region: NamedRegion) -> Side:
     return "outward"
-
-
-def _report(result: NoFitPolygon, width: int | None, everything: bool) -> str:
-    # rich takes longer to import than all the rest.
-    from exactsweep.text.report import no_fit_report
-
-    return no_fit_report(result, width, everything=everything)

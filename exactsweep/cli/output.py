@@ -10,12 +10,12 @@ from typing import TypeVar
 import click
 
 from exactsweep.cli.pair import PATH
-from exactsweep.formats import FormatError, file_name
+from exactsweep.formats import FormatError, show_path
 
-_Command = TypeVar("_Command", bound=Callable[..., None])
+Command = TypeVar("Command", bound=Callable[..., None])
 
 
-def takes_output(command: _Command) -> _Command:
+def takes_output(command: Command) -> Command:
     """Give a command the option -o FILE, as `output`; "-" if left out."""
     option = click.option(
         "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
@@ -23,7 +23,7 @@ def takes_output(command: _Command) -> _Command:
     return option(command)
 
 
-def terminal_size(output: str) -> os.terminal_size | None:
+def measure_terminal(output: str) -> os.terminal_size | None:
     """Return the size of the terminal that the output goes to, or None if that is none."""
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
@@ -45,7 +45,7 @@ def write(text: str, output: str) -> None:
     except BrokenPipeError:
         raise
     except OSError as error:
-        name = file_name(output)
+        name = show_path(output)
         if output == "-":
             # What could not be written is still in the buffer and would fail again on exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

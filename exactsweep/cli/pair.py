@@ -9,7 +9,7 @@ import click
 
 from exactsweep import Point, Region, sweep
 from exactsweep.cli.parts import read_named
-from exactsweep.formats import NamedRegion, file_name, read_region
+from exactsweep.formats import NamedRegion, read_region, show_path
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.number import to_fraction
@@ -24,7 +24,7 @@ DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 PATH = click.Path(allow_dash=True, readable=False)
 
 
-Reading = dict[str, Any]
+ReadingOptions = dict[str, Any]
 """The arguments "tolerance", "nested", "join" and "unit" of what reads files."""
 
 
@@ -62,7 +62,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         directrix: str | None,
         direction: Vector | None,
         reference: Point,
-        reading: Reading,
+        reading: ReadingOptions,
         **options: Any,
     ) -> None:
         if generatrix is not None and directrix is None:
@@ -77,14 +77,14 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
             if generatrix is None or directrix is None:
                 raise
             raise DirectionError(
-                f"{file_name(generatrix)}, {file_name(directrix)}: {error}"
+                f"{show_path(generatrix)}, {show_path(directrix)}: {error}"
             ) from None
         command(result, **options)
 
     return with_pair
 
 
-def files_of_pair() -> tuple[str, str] | None:
+def name_files_of_pair() -> tuple[str, str] | None:
     """The files of G and of D of the command that runs; None for the built-in example."""
     named = click.get_current_context().params
     generatrix, directrix = named.get("generatrix"), named.get("directrix")
@@ -103,7 +103,7 @@ def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
         if y_down is None:
-            files = files_of_pair()
+            files = name_files_of_pair()
             y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
         command(*arguments, y_down=y_down, **options)
 
@@ -138,7 +138,7 @@ def takes_shapes(
         )
         @takes_reading
         @wraps(command)
-        def with_shapes(stays: str, moves: str, reading: Reading, **options: Any) -> None:
+        def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
             read = _read_each if several else _read
             command(*read(stays, moves, reading), **options)
 
@@ -153,14 +153,14 @@ def _require_one_input(first: str, second: str) -> None:
 
 
 def _read_each(
-    first: str, second: str, reading: Reading
+    first: str, second: str, reading: ReadingOptions
 ) -> tuple[list[NamedRegion], list[NamedRegion]]:
     _require_one_input(first, second)
     one, other = (read_named([path], reading) for path in (first, second))
     return one, other
 
 
-def _read(first: str, second: str, reading: Reading) -> tuple[Region, Region]:
+def _read(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
     _require_one_input(first, second)
     one, other = (read_region(path, **reading) for path in (first, second))
     return one, other

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from exactsweep.formats import FormatError, NamedRegion, file_name
+from exactsweep.formats import FormatError, NamedRegion, show_path
 from exactsweep.formats.folder import Listing, list_parts, make_unique
 
 _MOST_REASONS = 100
@@ -23,7 +23,7 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
     """
     listing = list_parts(paths, **reading)
     if not listing.parts:
-        reasons = listing.left_out or [f"{', '.join(map(file_name, paths))}: holds no polygon"]
+        reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: holds no polygon"]
         raise FormatError(summarize(reasons))
     say_left_out(listing.left_out)
     return listing

@@ -9,7 +9,7 @@ from typing import get_type_hints
 import pdoc
 from jinja2 import Environment
 
-from exactsweep.lessons import read_notebook, titles
+from exactsweep.lessons import list_titles, read_notebook
 
 MODULES = (
     "exactsweep",
@@ -76,7 +76,9 @@ def front() -> str:
         summary = (import_module(name).__doc__ or "").strip().partition("\n")[0]
         lines.append(f"- [`{name}`]({name.replace('.', '/')}.html): {summary}")
     lines += ["", "## Lessons", ""]
-    lines += [f"- [{title}](exactsweep/lessons/{name}.html)" for name, title in titles().items()]
+    lines += [
+        f"- [{title}](exactsweep/lessons/{name}.html)" for name, title in list_titles().items()
+    ]
     return "\n".join([*lines, "", ".. include:: PROJECT.md", ""])
 
 
@@ -84,7 +86,7 @@ def write_lessons(folder: Path) -> None:
     """Write a page for each of the lessons, with what its cells show."""
     folder.mkdir(parents=True, exist_ok=True)
     template = Environment(autoescape=True).from_string(_LESSON)
-    for name, title in titles().items():
+    for name, title in list_titles().items():
         cells = read_notebook(name)["cells"]
         text = template.render(title=title, cells=cells, to_html=pdoc.render_helpers.to_html)
         (folder / f"{name}.html").write_text(text, encoding="utf-8")

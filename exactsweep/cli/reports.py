@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from exactsweep.cli.complete import list_verdicts, offer
-from exactsweep.cli.output import terminal_size, write
+from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError
 from exactsweep.geometry.number import to_fraction
@@ -53,22 +53,24 @@ class Reports:
         Raises:
             FormatError: a file cannot be written.
         """
-        from exactsweep.conform.report.text import close, table
+        from exactsweep.conform.report.text import close, write_table
 
         if "-" not in (self.junit, self.json, self.html):
-            terminal = terminal_size("-")
+            terminal = measure_terminal("-")
             columns = terminal and terminal.columns
-            write(f"{table(run.summary, columns)}\n{close(run, is_timed=bool(terminal))}", "-")
+            write(
+                f"{write_table(run.summary, columns)}\n{close(run, is_timed=bool(terminal))}", "-"
+            )
         if self.junit is not None:
-            from exactsweep.conform.report.junit import junit
+            from exactsweep.conform.report.junit import write_junit
 
-            write(junit(run), self.junit)
+            write(write_junit(run), self.junit)
         if self.json is not None:
             write(json.dumps(run.to_json(), indent=1) + "\n", self.json)
         if self.html is not None:
-            from exactsweep.conform.report.html import html
+            from exactsweep.conform.report.html import write_html
 
-            write(html(run), self.html)
+            write(write_html(run), self.html)
         sys.exit(0 if run.passed else 1)
 
     def _require_places(self) -> None:
@@ -117,7 +119,7 @@ def takes_accept(command: Callable[..., None]) -> Callable[..., None]:
         "--accept",
         metavar="VERDICT",
         shell_complete=offer(list_verdicts),
-        default="equivalent but for exact fits",
+        default="equivalent except for exact fits",
         callback=_known_verdict,
         help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
         "for exact fits', as exact fits are reported apart; with --accept equivalent they count.",

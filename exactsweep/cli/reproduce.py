@@ -52,7 +52,7 @@ def reproduce_command(
     # All of this is needed by no other command.
     from exactsweep.paper.claim import Effort, reproduce
     from exactsweep.paper.ledger import CLAIMS, find
-    from exactsweep.paper.report import render_row, totals, write, write_citation
+    from exactsweep.paper.report import count_verdicts, render_row, write, write_citation
 
     target = folder or Path("reproduced")
     if cite:
@@ -75,7 +75,7 @@ def reproduce_command(
             mark = f"FAILS: {row.disagreement}" if row.disagreement else row.claim.verdict.value
             click.echo(f"{row.seconds:6.2f} s  {row.claim.name}: {mark}")
     if not names:
-        click.echo(totals(rows))
+        click.echo(count_verdicts(rows))
     if folder or not names:
         paths = _write(target, lambda folder: write(folder, rows, effort))
         click.echo(" ".join(map(str, paths)))

@@ -8,7 +8,7 @@ import click
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
-from exactsweep.cli.output import takes_output, terminal_size, write
+from exactsweep.cli.output import measure_terminal, takes_output, write
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text.results import certificate_to_json
@@ -96,7 +96,7 @@ def write_result(
     to_wkt: Callable[[_Result], str],
     to_regions: Callable[[_Result], list[NamedRegion]],
     side_of: Callable[[NamedRegion], Side],
-    report: Callable[[_Result, int | None, bool], str],
+    report: Callable[..., str],
 ) -> None:
     """Write a result in a form of `takes_form`."""
     if form.kind == "to":
@@ -114,6 +114,6 @@ def write_result(
         except FormatError as error:
             raise FormatError(f"{error}; use --json, or --round") from None
     else:
-        terminal = terminal_size(form.output)
-        text = report(result, terminal and terminal.columns, form.everything)
+        terminal = measure_terminal(form.output)
+        text = report(result, terminal and terminal.columns, everything=form.everything)
     write(text, form.output)

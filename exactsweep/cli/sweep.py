@@ -7,6 +7,7 @@ from exactsweep.cli.pair import takes_pair
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
+from exactsweep.text.report import report
 from exactsweep.text.results import sweep_to_json, sweep_to_regions, sweep_to_wkt
 
 
@@ -36,16 +37,9 @@ def sweep_command(result: Sweep, form: Form) -> None:
         to_wkt=sweep_to_wkt,
         to_regions=sweep_to_regions,
         side_of=_side,
-        report=_report,
+        report=report,
     )
 
 
 def _side(region: NamedRegion) -> Side:
     return "inward" if (region.name or "").startswith(("inner", "unswept")) else "outward"
-
-
-def _report(result: Sweep, width: int | None, everything: bool) -> str:
-    # rich takes longer to import than all the rest.
-    from exactsweep.text.report import report
-
-    return report(result, width, everything=everything)

@@ -8,7 +8,7 @@ from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import read_certificate
 from exactsweep.text.results import verification_to_json
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 
 @click.command("verify")
@@ -33,6 +33,6 @@ def verify_command(file: str, as_json: bool) -> None:
     else:
         text = f"{verdict.reason}\n"
         if verdict.witness is not None:
-            text += f"witness: {pair(verdict.witness)}\n"
+            text += f"witness: {write_pair(verdict.witness)}\n"
     write(text, "-")
     sys.exit(0 if verdict.proved else 1)

@@ -4,8 +4,8 @@ import click
 
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import files_of_pair, takes_pair, takes_way_up
-from exactsweep.formats import file_name
+from exactsweep.cli.pair import name_files_of_pair, takes_pair, takes_way_up
+from exactsweep.formats import show_path
 
 
 @click.command("view")
@@ -23,10 +23,10 @@ def view_command(result: Sweep, y_down: bool, output: str) -> None:
     Files are read as by 'exactsweep sweep'; without files, its example is shown.
     """
     from exactsweep.cli.bar import words
-    from exactsweep.view import page
+    from exactsweep.view import make_page
 
-    files = files_of_pair()
-    names = None if files is None else (file_name(files[0]), file_name(files[1]))
+    files = name_files_of_pair()
+    names = None if files is None else (show_path(files[0]), show_path(files[1]))
     with words() as tell:
-        text = page(result, names=names, y_down=y_down, tell=tell)
+        text = make_page(result, names=names, y_down=y_down, tell=tell)
     write(text, output)

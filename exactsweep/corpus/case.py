@@ -9,16 +9,16 @@ from functools import cached_property
 from math import lcm
 from typing import Literal, get_args
 
-from exactsweep.corpus.facts import facts
-from exactsweep.corpus.representable import types_holding
+from exactsweep.corpus.facts import find_facts
+from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
+from exactsweep.procedures.lower_sweep import Kind
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
-Kind = Literal["CC", "CM", "MM", "SS"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 Shapes = Literal["convex", "monotone", "simple", "any"]
 SHAPES: tuple[Shapes, ...] = get_args(Shapes)
@@ -29,8 +29,6 @@ _SHAPES_OF: dict[Kind, Shapes] = {
     "MM": "monotone",
     "SS": "simple",
 }
-Ring = tuple[Point, ...]
-Fit = tuple[Point, Point]
 Given = Polygon | Region | Iterable[Iterable[object]]
 
 
@@ -68,8 +66,8 @@ class Case:
 
     id: str
     title: str
-    directrix_ring: Ring
-    generatrix_ring: Ring
+    directrix_ring: Loop
+    generatrix_ring: Loop
     reference: Point
     kind: Kind
     flags: tuple[str, ...]
@@ -78,8 +76,8 @@ class Case:
     outer: Polygon
     exact_fits: tuple[Fit, ...]
     area: Fraction
-    directrix_holes: tuple[Ring, ...] = ()
-    generatrix_holes: tuple[Ring, ...] = ()
+    directrix_holes: tuple[Loop, ...] = ()
+    generatrix_holes: tuple[Loop, ...] = ()
     holes: tuple[Polygon, ...] = ()
     unswept: tuple[Polygon, ...] = ()
     inner_regions: tuple[Region, ...] | None = None
@@ -110,7 +108,7 @@ class Case:
                 as they are, except for a last one that repeats the first.
             generatrix: G, likewise.
             reference: the point of G whose path the trajectory is.
-            flags: what cannot be seen from the pair; `facts` adds what can.
+            flags: what cannot be seen from the pair; `find_facts` adds what can.
             directrix_holes: the holes of D, where it is no Region, each as D is given.
             generatrix_holes: those of G.
             inner_fit: whether the positions of G inside D are asked of a pair that is not "SS".
@@ -122,7 +120,7 @@ class Case:
         Raises:
             ValueError: what `sweep` refuses.
 
-        Cost: that of the sweep and of its loops, of the inner fit and of `facts`.
+        Cost: that of the sweep and of its loops, of the inner fit and of `find_facts`.
 
         Example:
             >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -134,7 +132,10 @@ class Case:
             >>> case.kind, len(case.holes), len(case.inner_regions)
             ('SS', 1, 1)
         """
-        d, g = given_rings(directrix, directrix_holes), given_rings(generatrix, generatrix_holes)
+        d, g = (
+            read_given_rings(directrix, directrix_holes),
+            read_given_rings(generatrix, generatrix_holes),
+        )
         s = sweep(_shape(g), _shape(d), reference=reference)
         inside = None
         if inner_fit or s.kind == "SS":
@@ -146,7 +147,7 @@ class Case:
             generatrix_ring=g[0],
             reference=s.reference,
             kind=s.kind,
-            flags=tuple(sorted({*flags, *facts(d, g, s, inside)})),
+            flags=tuple(sorted({*flags, *find_facts(d, g, s, inside)})),
             trajectory=s.trajectory,
             inner=s.inner,
             outer=s.outer,
@@ -162,12 +163,12 @@ class Case:
         )
 
     @property
-    def directrix_rings(self) -> tuple[Ring, ...]:
+    def directrix_rings(self) -> tuple[Loop, ...]:
         """The exterior and the holes of D as given."""
         return (self.directrix_ring, *self.directrix_holes)
 
     @property
-    def generatrix_rings(self) -> tuple[Ring, ...]:
+    def generatrix_rings(self) -> tuple[Loop, ...]:
         """The exterior and the holes of G as given."""
         return (self.generatrix_ring, *self.generatrix_holes)
 
@@ -214,7 +215,7 @@ class Case:
         that type holds the input as it is. (Where "int32" is named, binary64 holds the input times
         `integer_scale`, too.)
         """
-        return types_holding(list(self._input()), self.integer_scale)
+        return find_types(list(self._input()), self.integer_scale)
 
     @cached_property
     def answer_representable(self) -> frozenset[str]:
@@ -222,7 +223,7 @@ class Case:
 
         The answer is the trajectory, the inner and outer loop and the exact fits.
         """
-        return types_holding(list(self._answer()), self.integer_scale)
+        return find_types(list(self._answer()), self.integer_scale)
 
     def _input(self) -> Iterator[Fraction]:
         for ring in (*self.directrix_rings, *self.generatrix_rings, (self.reference,)):
@@ -238,14 +239,14 @@ class Case:
                 yield from point
 
 
-def given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Ring, ...]:
+def read_given_rings(shape: Given, holes: Iterable[Given] = ()) -> tuple[Loop, ...]:
     """Read the exterior and the holes of a shape, each as it is given; see `given_ring`."""
     if isinstance(shape, Region):
         return shape.rings
     return (given_ring(shape), *map(given_ring, holes))
 
 
-def given_ring(vertices: Given) -> Ring:
+def given_ring(vertices: Given) -> Loop:
     """Read vertices as they are given, except for a last one that repeats the first.
 
     >>> len(given_ring([(0, 0), (1, 0), (1, 0), (0, 1), (0, 0)]))
@@ -257,6 +258,6 @@ def given_ring(vertices: Given) -> Ring:
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
 
 
-def _shape(rings: tuple[Ring, ...]) -> Polygon | Region:
+def _shape(rings: tuple[Loop, ...]) -> Polygon | Region:
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

@@ -9,15 +9,15 @@ from typing import Any
 
 from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
-from exactsweep.formats.exact_json import described, read_point, read_vertices
+from exactsweep.formats.exact_json import describe_kind, read_point, read_vertices
 from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import format_fraction, quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.number import format_fraction, quote
+from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-Loop = tuple[tuple[Point, ...], Polygon]
+GivenRing = tuple[Loop, Polygon]
 
 
 def case_to_json(case: Case) -> dict[str, Any]:
@@ -108,7 +108,7 @@ def _read(document: object) -> Case:
     expected = _object(_member(data, "expected", "$"), "$.expected")
     kind = _text(_member(data, "class", "$"), "$.class")
     if kind not in KINDS:
-        raise CaseError(f"$.class is {described(kind)}, not one of {', '.join(KINDS)}")
+        raise CaseError(f"$.class is {describe_kind(kind)}, not one of {', '.join(KINDS)}")
     d, g = (_ring(data, name, "$")[0] for name in ("directrix", "generatrix"))
     trajectory, inner, outer = (
         _ring(expected, name, "$.expected")[1] for name in ("trajectory", "inner", "outer")
@@ -161,7 +161,7 @@ def _regions(value: object, path: str) -> tuple[Region, ...]:
     return tuple(regions)
 
 
-def _fits(value: object, path: str) -> tuple[tuple[Point, Point], ...]:
+def _fits(value: object, path: str) -> tuple[Fit, ...]:
     fits = []
     for k, fit in enumerate(_list(value, "exact_fits", path)):
         ends = read_vertices(fit, f"{path}.exact_fits[{k}]")
@@ -180,7 +180,7 @@ def _require_same(right: Any, found: object, path: str) -> None:
         for k, (part, other) in enumerate(zip(right, found, strict=True)):
             _require_same(part, other, f"{path}[{k}]")
     elif found != right:
-        raise CaseError(f"{path} is not {quoted(right)}")
+        raise CaseError(f"{path} is not {quote(right)}")
 
 
 def _counts(case: Case) -> dict[str, int]:
@@ -211,7 +211,7 @@ def _region(region: Region) -> dict[str, Any]:
 
 def _object(value: object, path: str) -> dict[str, object]:
     if not isinstance(value, dict):
-        raise CaseError(f"{path} is {described(value)}, not an object")
+        raise CaseError(f"{path} is {describe_kind(value)}, not an object")
     return value
 
 
@@ -225,26 +225,26 @@ def _member(value: object, name: str, path: str) -> object:
 def _list(value: object, name: str, path: str) -> list[object]:
     found = _member(value, name, path)
     if not isinstance(found, list):
-        raise CaseError(f"{path}.{name} is {described(found)}, not a list")
+        raise CaseError(f"{path}.{name} is {describe_kind(found)}, not a list")
     return found
 
 
 def _text(value: object, path: str) -> str:
     if not isinstance(value, str):
-        raise CaseError(f"{path} is {described(value)}, not a string")
+        raise CaseError(f"{path} is {describe_kind(value)}, not a string")
     return value
 
 
-def _ring(value: object, name: str, path: str) -> Loop:
+def _ring(value: object, name: str, path: str) -> GivenRing:
     return _loop(_member(value, name, path), f"{path}.{name}")
 
 
-def _rings(value: object, name: str, path: str) -> tuple[Loop, ...]:
+def _rings(value: object, name: str, path: str) -> tuple[GivenRing, ...]:
     found = enumerate(_list(value, name, path))
     return tuple(_loop(ring, f"{path}.{name}[{k}]") for k, ring in found)
 
 
-def _loop(value: object, path: str) -> Loop:
+def _loop(value: object, path: str) -> GivenRing:
     """Read a ring as it is given, and as a Polygon."""
     points = read_vertices(value, path)
     try:
@@ -259,7 +259,7 @@ OF_POSITIONS = ("trajectory", "no_fit", "inner_fit", *FITS)
 """Parts of an answer that are positions of the reference point."""
 
 
-def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
+def list_expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     """Return the rings, or the segments, of a part of the answer, as a case has them as JSON.
 
     Args:
@@ -269,7 +269,7 @@ def expected_rings(data: Mapping[str, Any], name: str) -> list[Any]:
     Example:
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> data = case_to_json(Case.of("mine-1", "a square around itself", square, square))
-        >>> expected_rings(data, "no_fit")
+        >>> list_expected_rings(data, "no_fit")
         [[['-1', '-1'], ['1', '-1'], ['1', '1'], ['-1', '1']]]
     """
     expected = data["expected"]

@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 from textwrap import fill
 
-from exactsweep.corpus.case import Case, Fit
+from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import FAMILIES
-from exactsweep.corpus.names import known
+from exactsweep.corpus.names import require_known
 from exactsweep.corpus.representable import NUMBER_TYPES
-from exactsweep.corpus.shipped import case_ids, find_case, notes
+from exactsweep.corpus.shipped import find_case, list_ids, notes
 from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.region import Region
 from exactsweep.words import CLASSES
 
@@ -43,7 +43,7 @@ def describe(name: str) -> str:
     if found:
         return "\n".join(found)
     if not name.startswith("gen-"):
-        known(name, [*case_ids(), *notes(), *FAMILIES], "case, flag or family")
+        require_known(name, [*list_ids(), *notes(), *FAMILIES], "case, flag or family")
     return "".join(_case(find_case(name)))
 
 

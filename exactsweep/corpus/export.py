@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 from exactsweep.canvas.scale import Scale
 from exactsweep.corpus.case import Case
 from exactsweep.corpus.facts import is_clockwise
-from exactsweep.corpus.representable import types_holding
-from exactsweep.draw.notebook import sweep_svg
-from exactsweep.draw.sweeps import path
+from exactsweep.corpus.representable import find_types
+from exactsweep.draw.notebook import draw_sweep
+from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.writing import wkt_points, wkt_polygon
+from exactsweep.formats.writing import write_wkt_points, write_wkt_polygon
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 
@@ -41,7 +41,7 @@ class Figure(NamedTuple):
     rings: Sequence[Sequence[Point]]
 
 
-def figures(case: Case) -> Iterator[Figure]:
+def list_figures(case: Case) -> Iterator[Figure]:
     """Yield the polygons and segments of a case: its input, and the expected answer."""
     yield Figure("directrix", True, case.directrix_rings)
     yield Figure("generatrix", True, case.generatrix_rings)
@@ -82,7 +82,7 @@ def cases_to_wkt(cases: Iterable[Case]) -> Iterator[str]:
     """
     yield _row("case", "figure", "wkt", "missing because")
     for case in cases:
-        for figure in figures(case):
+        for figure in list_figures(case):
             try:
                 yield _row(case.id, figure.name, _wkt(figure), "")
             except FormatError as error:
@@ -93,8 +93,8 @@ def _wkt(figure: Figure) -> str:
     name, closed, (exterior, *holes) = figure
     if closed:
         inner = {f"{name}, hole {k}": hole for k, hole in enumerate(holes)}
-        return wkt_polygon({name: exterior, **inner}).rstrip()
-    return f"{'POINT' if len(exterior) == 1 else 'LINESTRING'} {wkt_points(name, exterior)}"
+        return write_wkt_polygon({name: exterior, **inner}).rstrip()
+    return f"{'POINT' if len(exterior) == 1 else 'LINESTRING'} {write_wkt_points(name, exterior)}"
 
 
 def _row(*fields: str) -> str:
@@ -127,7 +127,7 @@ def cases_to_geojson(cases: Iterable[Case]) -> Iterator[str]:
     yield '{"type":"FeatureCollection","features":['
     separator = "\n"
     for case in cases:
-        for figure in figures(case):
+        for figure in list_figures(case):
             yield separator + json.dumps(_feature(case, figure), separators=(",", ":"))
             separator = ",\n"
     yield "\n]}\n"
@@ -141,7 +141,7 @@ def _feature(case: Case, figure: Figure) -> dict[str, Any]:
         "class": case.kind,
         "flags": case.flags,
     }
-    properties["exact"] = "binary64" in types_holding(list(chain(*chain(*rings))), 1)
+    properties["exact"] = "binary64" in find_types(list(chain(*chain(*rings))), 1)
     if not properties["exact"]:
         exact = [[[format_fraction(c) for c in point] for point in ring] for ring in rings]
         properties["vertices"] = exact[0] if len(exact) == 1 else exact
@@ -191,10 +191,10 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
         x, y = k % columns * _WIDTH, k // columns * _HEIGHT
         s = case.sweep()
         note = f"{case.kind}, {case.size} vertices"
-        if not Scale.of(s.outer.vertices, path(s).vertices).is_true:
+        if not Scale.of(s.outer.vertices, trace_anchor(s).vertices).is_true:
             note += ", axes scaled apart"
         yield (
-            f'<g transform="translate({x} {y})">\n{sweep_svg(s)}\n'
+            f'<g transform="translate({x} {y})">\n{draw_sweep(s)}\n'
             f'<text x="12" y="{_HEIGHT - 34}">{escape(case.id)}</text>\n'
             f'<text x="12" y="{_HEIGHT - 16}" fill="#777">{note}</text>\n</g>\n'
         )

@@ -1,4 +1,4 @@
-"""Flags that can be seen from a pair and its answer, so that nobody has to be believed for them."""
+"""Flags that can be seen from a pair and its answer, so that none is taken on trust."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -6,15 +6,12 @@ from itertools import chain
 from math import lcm
 
 from exactsweep.check import classify
-from exactsweep.corpus.representable import INTEGER_BITS, in_range, types_holding
-from exactsweep.geometry.point import Point
+from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.point import Fit, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.sweep import InnerFit, Sweep
-
-Ring = Sequence[Point]
-Rings = Sequence[Ring]
-Vector = tuple[int, int]
 
 NEAR = Fraction(1, 10**14)
 HUGE = Fraction(2**53)
@@ -22,8 +19,8 @@ TINY = Fraction(1, 2**30)
 MANY = 256
 
 
-def facts(
-    directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None = None
+def find_facts(
+    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None = None
 ) -> set[str]:
     """Find the flags of a pair that can be seen.
 
@@ -41,7 +38,7 @@ def facts(
     Example:
         >>> from exactsweep import sweep
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        >>> sorted(facts([square], [square], sweep(square, square)))
+        >>> sorted(find_facts([square], [square], sweep(square, square)))
         ['identical', 'inverse', 'parallel-edges', 'vertical-edge']
     """
     return {
@@ -53,22 +50,22 @@ def facts(
     }
 
 
-def is_clockwise(ring: Ring) -> bool:
+def is_clockwise(ring: Sequence[Point]) -> bool:
     """Whether a ring runs clockwise."""
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
-def _repeated(rings: Rings) -> bool:
+def _repeats(rings: PointRings) -> bool:
     return any(p == q for ring in rings for p, q in _edges(ring))
 
 
-def _collinear(rings: Rings) -> bool:
+def _collinear(rings: PointRings) -> bool:
     return any(len(Polygon(ring)) < sum(p != q for p, q in _edges(ring)) for ring in rings)
 
 
-_SPELLING: dict[str, Callable[[Rings], bool]] = {
+_SPELLING: dict[str, Callable[[PointRings], bool]] = {
     "clockwise": lambda rings: is_clockwise(rings[0]),
-    "repeated-vertex": _repeated,
+    "repeated-vertex": _repeats,
     "collinear-vertex": _collinear,
     "hole": lambda rings: len(rings) > 1,
 }
@@ -87,7 +84,7 @@ def _at_origin(shape: Polygon | Region) -> Polygon | Region:
     return shape.translated((-x, -y))
 
 
-def _is_point(fit: tuple[Point, Point]) -> bool:
+def _is_point(fit: Fit) -> bool:
     return fit[0] == fit[1]
 
 
@@ -96,14 +93,14 @@ def _is_long(s: Sweep) -> bool:
     return any(len(ring) > MANY for ring in (*loops, *s.directrix.rings, *s.generatrix.rings))
 
 
-def _touching(s: Sweep) -> bool:
+def _touch(s: Sweep) -> bool:
     return classify(s.directrix, s.generatrix, (0, 0)).verdict == "CONTACT"
 
 
 _ANSWER: dict[str, Callable[[Sweep], bool]] = {
     "identical": _identical,
     "inverse": _inverse,
-    "touching": _touching,
+    "touching": _touch,
     "reference-point": lambda s: any(s.reference),
     "turned": lambda s: s.kind != "SS" and s.direction != (1, 0),
     "exact-fit": lambda s: bool(s.exact_fits),
@@ -122,7 +119,9 @@ _INSIDE: dict[str, Callable[[InnerFit], bool]] = {
 }
 
 
-def _sizes(directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | None) -> Iterator[str]:
+def _sizes(
+    directrix: PointRings, generatrix: PointRings, s: Sweep, inside: InnerFit | None
+) -> Iterator[str]:
     rings = [*directrix, *generatrix, [s.reference]]
     given = [c for ring in rings for point in ring for c in point]
     scale = lcm(*(c.denominator for c in given))
@@ -133,12 +132,12 @@ def _sizes(directrix: Rings, generatrix: Rings, s: Sweep, inside: InnerFit | Non
     if any(c.denominator > 1 for c in answer):
         yield "rounded-answer"
     for name, bits in INTEGER_BITS.items():
-        if all(in_range(c, bits) for c in given):
-            if not all(in_range(c, bits) for c in answer):
+        if all(is_in_range(c, bits) for c in given):
+            if not all(is_in_range(c, bits) for c in answer):
                 yield f"overflow-{name}"
-            if not in_range(_greatest_product(s, scale), bits):
+            if not is_in_range(_greatest_product(s, scale), bits):
                 yield f"product-overflow-{name}"
-    if "binary64" in types_holding([c / scale for c in given], 1) and _rounds_products(s):
+    if "binary64" in find_types([c / scale for c in given], 1) and _rounds_products(s):
         yield "product-rounding"
     if max(map(abs, given)) > HUGE * scale:
         yield "huge"
@@ -171,7 +170,7 @@ def _rounds_products(s: Sweep) -> bool:
         next_widths, next_heights = widths[1:] + widths[:1], heights[1:] + heights[:1]
         for first, second in (widths, next_heights), (heights, next_widths):
             products = [a * b for a, b in zip(first, second, strict=True)]
-            if "binary64" not in types_holding(products, 1):
+            if "binary64" not in find_types(products, 1):
                 return True
     return False
 
@@ -187,7 +186,7 @@ def _slopes(s: Sweep) -> Iterator[str]:
         yield "near-parallel"
 
 
-def _directions(rings: Rings) -> set[Vector]:
+def _directions(rings: PointRings) -> set[Vector]:
     """The primitive vectors along the edges, in the right half plane."""
     found = set()
     for p, q in chain.from_iterable(map(_edges, rings)):
@@ -212,5 +211,5 @@ def _all_edges(s: Sweep) -> Iterator[tuple[Point, Point]]:
     return chain.from_iterable(map(_edges, (*s.directrix.rings, *s.generatrix.rings)))
 
 
-def _edges(ring: Ring) -> Iterator[tuple[Point, Point]]:
+def _edges(ring: Sequence[Point]) -> Iterator[tuple[Point, Point]]:
     yield from zip(ring, [*ring[1:], ring[0]], strict=True)

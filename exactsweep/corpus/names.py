@@ -3,29 +3,29 @@
 from collections.abc import Collection
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
-from exactsweep.words import suggestion
+from exactsweep.geometry.number import quote
+from exactsweep.words import suggest
 
 
 class UnknownNameError(ExactSweepError):
-    """A name that there is not; the message suggests one that there is."""
+    """A name that does not exist; the message suggests one that does."""
 
 
-def known(name: str, names: Collection[str], thing: str) -> str:
+def require_known(name: str, names: Collection[str], thing: str) -> str:
     """Return a name if it is one of those there are.
 
     Raises:
         UnknownNameError: it is not.
 
     Example:
-        >>> known("exact-fits", ["exact-fit", "undercut"], "flag")
+        >>> require_known("exact-fits", ["exact-fit", "undercut"], "flag")
         Traceback (most recent call last):
         exactsweep.corpus.names.UnknownNameError: no flag 'exact-fits'; did you mean 'exact-fit'?
     """
     if name in names:
         return name
-    near = suggestion(name, names) or f"; {_some(names)}"
-    raise UnknownNameError(f"no {thing} {quoted(name)}{near}")
+    near = suggest(name, names) or f"; {_some(names)}"
+    raise UnknownNameError(f"no {thing} {quote(name)}{near}")
 
 
 def _some(names: Collection[str]) -> str:

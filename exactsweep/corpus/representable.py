@@ -7,7 +7,7 @@ INTEGER_BITS = {"int32": 32, "int64": 64}
 NUMBER_TYPES = (*INTEGER_BITS, "binary64")
 
 
-def types_holding(values: Collection[Fraction], scale: int) -> frozenset[str]:
+def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
     """Name the number types that hold numbers exactly.
 
     Args:
@@ -21,9 +21,9 @@ def types_holding(values: Collection[Fraction], scale: int) -> frozenset[str]:
     Cost: linear.
 
     Example:
-        >>> sorted(types_holding([Fraction(1, 3)], 3)), sorted(types_holding([Fraction(1, 3)], 2))
+        >>> sorted(find_types([Fraction(1, 3)], 3)), sorted(find_types([Fraction(1, 3)], 2))
         (['int32', 'int64'], [])
-        >>> sorted(types_holding([Fraction(2**31)], 1))
+        >>> sorted(find_types([Fraction(2**31)], 1))
         ['binary64', 'int64']
     """
     held = set()
@@ -33,17 +33,17 @@ def types_holding(values: Collection[Fraction], scale: int) -> frozenset[str]:
         held = {
             name
             for name, bits in INTEGER_BITS.items()
-            if in_range(low, bits) and in_range(high, bits)
+            if is_in_range(low, bits) and is_in_range(high, bits)
         }
     if all(map(_is_binary64, values)):
         held.add("binary64")
     return frozenset(held)
 
 
-def in_range(value: Fraction | int, bits: int) -> bool:
+def is_in_range(value: Fraction | int, bits: int) -> bool:
     """Whether a number lies between the least and the greatest integer of so many bits.
 
-    >>> in_range(-(2**31), 32), in_range(2**31 - 1, 32), in_range(2**31, 32)
+    >>> is_in_range(-(2**31), 32), is_in_range(2**31 - 1, 32), is_in_range(2**31, 32)
     (True, True, False)
     """
     return -(1 << bits - 1) <= value <= (1 << bits - 1) - 1

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import KINDS, Case
 from exactsweep.corpus.case_json import case_from_json
-from exactsweep.corpus.generator import generated_case
-from exactsweep.corpus.names import known
+from exactsweep.corpus.generator import generate_case
+from exactsweep.corpus.names import require_known
 
 
 def themes() -> dict[str, str]:
@@ -53,7 +53,7 @@ def cases(
         >>> [case.kind for case in cases(prefix="figures-10-")][0]
         'MM'
     """
-    return map(case_from_json, _matching(prefix, flags, kind, max_size))
+    return map(case_from_json, _match(prefix, flags, kind, max_size))
 
 
 class Summary(NamedTuple):
@@ -65,7 +65,7 @@ class Summary(NamedTuple):
     title: str
 
 
-def summaries(
+def list_summaries(
     *,
     prefix: str = "",
     flags: Iterable[str] = (),
@@ -75,19 +75,19 @@ def summaries(
     """Yield what a list of the cases needs, without reading the polygons; else as `cases`.
 
     Example:
-        >>> next(summaries(prefix="fits-")).title
+        >>> next(list_summaries(prefix="fits-")).title
         'A square into a slot as wide'
     """
-    for data in _matching(prefix, flags, kind, max_size):
+    for data in _match(prefix, flags, kind, max_size):
         yield Summary(data["id"], data["class"], _size(data), data["title"])
 
 
-def _matching(
+def _match(
     prefix: str, flags: Iterable[str], kind: str | None, max_size: int | None
 ) -> Iterator[dict[str, Any]]:
-    wanted = {known(flag, notes(), "flag") for flag in flags}
+    wanted = {require_known(flag, notes(), "flag") for flag in flags}
     if kind is not None:
-        known(kind, KINDS, "class")
+        require_known(kind, KINDS, "class")
     return (
         data
         for data in _entries(prefix)
@@ -102,26 +102,26 @@ def _size(data: dict[str, Any]) -> int:
     return sum(map(len, (data["directrix"], data["generatrix"], *holes)))
 
 
-def shipped_case(id: str) -> Case:
+def find_shipped_case(id: str) -> Case:
     """Return the shipped case of this id.
 
     Raises:
         UnknownNameError: there is none.
 
     Example:
-        >>> shipped_case("figures-10-2-4-6").title
+        >>> find_shipped_case("figures-10-2-4-6").title
         'Figure 10: one tooth, two peaks and a tip of four flat edges'
     """
-    known(id, case_ids(), "case")
+    require_known(id, list_ids(), "case")
     return case_from_json(next(data for data in _entries(id) if data["id"] == id))
 
 
-def case_ids() -> list[str]:
+def list_ids() -> list[str]:
     """Return the ids of the shipped cases, in their order."""
     return [data["id"] for data in _entries("")]
 
 
-def schema_text() -> str:
+def read_schema() -> str:
     """Return the JSON Schema (2020-12) of a case; its "theme" in "$defs" is that of a file."""
     return files("exactsweep.corpus").joinpath("schema.json").read_text(encoding="utf-8")
 
@@ -141,10 +141,10 @@ def _names() -> tuple[str, ...]:
 
 @cache
 def _theme(name: str) -> Any:
-    return json.loads(theme_text(files("exactsweep.corpus").joinpath("data"), name))
+    return json.loads(read_theme(files("exactsweep.corpus").joinpath("data"), name))
 
 
-def theme_text(folder: Traversable, name: str) -> str:
+def read_theme(folder: Traversable, name: str) -> str:
     """Read the file of a theme: NAME.json, or NAME.json.xz where it would be large."""
     plain = folder.joinpath(f"{name}.json")
     if plain.is_file():
@@ -162,7 +162,7 @@ def find_case(id: str) -> Case:
         >>> find_case("gen-convex-1-0").kind
         'CC'
     """
-    return generated_case(id) if id.startswith("gen-") else shipped_case(id)
+    return generate_case(id) if id.startswith("gen-") else find_shipped_case(id)
 
 
 class Note(NamedTuple):

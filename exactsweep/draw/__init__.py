@@ -1,10 +1,9 @@
 """Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws all of a sweep, `plot_no_fit` and `plot_inner_fit` all of a no-fit polygon and
-of an inner fit. For other pictures make a `Picture` on an Axes, with the `Scale` of what it is to
-hold, and draw on it:
+`plot_sweep` draws all of a sweep, `plot_positions` all of a no-fit polygon or of an inner fit. For
+other pictures make a `Picture` on an Axes, with the `Scale` of what it is to hold, and draw on it:
 
-    figure = new_figure()
+    figure = make_figure()
     picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
     picture.area(d.vertices, style.DIRECTRIX, "directrix D")
     draw_sub_trajectories(picture, chains, envelope)
@@ -19,11 +18,12 @@ from exactsweep.canvas import style
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
-from exactsweep.draw.figure import SUFFIXES, new_figure, picture_suffix, save, save_svg
-from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
+from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
+from exactsweep.draw.no_fits import plot_positions
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import Stretch, stretches
+from exactsweep.draw.stretches import ContactStretch, cut_trajectory
 from exactsweep.draw.sweeps import (
+    choose_telling_positions,
     draw_contacts,
     draw_exact_fits,
     draw_generatrix,
@@ -31,18 +31,19 @@ from exactsweep.draw.sweeps import (
     draw_shape,
     draw_trajectory,
     draw_undercuts,
-    placed_generatrix,
+    place_generatrix,
     plot_sweep,
-    telling_positions,
 )
 
 __all__ = [
     "SUFFIXES",
     "AxisScale",
+    "ContactStretch",
     "DrawError",
     "Picture",
     "Scale",
-    "Stretch",
+    "choose_telling_positions",
+    "cut_trajectory",
     "draw_chains",
     "draw_contacts",
     "draw_exact_fits",
@@ -52,15 +53,12 @@ __all__ = [
     "draw_sub_trajectories",
     "draw_trajectory",
     "draw_undercuts",
-    "new_figure",
-    "picture_suffix",
-    "placed_generatrix",
-    "plot_inner_fit",
-    "plot_no_fit",
+    "make_figure",
+    "place_generatrix",
+    "plot_positions",
     "plot_sweep",
+    "read_suffix",
     "save",
     "save_svg",
-    "stretches",
     "style",
-    "telling_positions",
 ]

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from exactsweep.canvas import style
-from exactsweep.draw.picture import Picture, Points
+from exactsweep.draw.picture import Picture
+from exactsweep.geometry.point import Vertex
 
 
-def draw_chains(picture: Picture, chains: Mapping[str, Points]) -> None:
+def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
     """Draw chains by name, each in a colour and with a marker of its own.
 
     Args:
@@ -16,11 +17,11 @@ def draw_chains(picture: Picture, chains: Mapping[str, Points]) -> None:
         chains: the points of each chain by the name that it has in the legend.
     """
     for k, (name, chain) in enumerate(chains.items()):
-        picture.line(chain, style.chain_look(k), name)
+        picture.line(chain, style.choose_chain_look(k), name)
 
 
 def draw_sub_trajectories(
-    picture: Picture, chains: Iterable[Points], envelope: Points | None = None
+    picture: Picture, chains: Iterable[Iterable[Vertex]], envelope: Iterable[Vertex] | None = None
 ) -> None:
     """Draw sub-trajectories as thin dashed lines, and their lower envelope in bold over them.
 

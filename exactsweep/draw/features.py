@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region, around
+from exactsweep.geometry.region import number_features
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
 
-Span = tuple[Point, Point]
+Ends = tuple[Point, Point]
 
 
 class Features:
@@ -24,10 +23,10 @@ class Features:
 
     def __init__(self, s: Swept) -> None:
         self._reference = s.reference
-        self.g_vertices, self._g_ends = _numbered(s.generatrix)
-        self.d_vertices, self._d_ends = _numbered(s.directrix)
+        self.g_vertices, self._g_ends = number_features(s.generatrix)
+        self.d_vertices, self._d_ends = number_features(s.directrix)
 
-    def span(self, contact: Contact) -> Span:
+    def span(self, contact: Contact) -> Ends:
         """Return the ends of the positions, all on one line, at which two features touch."""
         event, i, j = contact
         (a, b), (c, d) = (
@@ -41,7 +40,7 @@ class Features:
         (x, y), g, d = self._reference, self.g_vertices[i], self.d_vertices[j]
         return Point(d.x - g.x + x, d.y - g.y + y)
 
-    def spot(self, contact: Contact, position: Point) -> Span:
+    def spot(self, contact: Contact, position: Point) -> Ends:
         """Return where two features touch at a position: the ends of a segment, or a point twice.
 
         Example:
@@ -54,27 +53,15 @@ class Features:
         if event[1] == "V":
             return self.d_vertices[j], self.d_vertices[j]
         if event[0] == "V":
-            touching = self._moved(self.g_vertices[i], position)
+            touching = self._move(self.g_vertices[i], position)
             return touching, touching
         ends = [self.d_vertices[k] for k in self._d_ends[j]]
-        ends += [self._moved(self.g_vertices[k], position) for k in self._g_ends[i]]
+        ends += [self._move(self.g_vertices[k], position) for k in self._g_ends[i]]
         _, low, high, _ = sorted(ends)
         return low, high
 
-    def _moved(self, point: Point, position: Point) -> Point:
+    def _move(self, point: Point, position: Point) -> Point:
         """Where a point of G is when the reference point is at a position."""
         return Point(
             point.x + position.x - self._reference.x, point.y + position.y - self._reference.y
         )
-
-
-def _numbered(shape: Polygon | Region) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
-    """The vertices, and the numbers of the ends of the edges."""
-    numbers = [shape.vertex_index(k) for k in range(len(shape))]
-    return (
-        dict(zip(numbers, shape.vertices, strict=True)),
-        {
-            shape.edge_index(k): (numbers[k], numbers[following])
-            for _, k, following in around(shape)
-        },
-    )

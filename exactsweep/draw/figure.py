@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.error import DrawError
-from exactsweep.canvas.style import in_style
+from exactsweep.canvas.style import use_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,7 +30,7 @@ def require_matplotlib() -> None:
         raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
 
 
-def new_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
+def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
     """Make a Figure in the style, with empty Axes; it is for a file and belongs to no window.
 
     Args:
@@ -47,20 +47,20 @@ def new_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None
     require_matplotlib()
     from matplotlib.figure import Figure
 
-    with in_style():
+    with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
         return figure
 
 
-def picture_suffix(path: str) -> str:
+def read_suffix(path: str) -> str:
     """Return the suffix of a picture file, in lower case.
 
     Raises:
         DrawError: it is not that of a format that can be written.
 
     Example:
-        >>> picture_suffix("fig/block.SVG")
+        >>> read_suffix("fig/block.SVG")
         '.svg'
     """
     suffix = Path(path).suffix.lower()
@@ -79,14 +79,14 @@ def save(figure: Figure, path: str) -> None:
         DrawError: another suffix.
         OSError: the file cannot be written.
     """
-    suffix = picture_suffix(path)
-    with in_style():
+    suffix = read_suffix(path)
+    with use_style():
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
 
 
 def save_svg(figure: Figure) -> str:
     """Write a figure as the text of an SVG document, the same each time, as `save` does."""
     text = StringIO()
-    with in_style():
+    with use_style():
         figure.savefig(text, format="svg", metadata=_METADATA[".svg"], bbox_inches="tight")
     return text.getvalue()

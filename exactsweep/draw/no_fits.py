@@ -14,11 +14,11 @@ from exactsweep.draw.sweeps import (
     draw_exact_fits,
     draw_generatrix,
     draw_shape,
-    new_axes,
-    parted,
-    placed_generatrix,
+    find_shift,
+    make_axes,
+    part_fits,
+    place_generatrix,
     read_positions,
-    shift,
 )
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -27,8 +27,8 @@ from exactsweep.geometry.region import Region
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
+    from exactsweep.geometry.point import Fit
 
 
 class Positions(NamedTuple):
@@ -53,11 +53,11 @@ class Positions(NamedTuple):
     exact_fits: tuple[Fit, ...]
 
     @classmethod
-    def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
+    def of(cls, found: NoFitPositions | InnerFitPositions) -> Positions:
         """Gather what is drawn."""
-        from exactsweep.evidence.no_fit import InnerFit
+        from exactsweep.evidence.no_fit import InnerFitPositions
 
-        if isinstance(found, InnerFit):
+        if isinstance(found, InnerFitPositions):
             shapes = found.container, found.part, found.reference
             called = "container D", "part G", "free positions"
             return cls(*shapes, called, None, found.regions, found.exact_fits)
@@ -77,9 +77,9 @@ class Positions(NamedTuple):
         regions = self.free if self.exterior is None else (self.exterior, *self.free)
         return [ring for region in regions for ring in (region.exterior, *region.holes)]
 
-    def telling(self) -> list[Point]:
+    def choose_positions(self) -> list[Point]:
         """Choose positions worth drawing: one in each kind of exact fit, one free, one outside."""
-        segments, points = parted(self.exact_fits)
+        segments, points = part_fits(self.exact_fits)
         found = [inside for _, inside in segments[:1]] + points[:1]
         found += [region.vertices[0] for region in self.free[:1]]
         if self.exterior is not None:
@@ -87,20 +87,20 @@ class Positions(NamedTuple):
         return list(dict.fromkeys(found))
 
 
-def plot_no_fit(
-    n: NoFitPolygon,
+def plot_positions(
+    found: NoFitPositions | InnerFitPositions,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
     y_down: bool = False,
 ) -> Axes:
-    """Draw a no-fit polygon: both polygons, its exterior, its holes, and its exact fits.
+    """Draw a no-fit polygon or an inner fit: both polygons, all loops, and the exact fits.
 
     Args:
-        n: a NoFitPolygon.
+        found: a NoFitPolygon or an InnerFit.
         axes: as for `plot_sweep`.
-        positions: pairs of numbers, where the reference point of G is when G is drawn; if left
-            out, some in exact fits and in holes, and one on the exterior.
+        positions: pairs of numbers, where the reference point of what moves is when that is drawn;
+            if left out, some in exact fits and among free positions, and one on the exterior.
         y_down: as for `plot_sweep`.
 
     Returns:
@@ -109,65 +109,22 @@ def plot_no_fit(
     Raises:
         DrawError, PolygonError, NumberError: as by `plot_sweep`.
 
-    Cost: that of the no-fit polygon, and linear in its size.
+    Cost: that of all that was found, and linear in its size.
 
     Example:
         >>> from exactsweep import no_fit_polygon
-        >>> from exactsweep.draw import new_figure
+        >>> from exactsweep.draw import make_figure
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_no_fit(no_fit_polygon(square, square), new_figure().axes[0])
+        >>> axes = plot_positions(no_fit_polygon(square, square), make_figure().axes[0])
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
     """
-    return _plot(Positions.of(n), axes, positions, y_down)
-
-
-def plot_inner_fit(
-    f: InnerFit,
-    axes: Axes | None = None,
-    *,
-    positions: Iterable[Iterable[object]] | None = None,
-    y_down: bool = False,
-) -> Axes:
-    """Draw an inner fit: the container with its defects, the part, and where the part may be.
-
-    Args:
-        f: an InnerFit.
-        axes: as for `plot_sweep`.
-        positions: as for `plot_no_fit`.
-        y_down: as for `plot_sweep`.
-
-    Returns:
-        The Axes.
-
-    Raises:
-        DrawError, PolygonError, NumberError: as by `plot_sweep`.
-
-    Cost: that of the inner fit, and linear in its size.
-
-    Example:
-        >>> from exactsweep import inner_fit_polygon
-        >>> from exactsweep.draw import new_figure
-        >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_inner_fit(inner_fit_polygon(bin, unit), new_figure().axes[0])
-        >>> [text.get_text() for text in axes.get_legend().get_texts()]
-        ['container D', 'free positions', 'part G', 'reference point of G']
-    """
-    return _plot(Positions.of(f), axes, positions, y_down)
-
-
-def _plot(
-    shown: Positions,
-    axes: Axes | None,
-    positions: Iterable[Iterable[object]] | None,
-    y_down: bool,
-) -> Axes:
     require_matplotlib()
-    axes = axes or new_axes()
-    places = shown.telling() if positions is None else read_positions(positions)
+    axes, shown = axes or make_axes(), Positions.of(found)
+    places = shown.choose_positions() if positions is None else read_positions(positions)
     fixed, moving, free = shown.called
-    by = shift(shown)
-    placed = [placed_generatrix(shown, place) for place in places]
+    by = find_shift(shown)
+    placed = [place_generatrix(shown, place) for place in places]
     paths = [loop.translated(by).vertices for loop in shown.loops]
     fits = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in shown.exact_fits]
 

@@ -7,26 +7,32 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
-from exactsweep.canvas.svg import Shape, put_beside, svg
+from exactsweep.canvas.svg import Shape, put_beside, write_svg
 from exactsweep.draw.no_fits import Positions
-from exactsweep.draw.sweeps import parted, path, placed_generatrix, shift, telling_positions
-from exactsweep.geometry.number import abridged
+from exactsweep.draw.sweeps import (
+    choose_telling_positions,
+    find_shift,
+    part_fits,
+    place_generatrix,
+    trace_anchor,
+)
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import Point
-from exactsweep.words import CLASSES, pair, size
+from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
     from exactsweep.evidence.swept import Swept
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.geometry.point import Fit
 
 
-def sweep_svg(s: Swept) -> str:
+def draw_sweep(s: Swept) -> str:
     """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits.
 
     Cost: that of the loops and the undercuts, and linear in their sizes.
     """
     outer, inner = s.outer.vertices, s.inner.vertices
-    placed = [placed_generatrix(s, place).rings for place in telling_positions(s)]
+    placed = [place_generatrix(s, place).rings for place in choose_telling_positions(s)]
     unswept = [loop.vertices for loop in s.unswept]
     shapes = [
         Shape([outer, inner, *unswept], style.SWEPT),
@@ -35,16 +41,16 @@ def sweep_svg(s: Swept) -> str:
         Shape([outer], style.OUTER),
         Shape([inner, *unswept], style.INNER),
         *(Shape(list(rings), style.GENERATRIX) for rings in placed),
-        Shape([path(s).vertices], style.TRAJECTORY),
-        *_fit_shapes(s.exact_fits, shift(s)),
+        Shape([trace_anchor(s).vertices], style.TRAJECTORY),
+        *_fit_shapes(s.exact_fits, find_shift(s)),
     ]
     title = f"{s.kind} sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
-    return svg([shape for shape in shapes if shape.loops], title)
+    return write_svg([shape for shape in shapes if shape.loops], title)
 
 
 def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
     """Exact fits, moved by a vector."""
-    segments, points = parted(fits)
+    segments, points = part_fits(fits)
     lines = [[Point(p.x + by.x, p.y + by.y) for p in fit] for fit in segments]
     # A line without length and with round ends is a dot.
     dots = [[Point(p.x + by.x, p.y + by.y)] * 2 for p in points]
@@ -54,21 +60,21 @@ def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
     ]
 
 
-def positions_svg(found: NoFitPolygon | InnerFit) -> str:
+def draw_positions(found: NoFitPositions | InnerFitPositions) -> str:
     """Draw a no-fit polygon or an inner fit as an SVG image.
 
     Cost: that of all its parts, and linear in their sizes.
     """
     shown = Positions.of(found)
-    by = shift(shown)
+    by = find_shift(shown)
     exterior = () if shown.exterior is None else shown.exterior.translated(by).rings
     shapes = [
         Shape(list(shown.directrix.rings), style.DIRECTRIX),
         *(Shape(list(region.translated(by).rings), style.FREE) for region in shown.free),
         Shape(list(exterior), style.TRAJECTORY),
         *(
-            Shape(list(placed_generatrix(shown, place).rings), style.GENERATRIX)
-            for place in shown.telling()
+            Shape(list(place_generatrix(shown, place).rings), style.GENERATRIX)
+            for place in shown.choose_positions()
         ),
         *_fit_shapes(shown.exact_fits, by),
     ]
@@ -78,43 +84,36 @@ def positions_svg(found: NoFitPolygon | InnerFit) -> str:
         if shown.exterior is None
         else f"no-fit polygon of {g} around {d} vertices"
     )
-    return svg([shape for shape in shapes if shape.loops], title)
+    return write_svg([shape for shape in shapes if shape.loops], title)
 
 
-def no_fit_html(n: NoFitPolygon) -> str:
-    """Show a no-fit polygon as HTML: its picture, class, and sizes."""
+def show_positions(found: NoFitPositions | InnerFitPositions) -> str:
+    """Show a no-fit polygon or an inner fit as HTML: its picture, and sizes."""
+    from exactsweep.evidence.no_fit import NoFitPositions
+
+    shown = Positions.of(found)
+    fixed, moving, _ = (name.split()[0] for name in shown.called)
     rows = [
-        ("class", CLASSES[n.kind]),
-        ("reference", pair(n.reference)),
-        ("stationary", size(len(n.stationary), n.stationary.area)),
-        ("orbiting", size(len(n.orbiting), n.orbiting.area)),
-        ("exterior", size(len(n.exterior), n.exterior.area)),
-        ("holes", str(len(n.holes))),
-        ("exact fits", str(len(n.exact_fits))),
-        ("area", abridged(n.area)),
+        ("reference", write_pair(found.reference)),
+        (fixed, write_size(len(shown.directrix), shown.directrix.area)),
+        (moving, write_size(len(shown.generatrix), shown.generatrix.area)),
     ]
-    return put_beside(positions_svg(n), rows)
+    if isinstance(found, NoFitPositions):
+        exterior = write_size(len(found.exterior), found.exterior.area)
+        rows = [("class", CLASSES[found.kind]), *rows, ("exterior", exterior)]
+        rows.append(("holes", str(len(found.holes))))
+    else:
+        rows.append(("regions", str(len(found.regions))))
+    rows += [("exact fits", str(len(found.exact_fits))), ("area", abridge(found.area))]
+    return put_beside(draw_positions(found), rows)
 
 
-def inner_fit_html(f: InnerFit) -> str:
-    """Show an inner fit as HTML: its picture and sizes."""
-    rows = [
-        ("reference", pair(f.reference)),
-        ("container", size(len(f.container), f.container.area)),
-        ("part", size(len(f.part), f.part.area)),
-        ("regions", str(len(f.regions))),
-        ("exact fits", str(len(f.exact_fits))),
-        ("area", abridged(f.area)),
-    ]
-    return put_beside(positions_svg(f), rows)
-
-
-def sweep_html(s: Swept) -> str:
+def show_sweep(s: Swept) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
-        ("monotone to", "no shared direction" if s.direction is None else pair(s.direction)),
-        ("reference", pair(s.reference)),
+        ("monotone to", "no shared direction" if s.direction is None else write_pair(s.direction)),
+        ("reference", write_pair(s.reference)),
     ]
     loops = {
         "generatrix": s.generatrix,
@@ -123,11 +122,11 @@ def sweep_html(s: Swept) -> str:
         "inner loop": s.inner,
         "outer loop": s.outer,
     }
-    rows += [(name, size(len(loop), loop.area)) for name, loop in loops.items()]
-    rows += [(f"unswept {k}", size(len(loop), loop.area)) for k, loop in enumerate(s.unswept)]
+    rows += [(name, write_size(len(loop), loop.area)) for name, loop in loops.items()]
+    rows += [(f"unswept {k}", write_size(len(loop), loop.area)) for k, loop in enumerate(s.unswept)]
     rows += [
-        ("swept area", abridged(s.area)),
+        ("swept area", abridge(s.area)),
         ("undercuts", str(len(s.undercuts))),
         ("exact fits", str(len(s.exact_fits))),
     ]
-    return put_beside(sweep_svg(s), rows)
+    return put_beside(draw_sweep(s), rows)

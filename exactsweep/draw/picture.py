@@ -7,7 +7,7 @@ from math import ceil, nan
 from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.scale import Scale
-from exactsweep.canvas.style import Look, in_style
+from exactsweep.canvas.style import Look, use_style
 from exactsweep.geometry.point import Vertex
 
 if TYPE_CHECKING:
@@ -22,8 +22,6 @@ _LEAST_WIDTH = 0.5
 _LEGEND_COLUMNS = 3
 # Of a picture whose axes have units of their own.
 _STRETCHED_ASPECT = 0.6
-
-Points = Iterable[Vertex]
 
 
 class Picture:
@@ -43,9 +41,9 @@ class Picture:
 
     Example:
         >>> from exactsweep import Polygon
-        >>> from exactsweep.draw import new_figure, style
+        >>> from exactsweep.draw import make_figure, style
         >>> square = Polygon([(0, 0), (10**40, 0), (10**40, 10**40), (0, 10**40)])
-        >>> (axes,) = new_figure().axes
+        >>> (axes,) = make_figure().axes
         >>> picture = Picture(axes, Scale.of(square.vertices))
         >>> picture.area(square.vertices, style.DIRECTRIX, "directrix")
         >>> axes.get_xlabel()
@@ -76,7 +74,7 @@ class Picture:
         if y_down:
             axes.yaxis.set_inverted(True)
 
-    def area(self, loop: Points, look: Look, label: str | None = None) -> None:
+    def area(self, loop: Iterable[Vertex], look: Look, label: str | None = None) -> None:
         """Fill, hatch and outline a loop; things of one label are one entry of the legend."""
         if self._window is not None:
             self.shape([loop], look, label)
@@ -84,11 +82,15 @@ class Picture:
         xs, ys = self._columns(loop)
         self.axes.fill(xs, ys, label=self._once(label), **look.as_area)
 
-    def ring(self, outer: Points, inner: Points, look: Look, label: str | None = None) -> None:
+    def ring(
+        self, outer: Iterable[Vertex], inner: Iterable[Vertex], look: Look, label: str | None = None
+    ) -> None:
         """Fill what lies between two loops; `inner` lies in `outer`."""
         self.shape([outer, inner], look, label)
 
-    def shape(self, rings: Iterable[Points], look: Look, label: str | None = None) -> None:
+    def shape(
+        self, rings: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
+    ) -> None:
         """Fill what lies in the first of some counter-clockwise loops and in no other."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
@@ -107,13 +109,20 @@ class Picture:
         self.axes.add_patch(PathPatch(path, label=self._once(label), **look.as_area))
 
     def line(
-        self, points: Points, look: Look, label: str | None = None, *, closed: bool = False
+        self,
+        points: Iterable[Vertex],
+        look: Look,
+        label: str | None = None,
+        *,
+        closed: bool = False,
     ) -> None:
         """Draw a chain, or a loop if it is closed."""
         chain = list(points)
         self.lines([[*chain, chain[0]] if closed else chain], look, label)
 
-    def lines(self, chains: Iterable[Points], look: Look, label: str | None = None) -> None:
+    def lines(
+        self, chains: Iterable[Iterable[Vertex]], look: Look, label: str | None = None
+    ) -> None:
         """Draw several chains as one thing."""
         xs: list[float] = []
         ys: list[float] = []
@@ -174,7 +183,7 @@ class Picture:
             shown = self.axes.get_position(original=True).width * self._figure_size()[0]
             low = -(_BELOW / shown + self._reserved) / self.aspect
             place = {"bbox_to_anchor": (0.0, low), "ncols": _LEGEND_COLUMNS}
-        with in_style():
+        with use_style():
             self.axes.legend(loc="upper left", borderaxespad=0.0, **place)
 
     def _alone(self) -> Figure | None:
@@ -217,7 +226,7 @@ class Picture:
         assert self._window is not None
         return Bbox([self.scale.place(corner) for corner in self._window]).expanded(of, of)
 
-    def _columns(self, points: Points) -> tuple[list[float], list[float]]:
+    def _columns(self, points: Iterable[Vertex]) -> tuple[list[float], list[float]]:
         places = self.scale.places(points)
         return [x for x, _ in places], [y for _, y in places]
 

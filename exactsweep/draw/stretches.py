@@ -14,7 +14,7 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.point import Point
 
 
-class Stretch(NamedTuple):
+class ContactStretch(NamedTuple):
     """A piece of an edge of a loop of positions along which the same contacts last.
 
     Attributes:
@@ -35,27 +35,27 @@ class Stretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
-def stretches(s: Swept) -> list[Stretch]:
+def cut_trajectory(s: Swept) -> list[ContactStretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Args:
         s: a Sweep.
 
     Returns:
-        list of Stretch, all the way around from the first vertex of the trajectory.
+        list of ContactStretch, all the way around from the first vertex of the trajectory.
 
     Cost: that of `Sweep.contacts`, and O(c log c) for an edge of c contacts, beside what is found.
 
     Example:
         >>> from exactsweep import sweep
         >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-        >>> [stretch.event for stretch in stretches(s)]
+        >>> [stretch.event for stretch in cut_trajectory(s)]
         ['EE', 'EV', 'VE', 'EV', 'EE']
     """
     return _cut(Features(s), s.trajectory.vertices, s.contacts)
 
 
-def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[Stretch]]:
+def cut_loops(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
     """Cut other loops of positions likewise.
 
     Args:
@@ -63,9 +63,9 @@ def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[St
         loops: of positions, as for `Sweep.contacts_along`.
 
     Yields:
-        For each loop, list of Stretch.
+        For each loop, list of ContactStretch.
 
-    Cost: that of `Sweep.contacts_along`, and as for `stretches`.
+    Cost: that of `Sweep.contacts_along`, and as for `cut_trajectory`.
     """
     features = Features(s)
     for loop, contacts in zip(loops, s.contacts_along(loops), strict=True):
@@ -74,8 +74,8 @@ def stretches_of(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[St
 
 def _cut(
     features: Features, corners: Sequence[Point], along: Sequence[Sequence[Contact]]
-) -> list[Stretch]:
-    found: list[Stretch] = []
+) -> list[ContactStretch]:
+    found: list[ContactStretch] = []
     for k, contacts in enumerate(along):
         start, end = corners[k], corners[(k + 1) % len(corners)]
         axis = 0 if start.x != end.x else 1
@@ -93,5 +93,7 @@ def _cut(
         lasting: set[int] = set()
         for a, b in pairwise(sorted(cuts)):
             lasting = (lasting | begin[a]) - end_at[a]
-            found.append(Stretch(k, cuts[a], cuts[b], tuple(contacts[i] for i in sorted(lasting))))
+            found.append(
+                ContactStretch(k, cuts[a], cuts[b], tuple(contacts[i] for i in sorted(lasting)))
+            )
     return found

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Protocol
 from exactsweep.canvas import style
 from exactsweep.canvas.scale import Scale
 from exactsweep.canvas.style import Look
-from exactsweep.draw.features import Features, Span
+from exactsweep.draw.features import Ends, Features
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
-from exactsweep.draw.stretches import stretches
+from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from exactsweep.evidence.swept import Swept
     from exactsweep.evidence.undercut import Undercut
-    from exactsweep.procedures.free_positions import Fit
+    from exactsweep.geometry.point import Fit
 
 _MOST_SHOWN = 4
 _MANY = 60
@@ -60,7 +60,7 @@ def plot_sweep(
         s: a Sweep.
         axes: an Axes of matplotlib; a new figure of `matplotlib.pyplot` if left out.
         positions: pairs of numbers, where the reference point of G is when G is drawn; if left
-            out, those of `telling_positions`.
+            out, those of `choose_telling_positions`.
         y_down: whether Y points down, as viewers of SVG have it.
 
     Returns:
@@ -75,15 +75,15 @@ def plot_sweep(
 
     Example:
         >>> from exactsweep import sweep
-        >>> from exactsweep.draw import new_figure
+        >>> from exactsweep.draw import make_figure
         >>> s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (0, 3)])
-        >>> axes = plot_sweep(s, new_figure().axes[0], positions=[(3, "-1/2")])
+        >>> axes = plot_sweep(s, make_figure().axes[0], positions=[(3, "-1/2")])
         >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
         ['swept area', 'directrix D']
     """
-    axes = axes or new_axes()
-    places = telling_positions(s) if positions is None else read_positions(positions)
-    placed = [placed_generatrix(s, place) for place in places]
+    axes = axes or make_axes()
+    places = choose_telling_positions(s) if positions is None else read_positions(positions)
+    placed = [place_generatrix(s, place) for place in places]
     spots = find_spots(s, places)
 
     def paint(picture: Picture) -> None:
@@ -94,7 +94,7 @@ def plot_sweep(
         draw_generatrix(picture, s, places)
         draw_spots(picture, spots)
 
-    shown = [*s.outer.vertices, *path(s).vertices, *(v for g in placed for v in g.vertices)]
+    shown = [*s.outer.vertices, *trace_anchor(s).vertices, *(v for g in placed for v in g.vertices)]
     picture = Picture(axes, Scale.of(shown), y_down=y_down)
     paint(picture)
     touching = [spot[0] for several in spots.values() for spot in several]
@@ -105,12 +105,12 @@ def plot_sweep(
     return axes
 
 
-def new_axes() -> Axes:
+def make_axes() -> Axes:
     """Return the Axes of a new figure of `matplotlib.pyplot`."""
     require_matplotlib()
     from matplotlib import pyplot
 
-    with style.in_style():
+    with style.use_style():
         _, axes = pyplot.subplots(layout="compressed")
     return axes
 
@@ -120,7 +120,7 @@ def read_positions(positions: Iterable[Iterable[object]]) -> list[Point]:
     return [read_point(place, f"position {k}") for k, place in enumerate(positions)]
 
 
-def anchor(s: Moving) -> Point:
+def find_anchor(s: Moving) -> Point:
     """Return the point of G whose path is drawn: the reference point, or a vertex of G.
 
     A vertex where the reference point is off G by more than the sizes of G and D together: its
@@ -128,8 +128,8 @@ def anchor(s: Moving) -> Point:
 
     >>> from exactsweep import sweep
     >>> triangle, far = [(0, 0), (1, 0), (0, 1)], [(99, 0), (100, 0), (99, 1)]
-    >>> anchor(sweep(triangle, triangle)) == (0, 0), anchor(sweep(far, triangle)) == (99, 0)
-    (True, True)
+    >>> [find_anchor(sweep(g, triangle)) for g in (triangle, far)] == [(0, 0), (99, 0)]
+    True
     """
     (left, bottom), (right, top) = s.generatrix.bounding_box
     low, high = s.directrix.bounding_box
@@ -139,30 +139,30 @@ def anchor(s: Moving) -> Point:
     return s.reference if near else s.generatrix.vertices[0]
 
 
-def anchor_name(s: Moving) -> str:
+def name_anchor(s: Moving) -> str:
     """Return what the anchor is, in words."""
-    if anchor(s) == s.reference:
+    if find_anchor(s) == s.reference:
         return "reference point of G"
     return f"vertex {s.generatrix.vertex_index(0)} of G"
 
 
-def shift(s: Moving) -> Point:
+def find_shift(s: Moving) -> Point:
     """Return the vector from a position of the reference point to that of the anchor."""
-    x, y = anchor(s)
+    x, y = find_anchor(s)
     return Point(x - s.reference.x, y - s.reference.y)
 
 
-def path(s: Swept) -> Polygon:
+def trace_anchor(s: Swept) -> Polygon:
     """Return the trajectory of the anchor."""
-    return s.trajectory.translated(shift(s))
+    return s.trajectory.translated(find_shift(s))
 
 
-def placed_generatrix(s: Moving, position: Point) -> Polygon | Region:
+def place_generatrix(s: Moving, position: Point) -> Polygon | Region:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
 
-def telling_positions(s: Swept) -> list[Point]:
+def choose_telling_positions(s: Swept) -> list[Point]:
     """Choose positions worth drawing: in undercuts and exact fits, far from each other.
 
     Returns:
@@ -227,11 +227,11 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 def draw_trajectory(picture: Picture, s: Swept) -> None:
     """Draw the path of the anchor, each stretch as its contact event has it."""
-    dx, dy = shift(s)
-    of = "trajectory" if anchor(s) == s.reference else f"path of {anchor_name(s)}"
+    dx, dy = find_shift(s)
+    of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
     chains: dict[str, list[list[Point]]] = {}
     last = None
-    for stretch in stretches(s):
+    for stretch in cut_trajectory(s):
         start, end = (Point(p.x + dx, p.y + dy) for p in (stretch.start, stretch.end))
         if stretch.event != last:
             chains.setdefault(stretch.event, []).append([start])
@@ -258,30 +258,30 @@ def draw_exact_fits(
         fits: the exact fits.
         loops: of positions with free ones beside them.
     """
-    segments, points = parted(fits)
+    segments, points = part_fits(fits)
     if segments:
         look = style.MANY_EXACT_FITS if len(segments) > _MANY else style.EXACT_FIT
-        picture.lines([_moved(fit, s) for fit in segments], look, "exact fit")
+        picture.lines([_move(fit, s) for fit in segments], look, "exact fit")
     if 0 < len(segments) <= _MANY:
         hanging = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
             if any(is_on(p, loop.vertices) for loop in loops)
         ]
-        picture.lines([_moved(end, s) for end in hanging], style.HANGING_END)
+        picture.lines([_move(end, s) for end in hanging], style.HANGING_END)
     if points:
-        picture.lines([_moved([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
+        picture.lines([_move([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
 
 
-def parted(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
+def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
     """Part exact fits into segments and single positions."""
     listed = list(fits)
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
 
-def _moved(points: Iterable[Point], s: Moving) -> list[Point]:
+def _move(points: Iterable[Point], s: Moving) -> list[Point]:
     """Positions of the reference point as those of the anchor."""
-    dx, dy = shift(s)
+    dx, dy = find_shift(s)
     return [Point(p.x + dx, p.y + dy) for p in points]
 
 
@@ -291,10 +291,10 @@ def draw_generatrix(
     """Draw G with its reference point at each of some positions, and dots where the anchor is."""
     dots = []
     for position in positions:
-        draw_shape(picture, placed_generatrix(s, position), style.GENERATRIX, label)
-        dots.append(_moved([position], s))
+        draw_shape(picture, place_generatrix(s, position), style.GENERATRIX, label)
+        dots.append(_move([position], s))
     if dots:
-        picture.lines(dots, style.REFERENCE, anchor_name(s))
+        picture.lines(dots, style.REFERENCE, name_anchor(s))
 
 
 def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
@@ -302,17 +302,17 @@ def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> Non
     draw_spots(picture, find_spots(s, positions))
 
 
-def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Span]]:
+def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Ends]]:
     """Find where G touches D at each of some positions, by event."""
     features = Features(s)
-    spots: dict[str, list[Span]] = {}
+    spots: dict[str, list[Ends]] = {}
     for position in positions:
         for contact in s.contacts_at(position):
             spots.setdefault(contact.event, []).append(features.spot(contact, position))
     return spots
 
 
-def draw_spots(picture: Picture, spots: Mapping[str, list[Span]]) -> None:
+def draw_spots(picture: Picture, spots: Mapping[str, list[Ends]]) -> None:
     """Mark where G touches D, by event."""
     for event, look in style.CONTACTS.items():
         if event in spots:

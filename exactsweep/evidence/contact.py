@@ -23,7 +23,7 @@ from typing import Any, Literal, NamedTuple
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, direction_of, segment
+from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
 
 Event = Literal["EE", "EV", "VE", "VV"]
 
@@ -66,18 +66,18 @@ def find_edge_contacts(
     """
     lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(list)
     for k, edge in enumerate(edges):
-        piece = segment(edge)
+        piece = make_segment(edge)
         lines[piece.direction, piece.offset].append((piece, k))
     for line in lines.values():
         line.sort(key=_low)
     longest = {key: max(p.high - p.low for p, _ in line) for key, line in lines.items()}
     found: list[set[Contact]] = [set() for _ in edges]
 
-    def note(event: Event, i: int, j: int, first: Vertex, last: Vertex) -> None:
-        touching = segment((first, last))
-        key = touching.direction, touching.offset
+    def note(event: Event, i: int, j: int, u: Vector, first: Vertex, last: Vertex) -> None:
+        key = u, find_offset(u, first)
         if key not in lines:
             return
+        touching = make_segment((first, last), u)
         # Of many pieces on one line only those nearby.
         line = lines[key]
         start = bisect_left(line, touching.low - longest[key], key=_low)
@@ -86,25 +86,29 @@ def find_edge_contacts(
                 found[k].add(Contact(event, i, j))
 
     directions = {direction for direction, _ in lines}
-    g_edges, d_edges = (
-        {k: edge for k, edge in enumerate(shape.edges) if direction_of(edge) in directions}
+    g_along, d_along = (
+        {k: u for k, edge in enumerate(shape.edges) if (u := find_direction(edge)) in directions}
         for shape in (generatrix, directrix)
     )
+    g_edges, d_edges = (
+        {k: shape.edge(k) for k in along_edge}
+        for shape, along_edge in ((generatrix, g_along), (directrix, d_along))
+    )
     parallel: defaultdict[Vector, list[int]] = defaultdict(list)
-    for j, edge in d_edges.items():
-        parallel[direction_of(edge)].append(j)
+    for j, u in d_along.items():
+        parallel[u].append(j)
     for i, (p, q) in g_edges.items():
-        for j in parallel[direction_of((p, q))]:
+        for j in parallel[g_along[i]]:
             r, s = d_edges[j]
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
-                note("EE", i, j, minus(r, p), minus(s, q))
+                note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
     for i, j in find_facing(g_edges, directrix):
         (p, q), v = g_edges[i], directrix.vertices[j]
-        note("EV", i, j, minus(v, p), minus(v, q))
+        note("EV", i, j, g_along[i], minus(v, p), minus(v, q))
     for j, i in find_facing(d_edges, generatrix):
         (r, s), w = d_edges[j], generatrix.vertices[i]
-        note("VE", i, j, minus(r, w), minus(s, w))
+        note("VE", i, j, d_along[j], minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
 
 
@@ -195,9 +199,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
         own = [i] if event == "EV" else [i, generatrix.before[i]]
         others = [j] if event == "VE" else [j, directrix.before[j]]
         for e in own:
-            piece = segment(generatrix.edge(e))
+            piece = make_segment(generatrix.edge(e))
             for d in others:
-                other = segment(directrix.edge(d))
+                other = make_segment(directrix.edge(d))
                 if piece.direction != other.direction:
                     continue
                 moved = piece.moved(t)
@@ -239,4 +243,4 @@ def _angle(edge: Edge) -> tuple[bool, Any]:
     """A key that orders directed edges by angle, from -90 degrees, exclusive, all round."""
     (px, py), (qx, qy) = edge
     backward = qx < px or (qx == px and qy < py)
-    return backward, angle_key(direction_of(edge))
+    return backward, angle_key(find_direction(edge))

@@ -19,8 +19,8 @@ from itertools import pairwise
 
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.procedures.chain import graph_edges
-from exactsweep.procedures.envelope import Envelope, point_on
+from exactsweep.procedures.chain import list_graph_edges
+from exactsweep.procedures.envelope import Envelope, find_point_on
 
 
 def find_exact_fits(
@@ -50,7 +50,7 @@ def find_exact_fits(
         d - g for d in _discontinuities(directrix) for g in _discontinuities(generatrix)
     )
     (start, _), (end, _) = trajectory.breaks[0], trajectory.breaks[-1]
-    top, bottom = graph_edges(generatrix[::-1]), graph_edges(directrix)
+    top, bottom = list_graph_edges(generatrix[::-1]), list_graph_edges(directrix)
     fits: list[tuple[Vertex, Vertex]] = []
     for x, count in sorted(meetings.items()):
         if count < 2 or not start < x < end:
@@ -78,18 +78,23 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
     Cost: O(log m + n + edges of D_b over G).
     """
     least: Rational | None = None
+    jumps = True
     i, j = 0, bisect_right(bottom, top[0][0][0] + shift, key=_right)
     while i < len(top) and j < len(bottom):
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
         if low < high:
-            for x in low, high:
+            # Without a jump the limits on both sides of an x are the same.
+            for x in (low, high) if jumps else (high,):
                 height = _value(bottom[j], x) - _value(top[i], x - shift)
                 least = height if least is None else min(least, height)
+            jumps = False
         if gq[0] + shift == high:
             i += 1
+            jumps |= i < len(top) and top[i][0] != gq
         if dq[0] == high:
             j += 1
+            jumps |= j < len(bottom) and bottom[j][0] != dq
     if least is None:
         raise ExactSweepError("the polygons have no common x-range at this translation")
     return least
@@ -100,4 +105,4 @@ def _right(edge: Edge) -> Rational:
 
 
 def _value(edge: Edge, x: Rational) -> Rational:
-    return point_on(edge, x.as_integer_ratio())[1]
+    return find_point_on(edge, x.as_integer_ratio())[1]

@@ -11,12 +11,11 @@ from typing import Any
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.point import ORIGIN, Point, Vertex
+from exactsweep.geometry.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.procedures import ss
-from exactsweep.procedures.free_positions import Fit
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 
 class LatticePair:
@@ -55,11 +54,11 @@ class LatticePair:
         """Exact fits as pairs of positions, sorted."""
         return tuple((self.leave(p), self.leave(q)) for p, q in found)
 
-    def no_fit(self) -> ss.NoFit:
+    def no_fit(self) -> ss.NoFitSS:
         """The no-fit polygon, told in positions of the origin."""
         return ss.no_fit_ss(self.fixed, self.moved, self.scale)
 
-    def inner_fit(self) -> ss.InnerFit:
+    def inner_fit(self) -> ss.InnerFitSS:
         """The positions inside the fixed shape, told in positions of the origin."""
         return ss.inner_fit_ss(self.fixed, self.moved, self.scale)
 
@@ -68,7 +67,7 @@ def _scaled(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]
     return [[(x * factor, y * factor) for x, y in ring] for ring in rings]
 
 
-class NoFitPolygon:
+class NoFitPositions:
     """Where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
     Each part is computed when it is first read.
@@ -95,7 +94,7 @@ class NoFitPolygon:
         return LatticePair(self.stationary, self.orbiting, self.reference)
 
     @cached_property
-    def _found(self) -> ss.NoFit:
+    def _found(self) -> ss.NoFitSS:
         return self.pair.no_fit()
 
     @cached_property
@@ -153,7 +152,7 @@ class NoFitPolygon:
         )
 
 
-class InnerFit:
+class InnerFitPositions:
     """The positions of a part inside a container; made by `inner_fit_polygon`.
 
     Attributes:
@@ -172,7 +171,7 @@ class InnerFit:
         return LatticePair(self.container, self.part, self.reference)
 
     @cached_property
-    def _found(self) -> ss.InnerFit:
+    def _found(self) -> ss.InnerFitSS:
         return self._pair.inner_fit()
 
     @cached_property
@@ -221,4 +220,4 @@ def _moved(fits: Sequence[Fit], by: tuple[Fraction, Fraction]) -> list[list[Poin
 
 def _said(fit: Fit) -> str:
     ends = dict.fromkeys(fit)
-    return f"exact fit: {' '.join(map(pair, ends))}"
+    return f"exact fit: {' '.join(map(write_pair, ends))}"

@@ -25,7 +25,7 @@ from exactsweep.evidence.contact import Contact, find_contacts, list_edges, minu
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Point, Rational, Vertex
-from exactsweep.geometry.segment import direction_of
+from exactsweep.geometry.segment import find_direction
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -85,7 +85,7 @@ class Step(NamedTuple):
 
 
 def explain(s: Swept) -> tuple[Step, ...]:
-    """Tell a sweep in the order of travel, once round from the first vertex of the trajectory.
+    """Tell a sweep in the order of travel, all the way around from its first vertex.
 
     Returns:
         tuple of Step, in step with `s.contacts`.
@@ -249,7 +249,7 @@ def _progress(edge: Edge, point: Vertex) -> Rational:
 
 
 def _direction(start: Point, end: Point) -> Vector:
-    p, q = direction_of((start, end))
+    p, q = find_direction((start, end))
     return (p, q) if _progress(((0, 0), (p, q)), minus(end, start)) > 0 else (-p, -q)
 
 

@@ -23,18 +23,17 @@ from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
 from exactsweep.geometry.addition import add_up
+from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.number import abridged
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.lower_sweep import Kind, LowerSweep
-from exactsweep.words import vector
-
-Vertices = Polygon | Iterable[Iterable[object]]
+from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once
+from exactsweep.words import write_vector
 
 
 class Swept:
@@ -61,16 +60,16 @@ class Swept:
             "MM" if not generatrix.is_convex else "CC" if directrix.is_convex else "CM"
         )
 
-    @cached_property
+    @made_once
     def _frame(self) -> Frame:
         return Frame(self.direction, lcm(self.generatrix.lattice()[0], self.directrix.lattice()[0]))
 
-    @cached_property
+    @made_once
     def _polygons(self) -> tuple[list[Vertex], list[Vertex]]:
         """G and D in the frame: all is computed there, and left as it is handed out."""
         return self._frame.enter(self.generatrix), self._frame.enter(self.directrix)
 
-    @cached_property
+    @made_once
     def _halves(self) -> tuple[LowerSweep, LowerSweep]:
         (g_bottom, g_top), (d_bottom, d_top) = map(split, self._polygons)
         return (
@@ -89,25 +88,20 @@ class Swept:
             loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
             points = self._frame.leave(loop, shift)
             if self.direction != X_AXIS:
-                # Ints are compared in a fraction of the time.
-                floors = [x.numerator // x.denominator for x, _ in points]
-                least = min(floors)
-                first = min(
-                    (k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__
-                )
+                first = find_least(points)
                 loop, points = loop[first:] + loop[:first], points[first:] + points[:first]
             return loop, Polygon._from_canonical(points)
 
-    @cached_property
+    @made_once
     def _trajectory(self) -> tuple[list[Vertex], Polygon]:
         """The path of G's origin in the frame; and that of the reference point."""
         return self._loop(lambda half: half.path, self.reference)
 
-    @cached_property
+    @made_once
     def _inner(self) -> tuple[list[Vertex], Polygon]:
         return self._loop(lambda half: half.inner)
 
-    @cached_property
+    @made_once
     def _outer(self) -> tuple[list[Vertex], Polygon]:
         return self._loop(lambda half: half.outer)
 
@@ -286,14 +280,14 @@ class Swept:
         names = "trajectory", "inner", "outer"
         loops = [(name, getattr(self, name)) for name in names]
         # Of kind "SS" there is no direction.
-        to = f"monotone to {vector(self.direction)}" if self.direction else "of any shape"
+        to = f"monotone to {write_vector(self.direction)}" if self.direction else "of any shape"
         return "\n".join(
-            [f"{self.kind} sweep, {to}, area {abridged(self.area)}"]
+            [f"{self.kind} sweep, {to}, area {abridge(self.area)}"]
             + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
         )
 
     def __repr__(self) -> str:
-        direction = self.direction and vector(self.direction)
+        direction = self.direction and write_vector(self.direction)
         return (
             f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
             f"direction {direction}: trajectory {len(self.trajectory)}, "
@@ -305,8 +299,8 @@ class Swept:
 def pause_collector() -> Iterator[None]:
     """Keep the collector from running while many objects are made that refer to one another.
 
-    It looks for cycles among all objects whenever their number has grown by a part. The kernel
-    makes none, but 100,000 vertices make it look so often that this takes half of the time.
+    It looks for cycles among all objects each time that their number has grown by some share. The
+    kernel makes none, but 100,000 vertices make it look so often that this takes half of the time.
     """
     if not gc.isenabled():
         yield

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import LatticePair, NoFitPolygon
+from exactsweep.evidence.no_fit import LatticePair, NoFitPositions
 from exactsweep.evidence.shape_certificate import write_points
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.swept import Swept
@@ -22,10 +22,10 @@ from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.free_positions import Fit
+from exactsweep.procedures.lower_sweep import made_once
 
 
 class SweptShape(Swept):
@@ -47,8 +47,8 @@ class SweptShape(Swept):
         self.kind = "SS"
 
     @cached_property
-    def _no_fit(self) -> NoFitPolygon:
-        return NoFitPolygon(self.directrix, self.generatrix, self.reference, None)
+    def _no_fit(self) -> NoFitPositions:
+        return NoFitPositions(self.directrix, self.generatrix, self.reference, None)
 
     @property
     def trajectory(self) -> Polygon:
@@ -100,7 +100,7 @@ class SweptShape(Swept):
         others = [loop for loop in self._inside if loop is not self.inner]
         return tuple(sorted((*others, *self._outside[1]), key=lambda loop: loop.vertices))
 
-    @cached_property
+    @made_once
     def _frame(self) -> Frame:
         return Frame(X_AXIS, self._no_fit.pair.scale)
 

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import pairwise
-from operator import itemgetter
+from math import ceil, floor
 from typing import Literal, NamedTuple
 
 from exactsweep.evidence.contact import minus
@@ -21,13 +20,21 @@ from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.geometry.segment import Segment, along, covered, offset, segment
+from exactsweep.geometry.segment import (
+    Segment,
+    choose_cover,
+    find_offset,
+    make_segment,
+    measure_along,
+)
+
+FeatureKind = Literal["vertex", "edge"]
 
 
 class Feature(NamedTuple):
     """A vertex or an edge of a loop, by number; edge k runs from vertex k to vertex k + 1."""
 
-    kind: Literal["vertex", "edge"]
+    kind: FeatureKind
     number: int
 
 
@@ -51,25 +58,29 @@ class Tracer:
         self._generatrix = generatrix
         self._g_edges: defaultdict[Vector, list[tuple[int, Edge, Segment]]] = defaultdict(list)
         self._g_lines: defaultdict[tuple[Vector, Rational], list[Segment]] = defaultdict(list)
-        self._g_corners: defaultdict[frozenset[Vector], list[Vertex]] = defaultdict(list)
-        segments = [segment(edge) for edge in generatrix.edges]
+        self._g_corners: defaultdict[frozenset[Vector], list[int]] = defaultdict(list)
+        segments = [make_segment(edge) for edge in generatrix.edges]
         for i, (edge, own) in enumerate(zip(generatrix.edges, segments, strict=True)):
             self._g_edges[own.direction].append((i, edge, own))
             self._g_lines[own.direction, own.offset].append(own)
             corner = frozenset((segments[generatrix.before[i]].direction, own.direction))
-            self._g_corners[corner].append(edge[0])
-        self._paths: defaultdict[Vector, list[tuple[Segment, int]]] = defaultdict(list)
+            self._g_corners[corner].append(i)
+        # By direction and what is left of the offset of the line by whole units: if G is on the
+        # lattice, it moves along a line those that are whole units from it.
+        self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
+        self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
             list
         )
-        pieces = [(segment(edge), k) for k, edge in enumerate(path.edges)]
+        pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
-            self._paths[piece.direction].append((piece, k))
+            self._paths[self._path_key(piece)].append(
+                _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
+            )
             self._lines[piece.direction, piece.offset].append((piece, k))
-        self._longest = {u: max(s.high - s.low for s, _ in p) for u, p in self._paths.items()}
-        self._g_by_offset: dict[Vector, defaultdict[Rational, list[int]]] = {}
-        self._t_by_offset: dict[Vector, defaultdict[Rational, list[tuple[Rational, int]]]] = {}
+        self._longest = {key: max(s.high - s.low for s, *_ in p) for key, p in self._paths.items()}
+        self._g_vertices: dict[Vector, _LinedVertices] = {}
 
     def trace(self, edge: Edge) -> list[Trace]:
         """Return features that together draw an edge of the inner or of the outer loop.
@@ -79,7 +90,7 @@ class Tracer:
 
         Raises ValueError when nothing draws the edge: it is not one of this sweep's.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         pieces: list[tuple[Segment, int]] = []
         traces: list[Trace] = []
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
@@ -87,7 +98,7 @@ class Tracer:
                 if piece.offset == whole.offset and piece.shares_piece(whole):
                     pieces.append((piece, len(traces)))
                     traces.append(trace)
-            chosen = covered(whole, pieces)
+            chosen = choose_cover(whole, pieces)
             if chosen is not None:
                 return [traces[k] for k in chosen]
         raise ExactSweepError("no feature of the generatrix draws this edge")
@@ -104,7 +115,7 @@ class Tracer:
 
         Returns the two ends of that piece, which may be equal, or None if there is none.
         """
-        whole = segment(edge)
+        whole = make_segment(edge)
         u = whole.direction
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
@@ -120,21 +131,45 @@ class Tracer:
     def covering_position(self, chain: Sequence[Vertex]) -> Vertex | None:
         """A translation on the trajectory at which G's boundary covers a chain, if there is one.
 
-        Then each corner of the chain is a vertex of G, between edges of the same directions.
+        Then each corner of the chain is a vertex of G, between edges of the same directions, and
+        from corner to corner the chain follows the boundary of G.
         Cost: O(s) for s edges of the chain and each such vertex, and O(t) to find a translation on
         the trajectory.
         """
-        wholes = [segment(edge) for edge in pairwise(chain)]
-        for w in self._g_corners.get(frozenset(whole.direction for whole in wholes[:2]), ()):
-            t = minus(chain[1], w)
-            if all(self._covers(whole, t) for whole in wholes) and self._passes(t):
+        first, second, last = (make_segment((chain[k], chain[k + 1])) for k in (0, 1, -2))
+        for i in self._g_corners.get(frozenset((first.direction, second.direction)), ()):
+            t = minus(chain[1], self._generatrix.vertices[i])
+            if (
+                self._follows(i, chain)
+                and self._covers(first, t)
+                and self._covers(last, t)
+                and self._passes(t)
+            ):
                 return t
         return None
 
+    def _follows(self, i: int, chain: Sequence[Vertex]) -> bool:
+        """Whether the corners of a chain follow each other as vertices of G do from vertex i on."""
+        (first_x, first_y), *others = chain[1:-1]
+        (x, d), (y, e) = first_x.as_integer_ratio(), first_y.as_integer_ratio()
+        vertices = self._generatrix.vertices
+        gx, gy = vertices[i]
+        for neighbour in (self._generatrix.after, self._generatrix.before):
+            k = i
+            for u, v in others:
+                k = neighbour[k]
+                wx, wy = vertices[k]
+                (u, a), (v, b) = u.as_integer_ratio(), v.as_integer_ratio()
+                if u * d - x * a != (wx - gx) * a * d or v * e - y * b != (wy - gy) * b * e:
+                    break
+            else:
+                return True
+        return False
+
     def _covers(self, whole: Segment, t: Vertex) -> bool:
-        line = whole.direction, whole.offset - offset(whole.direction, t)
+        line = whole.direction, whole.offset - find_offset(whole.direction, t)
         own = self._g_lines.get(line, ())
-        return covered(whole, [(piece.moved(t), 0) for piece in own]) is not None
+        return choose_cover(whole, [(piece.moved(t), 0) for piece in own]) is not None
 
     def _passes(self, t: Vertex) -> bool:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
@@ -149,60 +184,82 @@ class Tracer:
                         yield own.moved(t), Trace(Feature("vertex", k), Feature("edge", i))
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
-        u = whole.direction
-        paths = self._paths.get(u)
+        u, key = whole.direction, self._path_key(whole)
+        paths = self._paths.get(key)
         if not paths:
             return
-        by_offset = self._vertices_by_offset(u)
-        span = [along(u, w) for w in self._generatrix.vertices]
-        low = whole.low - max(span) - self._longest[u]
-        high = whole.high - min(span)
-        first = bisect_left(paths, low, key=lambda item: item[0].low)
-        last = bisect_right(paths, high, key=lambda item: item[0].low)
-        for path, k in paths[first:last]:
-            ends = by_offset.get(whole.offset - path.offset, ())
-            for i in ends:
-                w = self._generatrix.vertices[i]
-                position = Feature("edge", k)
-                if self._generatrix.after[i] in ends:
-                    own = segment(self._generatrix.edge(i), u)
-                    total = Segment(u, whole.offset, path.low + own.low, path.high + own.high)
-                    yield total, Trace(position, Feature("edge", i))
-                else:
-                    yield path.moved(w), Trace(position, Feature("vertex", i))
+        vertices = self._vertices_along(u)
+        first = bisect_left(paths, whole.low - vertices.high - self._longest[key], key=_low)
+        last = bisect_right(paths, whole.high - vertices.low, key=_low)
+        whole_low, whole_high = floor(whole.low), ceil(whole.high)
+        for path, k, path_low, path_high in paths[first:last]:
+            ends = vertices.by_offset.get(whole.offset - path.offset)
+            if ends is None:
+                continue
+            # Of what moves along the line only what comes near the edge: ints decide it quickly.
+            low, high = whole_low - path_high, whole_high - path_low
+            for i, start in ends.items():
+                end = ends.get(self._generatrix.after[i])
+                feature: FeatureKind = "vertex" if end is None else "edge"
+                if end is None:
+                    end = start
+                elif end < start:
+                    start, end = end, start
+                if start < high and low < end:
+                    total = Segment(u, whole.offset, path.low + start, path.high + end)
+                    yield total, Trace(Feature("edge", k), Feature(feature, i))
 
-    def _vertices_by_offset(self, u: Vector) -> defaultdict[Rational, list[int]]:
-        if u not in self._g_by_offset:
-            self._g_by_offset[u] = defaultdict(list)
+    def _path_key(self, piece: Segment) -> tuple[Vector, Rational]:
+        return piece.direction, piece.offset % 1 if self._is_on_lattice else 0
+
+    def _vertices_along(self, u: Vector) -> _LinedVertices:
+        if u not in self._g_vertices:
+            by_offset: defaultdict[Rational, dict[int, Rational]] = defaultdict(dict)
             for i, w in enumerate(self._generatrix.vertices):
-                self._g_by_offset[u][offset(u, w)].append(i)
-        return self._g_by_offset[u]
+                by_offset[find_offset(u, w)][i] = measure_along(u, w)
+            places = [place for ends in by_offset.values() for place in ends.values()]
+            self._g_vertices[u] = _LinedVertices(by_offset, min(places), max(places))
+        return self._g_vertices[u]
 
     def _at_all(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u = whole.direction
-        if u not in self._g_edges:
-            return
-        by_offset = self._positions_by_offset(u)
-        for i, _, own in self._g_edges[u]:
-            positions = by_offset.get(whole.offset - own.offset, [])
-            first = bisect_right(positions, whole.low - own.high, key=itemgetter(0))
-            last = bisect_left(positions, whole.high - own.low, key=itemgetter(0))
-            for _, k in positions[first:last]:
+        for i, _, own in self._g_edges.get(u, ()):
+            line = whole.offset - own.offset
+            low, high = whole.low - own.high, whole.high - own.low
+            # A vertical line has one x, that of its points times -1.
+            near = self._path.vertices_between(*((low, high) if u[0] else (-line, -line)))
+            positions = []
+            for k in near:
+                t = self._path.vertices[k]
+                if find_offset(u, t) == line and low < measure_along(u, t) < high:
+                    positions.append((measure_along(u, t), k))
+            for _, k in sorted(positions):
                 moved = own.moved(self._path.vertices[k])
                 yield moved, Trace(Feature("vertex", k), Feature("edge", i))
 
-    def _positions_by_offset(self, u: Vector) -> defaultdict[Rational, list[tuple[Rational, int]]]:
-        """The vertices of the trajectory by their lines in a direction, in order along these."""
-        if u not in self._t_by_offset:
-            found = self._t_by_offset[u] = defaultdict(list)
-            for k, t in enumerate(self._path.vertices):
-                found[offset(u, t)].append((along(u, t), k))
-            for positions in found.values():
-                positions.sort()
-        return self._t_by_offset[u]
+
+class _LinedVertices(NamedTuple):
+    """Vertices by their lines in one direction: by number, the coordinate along the line."""
+
+    by_offset: Mapping[Rational, dict[int, Rational]]
+    low: Rational
+    high: Rational
+
+
+class _PathPiece(NamedTuple):
+    """An edge of the trajectory, its number, and ints not above its low and not below its high."""
+
+    piece: Segment
+    number: int
+    floor: int
+    ceiling: int
+
+
+def _low(path: _PathPiece) -> Rational:
+    return path.piece.low
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:
     """The point of the line p q with a coordinate along it."""
-    share = Fraction(coordinate - along(u, p)) / (along(u, q) - along(u, p))
+    share = Fraction(coordinate - measure_along(u, p)) / (measure_along(u, q) - measure_along(u, p))
     return p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])

@@ -3,7 +3,7 @@
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import read_certificate
-from exactsweep.formats.files import MAX_BYTES, file_name, read_text
+from exactsweep.formats.files import MAX_BYTES, read_text, show_path
 from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
 from exactsweep.formats.polygons import (
     parse_polygon,
@@ -24,7 +24,6 @@ __all__ = [
     "FormatError",
     "NamedPolygon",
     "NamedRegion",
-    "file_name",
     "format_polygons",
     "from_numpy",
     "from_shapely",
@@ -40,6 +39,7 @@ __all__ = [
     "read_text",
     "round_region",
     "round_regions",
+    "show_path",
     "to_numpy",
     "to_shapely",
 ]

@@ -7,17 +7,17 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, answer_digits, quoted
+from exactsweep.geometry.number import NumberError, answer_digits, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import count, suggestion
+from exactsweep.words import count, suggest
 
 MAX_FAULTS = 10_000
 """The most things of one file that are no polygon, each with a reason."""
 
 _SHOWN = 4
-_Shape = TypeVar("_Shape", Polygon, Region)
+_PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
 _Read = TypeVar("_Read")
 
 
@@ -110,7 +110,7 @@ class Candidate(NamedTuple):
             raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")
         return points
 
-    def _read(self, shape: Callable[[], _Shape]) -> _Shape:
+    def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:
             return shape()
         except PolygonError as error:
@@ -183,7 +183,7 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
         kind = "name" if found[0].name == choice else "layer"
         indices = [i for i, one in enumerate(candidates) if one in found]
         raise FormatError(
-            f"{len(found)} polygons have the {kind} {quoted(choice)}; choose one by index: "
+            f"{len(found)} polygons have the {kind} {quote(choice)}; choose one by index: "
             f"{', '.join(f'#{i}' for i in indices[:_SHOWN])}{' ...' * (len(indices) > _SHOWN)}"
         )
     if not candidates:
@@ -227,9 +227,9 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
     found = named or [one for one in layered if not one.fault] or layered
     if found:
         return found
-    near = suggestion(choice, [n for o in candidates for n in (o.name, o.layer) if n])
+    near = suggest(choice, [n for o in candidates for n in (o.name, o.layer) if n])
     raise FormatError(
-        f"no polygon has the name, index or layer {quoted(choice)}"
+        f"no polygon has the name, index or layer {quote(choice)}"
         f"{near or f'; there are {len(candidates)}'}"
     )
 
@@ -245,4 +245,4 @@ def _shortest(candidates: Sequence[Candidate], index: int) -> str:
 
 def _called(candidate: Candidate) -> str:
     name = candidate.name or candidate.layer
-    return f" {quoted(name)}" if name else ""
+    return f" {quote(name)}" if name else ""

@@ -22,7 +22,7 @@ _NAMES = ("name", "id", "part", "polygon")
 _COLUMNS = {"x", "y", "ring", *_NAMES}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
-_Rings = dict[str, list[tuple[int, str, str]]]
+_RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
@@ -76,7 +76,7 @@ def _parse(text: str) -> list[Candidate]:
     sample = text.lstrip().partition("\n")[0]
     separator = max(",;\t", key=sample.count)
     rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
-    polygons: dict[tuple[str, str], _Rings] = {}
+    polygons: dict[tuple[str, str], _RowsByRing] = {}
     columns: dict[str, int] | None = None
     try:
         for row in rows:
@@ -103,7 +103,7 @@ def _parse(text: str) -> list[Candidate]:
     return [_candidate(name, rings) for (_, name), rings in polygons.items()]
 
 
-def _candidate(name: str, rings: _Rings) -> Candidate:
+def _candidate(name: str, rings: _RowsByRing) -> Candidate:
     exterior, *holes = (
         Candidate(f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values()
     )
@@ -120,7 +120,7 @@ def _vertices(cells: Iterable[tuple[int, str, str]]) -> Sequence[Point]:
     return found
 
 
-def csv_rows(rows: Iterable[Sequence[object]]) -> str:
+def write_csv_rows(rows: Iterable[Sequence[object]]) -> str:
     """Write rows as lines of CSV."""
     text = StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)

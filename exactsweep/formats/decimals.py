@@ -6,7 +6,7 @@ from math import ceil, log2
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.digits import write_int
-from exactsweep.geometry.number import abridged, format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import abridge, format_fraction, quote, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
@@ -35,7 +35,7 @@ def read_decimal(text: str) -> Fraction:
     if len(text) < 16 and text.isascii() and text.isdigit():
         return Fraction(int(text))
     if not re.fullmatch(DECIMAL, text):
-        raise FormatError(f"{quoted(text)} is not a decimal number")
+        raise FormatError(f"{quote(text)} is not a decimal number")
     match = _PARTS.fullmatch(text)
     assert match is not None
     sign, whole, decimals, exponent = match.groups()
@@ -50,7 +50,7 @@ def read_decimals(text: str) -> list[Fraction]:
     """
     found = re.findall(DECIMAL, text)
     if re.sub(r"[\s,]+", "", text) != "".join(found):
-        raise FormatError(f"{quoted(text)} is not a list of decimal numbers")
+        raise FormatError(f"{quote(text)} is not a list of decimal numbers")
     return [read_decimal(number) for number in found]
 
 
@@ -79,7 +79,7 @@ def format_decimal(value: Fraction) -> str:
     # Of as many bits there is one power of five at most.
     fives = ceil((rest.bit_length() - 1) / log2(5))
     if 5**fives != rest:
-        raise FormatError(f"{abridged(value)} is not a finite decimal")
+        raise FormatError(f"{abridge(value)} is not a finite decimal")
     places = max(twos, fives)
     scaled = abs(value.numerator) * 2 ** (places - twos) * 5 ** (places - fives)
     digits = write_int(scaled).zfill(places + 1)

@@ -11,8 +11,8 @@ class FormatError(ExactSweepError):
 
 
 @contextmanager
-def needs(package: str, extra: str, what: str) -> Iterator[None]:
-    """Refuse, where the imports inside fail, with what is to be installed.
+def require_imports(package: str, extra: str, what: str) -> Iterator[None]:
+    """Refuse, if an import inside the `with` block fails, and say what to install.
 
     Args:
         package: the library.
@@ -23,7 +23,7 @@ def needs(package: str, extra: str, what: str) -> Iterator[None]:
         FormatError: the library is not there.
 
     Example:
-        >>> with needs("dreams", "night", "sleep"):
+        >>> with require_imports("dreams", "night", "sleep"):
         ...     import dreams
         Traceback (most recent call last):
         exactsweep.formats.error.FormatError: sleep needs dreams: pip install 'exactsweep[night]'

@@ -7,8 +7,8 @@ from functools import partial
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.files import file_name, read_text
-from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
+from exactsweep.formats.files import read_text, show_path
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
@@ -31,7 +31,7 @@ def parse_json(text: str) -> object:
         >>> parse_json('[0.10, 1e400, "1/3"]')
         ['0.10', '1e400', '1/3']
     """
-    return _parsed(text, str)
+    return _parse(text, str)
 
 
 def parse_certificate(text: str) -> object:
@@ -52,7 +52,7 @@ def parse_certificate(text: str) -> object:
         >>> parse_certificate('[0, "1/3"]')
         [0, '1/3']
     """
-    return _parsed(text, None)
+    return _parse(text, None)
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
@@ -75,7 +75,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
         [Point(x=Fraction(1, 2), y=Fraction(2, 1))]
     """
     if not isinstance(value, list):
-        raise FormatError(f"{path} is {described(value)}, not a list of vertices")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
@@ -113,7 +113,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 
 def _each(value: object, path: str, what: str) -> list[Candidate]:
     if not isinstance(value, list):
-        raise FormatError(f"{path} is {described(value)}, not a list of {what}")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a list of {what}")
     return allow_faults(_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value))
 
 
@@ -158,7 +158,7 @@ def _read_one(value: object, path: str) -> Candidate:
     if isinstance(value, list):
         return Candidate(path, partial(read_vertices, value, path))
     if not isinstance(value, dict):
-        return Candidate.refused(f"{path} is {described(value)}, not a list of vertices")
+        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
     member = "vertices" if "vertices" in value else "exterior"
     if member not in value:
         raise FormatError(
@@ -168,14 +168,14 @@ def _read_one(value: object, path: str) -> Candidate:
         )
     name = read_name(value.get("id"), f"{path}.id")
     if not isinstance(value[member], list):
-        fault = f"{path}.{member} is {described(value[member])}, not a list of vertices"
+        fault = f"{path}.{member} is {describe_kind(value[member])}, not a list of vertices"
         return Candidate.refused(fault, name)
     holes = value.get("holes", []) if member == "exterior" else []
     if not isinstance(holes, list):
-        raise FormatError(f"{path}.holes is {described(holes)}, not a list of holes")
+        raise FormatError(f"{path}.holes is {describe_kind(holes)}, not a list of holes")
     for k, hole in enumerate(holes):
         if not isinstance(hole, list):
-            raise FormatError(f"{path}.holes[{k}] is {described(hole)}, not a list of vertices")
+            raise FormatError(f"{path}.holes[{k}] is {describe_kind(hole)}, not a list of vertices")
     exterior, *inner = (
         Candidate(place, partial(read_vertices, ring, place))
         for place, ring in [
@@ -190,13 +190,13 @@ def read_name(value: object, path: str) -> str | None:
     """Read an id, a string or a number; None if there is none."""
     if value is None or isinstance(value, str):
         return value
-    raise FormatError(f"{path} is {described(value)}, not a string or a number")
+    raise FormatError(f"{path} is {describe_kind(value)}, not a string or a number")
 
 
-def described(value: object) -> str:
+def describe_kind(value: object) -> str:
     """Name the kind of a JSON value.
 
-    >>> described(parse_json("[true]")), described(parse_json("-1"))
+    >>> describe_kind(parse_json("[true]")), describe_kind(parse_json("-1"))
     ('a list', "'-1'")
     """
     if isinstance(value, dict):
@@ -204,11 +204,11 @@ def described(value: object) -> str:
     if isinstance(value, list):
         return "a list"
     if isinstance(value, str):
-        return quoted(value)
+        return quote(value)
     return json.dumps(value)
 
 
-def _parsed(text: str, number: Callable[[str], object] | None) -> object:
+def _parse(text: str, number: Callable[[str], object] | None) -> object:
     try:
         document: object = json.loads(
             text,
@@ -236,7 +236,7 @@ def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     for name, value in pairs:
         # JSON leaves open which one counts; programs differ.
         if name in found:
-            raise FormatError(f"the name {quoted(name)} is twice in one object")
+            raise FormatError(f"the name {quote(name)} is twice in one object")
         found[name] = value
     return found
 
@@ -247,7 +247,7 @@ def read_point(pair: object, path: str) -> Point:
         if isinstance(pair, dict) and pair.keys() == set(names):
             return Point(*(read_number(pair[name], f"{path}.{name}") for name in names))
     if not isinstance(pair, list):
-        raise FormatError(f"{path} is {described(pair)}, not a pair of numbers")
+        raise FormatError(f"{path} is {describe_kind(pair)}, not a pair of numbers")
     if len(pair) != 2:
         raise FormatError(f"{path} has {len(pair)} coordinates, not 2")
     return Point(*(read_number(value, f"{path}[{j}]") for j, value in enumerate(pair)))
@@ -256,7 +256,7 @@ def read_point(pair: object, path: str) -> Point:
 def read_number(value: object, path: str) -> Fraction:
     """Read a number, which `parse_json` left as text; the path is for messages."""
     if not isinstance(value, str):
-        raise FormatError(f"{path} is {described(value)}, not a number")
+        raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     try:
         return to_fraction(value)
     except NumberError as error:
@@ -278,7 +278,7 @@ def read_certificate(path: str) -> object:
     try:
         return parse_certificate(read_text(path))
     except ValueError as error:
-        raise FormatError(f"{file_name(path)}: {error}") from None
+        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def write_json(value: object, number: Callable[[Fraction], str] | None = None) -> str:

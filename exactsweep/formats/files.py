@@ -54,7 +54,7 @@ def decode_text(data: bytes) -> str:
         raise FormatError(f"not UTF-8 text: {error.reason} at byte {error.start}") from None
 
 
-def file_name(path: str) -> str:
+def show_path(path: str) -> str:
     """Return a path as it is shown in a message: always on one line."""
     if path == "-":
         return "standard input"

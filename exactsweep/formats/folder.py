@@ -10,7 +10,7 @@ from typing import NamedTuple, Unpack
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.files import file_name
+from exactsweep.formats.files import show_path
 from exactsweep.formats.polygons import read_candidates, split_choice
 from exactsweep.formats.reading import Options
 
@@ -72,12 +72,12 @@ def find_files(path: str) -> list[str]:
             if not any(part.startswith(".") for part in file.relative_to(path).parts)
         ]
         if not found:
-            raise FormatError(f"{file_name(path)}: no file in it ends in {', '.join(ENDINGS)}")
+            raise FormatError(f"{show_path(path)}: no file in it ends in {', '.join(ENDINGS)}")
         return sorted(map(str, found))
     if has_magic(path) and not os.path.lexists(path):
         fitting = sorted(file for file in glob(path, recursive=True) if os.path.isfile(file))
         if not fitting:
-            raise FormatError(f"{file_name(path)}: no file fits this pattern")
+            raise FormatError(f"{show_path(path)}: no file fits this pattern")
         return fitting
     return [path]
 
@@ -112,7 +112,7 @@ def list_parts(
             faults.append(error)
             left_out.append(str(error))
             continue
-        file = file_name(split_choice(path)[0])
+        file = show_path(split_choice(path)[0])
         left_out += [f"{file}: {one.fault}" for one in candidates if one.fault]
         sound = [(k, one) for k, one in enumerate(candidates) if not one.fault]
         for k, candidate in sound:

@@ -7,7 +7,7 @@ from functools import partial
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import described, read_name, read_vertices
+from exactsweep.formats.exact_json import describe_kind, read_name, read_vertices
 from exactsweep.geometry.point import Point
 
 _MAX_DEPTH = 100
@@ -42,7 +42,7 @@ def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candid
 
 def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:
     if not isinstance(value, dict):
-        yield Candidate.refused(f"{path} is {described(value)}, not a Polygon", name)
+        yield Candidate.refused(f"{path} is {describe_kind(value)}, not a Polygon", name)
         return
     kind = value.get("type")
     if depth > _MAX_DEPTH:
@@ -62,24 +62,24 @@ def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Ca
         for k, part in enumerate(_list(value, member, path)):
             yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1)
     else:
-        yield Candidate.refused(f"{path}.type is {described(kind)}, not 'Polygon'", name)
+        yield Candidate.refused(f"{path}.type is {describe_kind(kind)}, not 'Polygon'", name)
 
 
 def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
     found = value.get(member)
     if not isinstance(found, list):
-        raise FormatError(f"{path}.{member} is {described(found)}, not a list")
+        raise FormatError(f"{path}.{member} is {describe_kind(found)}, not a list")
     return found
 
 
 def _outline(rings: object, path: str, name: str | None) -> Candidate:
     """Make the outline of the rings of a Polygon."""
     if not isinstance(rings, list):
-        return Candidate.refused(f"{path} is {described(rings)}, not a list of rings", name)
+        return Candidate.refused(f"{path} is {describe_kind(rings)}, not a list of rings", name)
     for k, ring in enumerate(rings):
         if not isinstance(ring, list):
             return Candidate.refused(
-                f"{path}[{k}] is {described(ring)}, not a list of vertices", name
+                f"{path}[{k}] is {describe_kind(ring)}, not a list of vertices", name
             )
     if not rings:
         return Candidate.refused(f"{path} is empty", name)

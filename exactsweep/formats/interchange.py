@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.formats.error import FormatError, needs
-from exactsweep.geometry.number import abridged
+from exactsweep.formats.error import FormatError, require_imports
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -70,7 +70,7 @@ def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.P
     shell, *holes = polygon.rings
     rows = _floats(shell, nearest)
     inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
-    with needs("shapely", "arrays", "a polygon of shapely"):
+    with require_imports("shapely", "arrays", "a polygon of shapely"):
         import shapely
 
     return shapely.Polygon(rows, inner)
@@ -118,7 +118,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()
         [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5]]
     """
-    with needs("numpy", "arrays", "an array"):
+    with require_imports("numpy", "arrays", "an array"):
         import numpy
 
     if dtype == "object":
@@ -130,7 +130,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     for i, vertex in enumerate(polygon.vertices):
         for value in vertex:
             if value.denominator != 1 or not -(2**63) <= value < 2**63:
-                raise FormatError(f"vertex {i}: {abridged(value)} is not an int64")
+                raise FormatError(f"vertex {i}: {abridge(value)} is not an int64")
     return numpy.array([[int(x), int(y)] for x, y in polygon.vertices], dtype=numpy.int64)
 
 
@@ -146,7 +146,7 @@ def _float(value: Fraction, vertex: str, nearest: bool) -> float:
     try:
         found = value.numerator / value.denominator
     except OverflowError:
-        raise FormatError(f"{vertex}: {abridged(value)} is beyond all floats") from None
+        raise FormatError(f"{vertex}: {abridge(value)} is beyond all floats") from None
     if found != value and not nearest:
-        raise FormatError(f"{vertex}: {abridged(value)} is not a float; nearest=True rounds")
+        raise FormatError(f"{vertex}: {abridge(value)} is not a float; nearest=True rounds")
     return found

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
@@ -95,7 +95,7 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     for k in _from_outside(parents):
         parent = parents[k]
         outside = 0 if parent is None else inside[parent]
-        turn = 1 if even_odd or doubled_area(rings[k]) > 0 else -1
+        turn = 1 if even_odd or find_doubled_area(rings[k]) > 0 else -1
         inside[k] = (outside + turn) % 2 if even_odd else outside + turn
         exterior[k] = k if parent is None or not outside else exterior[parent]
         if outside and not inside[k]:
@@ -145,14 +145,14 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     found: list[tuple[int, Candidate]] = []
     for members in layers.values():
         try:
-            found += _nested(members)
+            found += _nest(members)
         except ValueError as error:
             reason = f"nested outlines are read with all of their layer: {error}"
             found += [(k, Candidate.refused(reason, o.name, o.layer)) for k, o in members]
     return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
 
 
-def _nested(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
+def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Make holes of what lies inside other outlines, each given with its number."""
     rings = [
         (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))

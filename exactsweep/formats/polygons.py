@@ -17,7 +17,7 @@ from exactsweep.formats.candidate import (
 from exactsweep.formats.csv import is_csv, parse_csv
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import parse_json, read_exact
-from exactsweep.formats.files import DXF_SIGN, file_name, read_text
+from exactsweep.formats.files import DXF_SIGN, read_text, show_path
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.reading import MAX_VERTICES, Options, Reading
@@ -170,7 +170,7 @@ def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
@@ -189,7 +189,7 @@ def read_region(path: str, tolerance: object = None, **options: Unpack[Options])
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_region(read_text(file), choice, tolerance, **options)
 
 
@@ -209,7 +209,7 @@ def read_polygons(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_polygon)
 
 
@@ -230,7 +230,7 @@ def read_regions(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_region)
 
 
@@ -239,7 +239,7 @@ def read_candidates(
 ) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         candidates = parse_candidates(read_text(file), tolerance, **options)
         return candidates if choice is None else select(candidates, choice)
 
@@ -340,9 +340,9 @@ def split_choice(path: str) -> tuple[str, str | None]:
 
 
 @contextmanager
-def _naming(file: str) -> Iterator[None]:
+def _name_file(file: str) -> Iterator[None]:
     """Put the name of the file before the message of every refusal."""
     try:
         yield
     except ValueError as error:
-        raise FormatError(f"{file_name(file)}: {error}") from None
+        raise FormatError(f"{show_path(file)}: {error}") from None

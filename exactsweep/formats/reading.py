@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import NumberError, abridged, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, abridge, quote, to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""
@@ -76,7 +76,7 @@ class Reading:
         unit: str | None = None,
     ) -> None:
         if unit is not None and unit not in UNITS:
-            raise FormatError(f"the unit {quoted(unit)} is none of {', '.join(UNITS)}")
+            raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
         self.tolerance = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
         self.nested, self.unit = nested, unit
@@ -116,13 +116,13 @@ class Reading:
         """Allow a rotation that is irrational, and return how far off its matrix may be."""
         if self.tolerance is None:
             raise FormatError(
-                f"an angle of {abridged(degrees)} degrees, which is irrational and read only with "
+                f"an angle of {abridge(degrees)} degrees, which is irrational and read only with "
                 "a tolerance (--flatten)"
             )
         return min(self.tolerance, Fraction(1)) / 10**30
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return by what the numbers of a file are multiplied.
+        """Return the factor by which the numbers of a file are multiplied.
 
         Args:
             unit: what its numbers count, in millimetres; None if it does not say.
@@ -143,5 +143,5 @@ def read_positive(value: object, name: str) -> Fraction | None:
     except NumberError as error:
         raise FormatError(f"{name}: {error}") from None
     if number <= 0:
-        raise FormatError(f"{name}, {abridged(number)}, is not positive")
+        raise FormatError(f"{name}, {abridge(number)}, is not positive")
     return number

@@ -25,15 +25,14 @@ from math import ceil, floor, lcm
 from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.curved.curves import root_above
-from exactsweep.geometry.canonical import PolygonError, doubled_area
+from exactsweep.formats.curved.curves import bound_root
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
 Side = Literal["closest", "outward", "inward"]
-_Ring = Sequence[Point]
 # How many cells away a point for a right turn is looked for.
 _REACH = 3
 
@@ -138,7 +137,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
         distance = max(
-            root_above((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
+            bound_root((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
@@ -187,11 +186,11 @@ class _Moved(NamedTuple):
     distance: Fraction
 
 
-def _move(ring: _Ring, grid: Fraction) -> _Moved | None:
+def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     """Move a ring to the grid, to its right; None if no ring is left."""
     points = [Point(x / grid, y / grid) for x, y in ring]
     old = Polygon(points)
-    is_exterior = doubled_area(points) > 0
+    is_exterior = find_doubled_area(points) > 0
     alive = list(range(len(points)))
     drop = 1
     while len(alive) > 2:
@@ -199,7 +198,7 @@ def _move(ring: _Ring, grid: Fraction) -> _Moved | None:
         chains = _chains(corners)
         moved = [point for chain in chains for point in chain]
         if all(chains) and _is_proved(moved, old, is_exterior):
-            return _scaled(moved, _distance(points, alive, chains), grid)
+            return _scale(moved, _distance(points, alive, chains), grid)
         ears = _ears(corners)
         # Those without a point first; more of them each time.
         ears.sort(key=lambda ear: (bool(chains[ear[1]]), ear))
@@ -212,10 +211,10 @@ def _move(ring: _Ring, grid: Fraction) -> _Moved | None:
         return None
     hull = _hull(points)
     far = max(_square_to_ring(point, hull) for point in points)
-    return _scaled(hull, max(root_above(far), Fraction(3, 2)), grid)
+    return _scale(hull, max(bound_root(far), Fraction(3, 2)), grid)
 
 
-def _scaled(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
+def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
     return _Moved(Polygon([(x * grid, y * grid) for x, y in ring]), distance * grid)
 
 
@@ -225,13 +224,13 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
         new = Polygon(ring)
     except PolygonError:
         return False
-    if (doubled_area(ring) > 0) != is_exterior:
+    if (find_doubled_area(ring) > 0) != is_exterior:
         return False
     outer, inner = (new, old) if is_exterior else (old, new)
     return contains(Region(outer), Region(inner))
 
 
-def _chains(corners: _Ring) -> list[list[Point]]:
+def _chains(corners: Sequence[Point]) -> list[list[Point]]:
     """The new vertices for each corner; none where there is no point for a right turn."""
     found = []
     for i, v in enumerate(corners):
@@ -281,7 +280,7 @@ def _closest(v: Point, e: Point, f: Point) -> list[Point]:
     return [min(near)[1]] if near else []
 
 
-def _ears(corners: _Ring) -> list[tuple[Fraction, int]]:
+def _ears(corners: Sequence[Point]) -> list[tuple[Fraction, int]]:
     """The right turns: twice the area that is filled without each, and its place."""
     found = []
     for i, v in enumerate(corners):
@@ -291,7 +290,7 @@ def _ears(corners: _Ring) -> list[tuple[Fraction, int]]:
     return found
 
 
-def _hull(points: _Ring) -> list[Point]:
+def _hull(points: Sequence[Point]) -> list[Point]:
     """The convex hull of the cells around points (Andrew's monotone chain)."""
     corners = sorted(
         {
@@ -312,7 +311,9 @@ def _hull(points: _Ring) -> list[Point]:
     return sides[0] + sides[1]
 
 
-def _distance(points: _Ring, alive: Sequence[int], chains: Sequence[Sequence[Point]]) -> Fraction:
+def _distance(
+    points: Sequence[Point], alive: Sequence[int], chains: Sequence[Sequence[Point]]
+) -> Fraction:
     """How far old and new ring are apart, at most.
 
     Along an edge the distance is largest at an end; what was left out lies along one new edge.
@@ -325,10 +326,10 @@ def _distance(points: _Ring, alive: Sequence[int], chains: Sequence[Sequence[Poi
         for j in range(i + 1, end):
             by = _square_to_edge(points[j % len(points)], chain[-1], chains[k][0])
             largest = max(largest, by)
-    return root_above(largest)
+    return bound_root(largest)
 
 
-def _square_to_ring(p: Point, ring: _Ring) -> Fraction:
+def _square_to_ring(p: Point, ring: Sequence[Point]) -> Fraction:
     return min(_square_to_edge(p, ring[k - 1], ring[k]) for k in range(len(ring)))
 
 

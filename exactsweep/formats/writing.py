@@ -7,17 +7,16 @@ from html import escape
 from itertools import chain
 
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
-from exactsweep.formats.csv import csv_rows
+from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
-from exactsweep.geometry.number import quoted
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.number import quote
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
-Fit = tuple[Point, Point]
-_Row = list[tuple[str, str]]
+_Decimals = list[tuple[str, str]]
 
 
 def format_polygons(
@@ -58,8 +57,8 @@ def format_polygons(
         </svg>
     """
     if form not in FORMATS:
-        raise FormatError(f"{quoted(form)} is none of the formats {', '.join(FORMATS)}")
-    named = [_named(polygon) for polygon in polygons]
+        raise FormatError(f"{quote(form)} is none of the formats {', '.join(FORMATS)}")
+    named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
         raise FormatError("no polygon to be written")
     if decimals and form == "json":
@@ -85,21 +84,21 @@ def _json(
 
 
 def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
-    polygons = (wkt_polygon(_named_rings(k, region)) for k, region in enumerate(regions))
-    return "".join(polygons) + wkt_fits(fits)
+    polygons = (write_wkt_polygon(_name_rings(k, region)) for k, region in enumerate(regions))
+    return "".join(polygons) + write_wkt_fits(fits)
 
 
-def wkt_fits(fits: Sequence[Fit]) -> str:
+def write_wkt_fits(fits: Sequence[Fit]) -> str:
     """Write exact fits as WKT, a LINESTRING or a POINT a line."""
     lines = []
     for k, fit in enumerate(fits):
         ends = list(dict.fromkeys(fit))
         kind = "LINESTRING" if len(ends) > 1 else "POINT"
-        lines.append(f"{kind} {wkt_points(f'exact fit {k}', ends)}\n")
+        lines.append(f"{kind} {write_wkt_points(f'exact fit {k}', ends)}\n")
     return "".join(lines)
 
 
-def wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
+def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
     r"""Write one WKT POLYGON, a line.
 
     Args:
@@ -109,15 +108,15 @@ def wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
         FormatError: a coordinate that is not a finite decimal.
 
     Example:
-        >>> wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
+        >>> write_wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
         'POLYGON ((0 0, 0.5 0, 0 1, 0 0))\n'
     """
-    rows = [wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
+    rows = [write_wkt_points(name, [*ring, ring[0]]) for name, ring in rings.items()]
     return f"POLYGON ({', '.join(rows)})\n"
 
 
-def wkt_points(name: str, points: Sequence[Point]) -> str:
-    """Write points as a list of WKT, in parentheses; refuses as `wkt_polygon` does."""
+def write_wkt_points(name: str, points: Sequence[Point]) -> str:
+    """Write points as a list of WKT, in parentheses; refuses as `write_wkt_polygon` does."""
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
@@ -191,22 +190,22 @@ def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
             rows += [(str(k), name or "", shown, x, y) for x, y in ring]
     for k, row in enumerate(_fit_rows(fits, "CSV")):
         rows += [(f"fit {k}", f"exact fit {k}", "exact fit", x, y) for x, y in row]
-    return csv_rows(rows)
+    return write_csv_rows(rows)
 
 
-def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Row]:
+def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Decimals]:
     for k, fit in enumerate(fits):
         yield _row(f"exact fit {k}", list(dict.fromkeys(fit)), form)
 
 
-def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Row]]:
+def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]]:
     """The vertices of the rings of each region as decimals, those of the holes clockwise."""
     for k, region in enumerate(regions):
-        exterior, *holes = [_row(*ring, form) for ring in _named_rings(k, region).items()]
+        exterior, *holes = [_row(*ring, form) for ring in _name_rings(k, region).items()]
         yield [exterior, *(row[::-1] for row in holes)]
 
 
-def _named(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
+def _name(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
     if isinstance(polygon, NamedRegion):
         return polygon
     if isinstance(polygon, NamedPolygon):
@@ -214,14 +213,14 @@ def _named(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegio
     return NamedRegion(Region(polygon))
 
 
-def _named_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
+def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
     """The rings of the region of index k, by the names that refusals give them."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings
     return {name: exterior} | {f"{name}, hole {j}": hole for j, hole in enumerate(holes)}
 
 
-def _row(name: str, points: Sequence[Point], form: str) -> _Row:
+def _row(name: str, points: Sequence[Point], form: str) -> _Decimals:
     row = []
     for i, (x, y) in enumerate(points):
         try:
@@ -235,7 +234,7 @@ def _row(name: str, points: Sequence[Point], form: str) -> _Row:
 
 def _printable(name: str, form: str) -> str:
     if not name.isprintable() or name != name.strip() or not name:
-        raise FormatError(f"the name {quoted(name)} cannot be written in {form}")
+        raise FormatError(f"the name {quote(name)} cannot be written in {form}")
     return name
 
 

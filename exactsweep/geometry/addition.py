@@ -11,7 +11,7 @@ from fractions import Fraction
 from operator import add
 from typing import TypeVar
 
-from exactsweep.geometry.number import ratios
+from exactsweep.geometry.number import split_ratios
 
 _Pair = tuple[int, int]
 _Term = TypeVar("_Term", _Pair, Fraction)
@@ -35,7 +35,7 @@ def add_up(terms: Iterable[Fraction]) -> Fraction:
         >>> add_up(Fraction(1, k * (k + 1)) for k in range(1, 100))
         Fraction(99, 100)
     """
-    return add_ratios(zip(*ratios([*terms]), strict=True))
+    return add_ratios(zip(*split_ratios([*terms]), strict=True))
 
 
 def add_ratios(terms: Iterable[_Pair]) -> Fraction:

@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from operator import eq
+from operator import eq, floordiv
 from typing import NamedTuple, cast
 
 from exactsweep.geometry.addition import add_ratios
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.lazy_number import lazy_points
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.number import split_ratios
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
 
 
@@ -16,20 +17,22 @@ class PolygonError(ExactSweepError):
     """Vertices that do not bound a simple polygon; the message names indices in the input."""
 
 
-class Ring(NamedTuple):
+class CanonicalRing(NamedTuple):
     """A canonical ring: counter-clockwise, only corners, lexicographically least vertex first.
 
     `vertex_index` and `edge_index` lead from its vertices and edges back to those of the input;
-    `convex` says whether all turns are to the left.
+    `convex` says whether all turns are to the left, and `monotone` whether it is monotone to the
+    X axis.
     """
 
-    points: tuple[LatticePoint, ...]
+    points: tuple[Vertex, ...]
     vertex_index: tuple[int, ...]
     edge_index: tuple[int, ...]
     convex: bool
+    monotone: bool
 
 
-def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
+def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
     """Bring a closed line of lattice points into canonical form.
 
     Args:
@@ -37,7 +40,7 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
             vertices may lie inside straight edges.
 
     Returns:
-        The same polygon as a Ring.
+        The same polygon as a CanonicalRing.
 
     Raises:
         PolygonError: fewer than three distinct points, all on one line, a spike, or a line that
@@ -46,15 +49,15 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
     Cost: O(n) for a ring that is monotone to the X axis, else that of `find_conflict`.
 
     Example:
-        >>> ring = canonical_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
+        >>> ring = canonicalize_ring([(2, 2), (2, 0), (1, 0), (0, 0), (2, 2)])
         >>> ring.points, ring.vertex_index, ring.edge_index
         (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
     is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
     # They are compared, subtracted and multiplied below, and nothing else.
-    compared = cast(Sequence[LatticePoint], lazy_points(points)) if is_long else points
+    compared = cast(Sequence[Vertex], lazy_points(points)) if is_long else points
     ring, vertices, edges = _join_equal(compared)
-    turns = turn_products(ring) if len(ring) > 2 else []
+    turns = find_turns(ring) if len(ring) > 2 else []
     if is_long:
         # No more than the signs is asked for.
         turns = [(turn > 0) - (turn < 0) for turn in turns]
@@ -78,18 +81,19 @@ def canonical_ring(points: Sequence[LatticePoint]) -> Ring:
         corners = starts = [*corners[least:], *corners[:least]]
         found = [*found[least:], *found[:least]]
     convex = min(turns) > 0 or max(turns) < 0
-    if not is_simple_monotone(found, convex=convex):
+    monotone = is_simple_monotone(found, convex=convex)
+    if not monotone:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
     if is_long:
         found = [points[i] for i in corners]
-    return Ring(tuple(found), tuple(corners), tuple(starts), convex)
+    return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
 def _join_equal(
-    points: Sequence[LatticePoint],
-) -> tuple[Sequence[LatticePoint], Sequence[int], Sequence[int]]:
+    points: Sequence[Vertex],
+) -> tuple[Sequence[Vertex], Sequence[int], Sequence[int]]:
     """Take each run of equal neighbours, round the end, for one vertex.
 
     Returns the vertices, the least index of each run, and the last, at which its edge starts.
@@ -103,7 +107,7 @@ def _join_equal(
     return [points[i] for i in starts], vertices, edges
 
 
-def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
+def find_turns(ring: Sequence[Vertex]) -> list[int | Fraction]:
     """Return at each vertex the cross product of the edges before and after it. Cost: O(n)."""
     turns = []
     (ax, ay), (bx, by) = ring[-2], ring[-1]
@@ -116,7 +120,7 @@ def turn_products(ring: Sequence[LatticePoint]) -> list[int | Fraction]:
     return turns[1:] + turns[:1]
 
 
-def _refuse_flat(points: Sequence[LatticePoint], turns: Sequence[int | Fraction]) -> None:
+def _refuse_flat(points: Sequence[Vertex], turns: Sequence[int | Fraction]) -> None:
     if not any(turns):
         distinct = len(set(points))
         if distinct < 3:
@@ -127,7 +131,7 @@ def _refuse_flat(points: Sequence[LatticePoint], turns: Sequence[int | Fraction]
 
 
 def _refuse_spikes(
-    ring: Sequence[LatticePoint], turns: Sequence[int | Fraction], names: Sequence[int]
+    ring: Sequence[Vertex], turns: Sequence[int | Fraction], names: Sequence[int]
 ) -> None:
     n = len(ring)
     for i, turn in enumerate(turns):
@@ -138,7 +142,7 @@ def _refuse_spikes(
 
 
 def _refuse_conflicts(
-    ring: Sequence[LatticePoint], vertices: Sequence[int], edges: Sequence[int]
+    ring: Sequence[Vertex], vertices: Sequence[int], edges: Sequence[int]
 ) -> None:
     conflict = find_conflict(ring)
     if conflict is None:
@@ -155,13 +159,27 @@ def _refuse_conflicts(
     raise PolygonError(f"the boundary crosses itself: edges {low} and {high} cross")
 
 
-def doubled_area(ring: Sequence[LatticePoint]) -> int | Fraction:
+def find_least(points: Sequence[Point]) -> int:
+    """Return the number of the lexicographically least point, the first of equal ones.
+
+    Cost: O(n); Fractions are compared where the ints below them are equal, which is seldom.
+
+    Example:
+        >>> find_least([Point(Fraction(3, 2), Fraction(0)), Point(Fraction(1, 2), Fraction(5))])
+        1
+    """
+    floors = [*map(floordiv, *split_ratios([x for x, _ in points]))]
+    least = min(floors)
+    return min((k for k, floor in enumerate(floors) if floor == least), key=points.__getitem__)
+
+
+def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
     """Return twice the signed area, positive for a counter-clockwise ring.
 
     Cost: O(n) for ints, that of `add_up` for Fractions.
 
     Example:
-        >>> doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
+        >>> find_doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
         Fraction(1, 1)
     """
     after = (*ring[1:], ring[0])

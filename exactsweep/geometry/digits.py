@@ -9,7 +9,7 @@ powers of ten as ints on the way in, which multiply by Karatsuba's method.
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal, Inexact, localcontext
 from typing import TypeVar
 
-_Number = TypeVar("_Number", int, Decimal)
+_IntOrDecimal = TypeVar("_IntOrDecimal", int, Decimal)
 
 # Up to here halves are no quicker than the whole.
 _BITS, _DIGITS = 2**13, 2**11
@@ -52,7 +52,7 @@ def read_int(text: str) -> int:
     return _to_int(text, bases, len(bases))
 
 
-def _square(base: _Number, times: int) -> list[_Number]:
+def _square(base: _IntOrDecimal, times: int) -> list[_IntOrDecimal]:
     """The base, its square, the square of that, as far as numbers of so many bases have halves."""
     bases = [base]
     while 2 ** len(bases) <= times:

@@ -21,10 +21,10 @@ from math import gcd
 from operator import ne, sub
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted, to_fraction
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.number import quote, to_fraction
+from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.words import degrees, vector
+from exactsweep.words import write_degrees, write_vector
 
 Vector = tuple[int, int]
 
@@ -52,7 +52,7 @@ class Directions:
             the last k being followed by the first one turned by half a turn.
 
     Example:
-        >>> print(monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
+        >>> print(find_monotone_directions(Polygon([(0, 0), (2, 1), (4, 0), (4, 3), (0, 3)])))
         all from (1, -2) to (1, 2), -63.4 to 63.4 degrees
     """
 
@@ -63,12 +63,12 @@ class Directions:
     def __contains__(self, direction: Vector) -> bool:
         """Whether monotone, at least weakly. Cost: O(log n)."""
         k = self._last_up_to(direction)
-        return self.at[k] if self.critical[k] == primitive(direction) else self.after[k]
+        return self.at[k] if self.critical[k] == reduce_direction(direction) else self.after[k]
 
     def strict(self, direction: Vector) -> bool:
         """Whether strictly monotone. Cost: O(log n)."""
         k = self._last_up_to(direction)
-        return self.critical[k] != primitive(direction) and self.after[k]
+        return self.critical[k] != reduce_direction(direction) and self.after[k]
 
     def __bool__(self) -> bool:
         return any(self.at)
@@ -122,7 +122,7 @@ class Directions:
         Raises DirectionError when there is none.
         Cost: O(n log c) for components up to c.
 
-        >>> monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
+        >>> find_monotone_directions(Polygon([(0, 0), (1, 2), (0, 4), (3, 4), (3, 0)])).simplest()
         (1, -1)
         """
         if X_AXIS in self:
@@ -130,7 +130,7 @@ class Directions:
         first = self.critical[0]
         ends = [*self.critical[1:], (-first[0], -first[1])]
         candidates = [
-            _simplest_between(u, v)
+            _find_simplest_between(u, v)
             for u, v, strict in zip(self.critical, ends, self.after, strict=True)
             if strict
         ] or [u for u, weak in zip(self.critical, self.at, strict=True) if weak]
@@ -142,23 +142,26 @@ class Directions:
         if all(self.after):
             return "all directions"
         arcs = [
-            f"all from {vector(u)} to {vector(v)}, {degrees(u)} to {degrees(v)} degrees"
+            f"all from {write_vector(u)} to {write_vector(v)}, "
+            f"{write_degrees(u)} to {write_degrees(v)} degrees"
             if u != v
-            else f"just {vector(u)}, {degrees(u)} degrees"
+            else f"just {write_vector(u)}, {write_degrees(u)} degrees"
             for u, v in self.arcs()
         ]
         return " and ".join(arcs) or "no direction"
 
     def _last_up_to(self, direction: Vector) -> int:
         """Number of the last critical direction up to this one, round the turn: -1 before all."""
-        return bisect_right(self.critical, angle_key(primitive(direction)), key=angle_key) - 1
+        return (
+            bisect_right(self.critical, angle_key(reduce_direction(direction)), key=angle_key) - 1
+        )
 
 
-def primitive(direction: LatticePoint) -> Vector:
+def reduce_direction(direction: Vertex) -> Vector:
     """Reduce a direction to coprime ints, the first one positive or both (0, 1).
 
     >>> from fractions import Fraction
-    >>> primitive((-4, 6)), primitive((Fraction(1, 2), Fraction(1, 3)))
+    >>> reduce_direction((-4, 6)), reduce_direction((Fraction(1, 2), Fraction(1, 3)))
     ((2, -3), (3, 2))
     """
     (p, a), (q, b) = direction[0].as_integer_ratio(), direction[1].as_integer_ratio()
@@ -174,27 +177,27 @@ def read_direction(direction: Iterable[object]) -> Vector:
     """Read a caller's direction, any pair of exact numbers but (0, 0), as a primitive vector."""
     # Text, sets and mappings unpack too, but not into components.
     if isinstance(direction, str | bytes | set | frozenset | dict):
-        raise DirectionError(f"a direction is a pair of numbers, not {quoted(direction)}")
+        raise DirectionError(f"a direction is a pair of numbers, not {quote(direction)}")
     try:
         p, q = (to_fraction(component) for component in direction)
     except TypeError:
-        raise DirectionError(f"a direction is a pair of numbers, not {quoted(direction)}") from None
+        raise DirectionError(f"a direction is a pair of numbers, not {quote(direction)}") from None
     except ValueError as error:
         raise DirectionError(f"the direction is not a pair of exact numbers: {error}") from None
     if p == 0 == q:
         raise DirectionError("(0, 0) is not a direction")
-    return primitive((p, q))
+    return reduce_direction((p, q))
 
 
-def monotone_directions(polygon: Polygon) -> Directions:
+def find_monotone_directions(polygon: Polygon) -> Directions:
     """Find all directions to which a polygon is monotone.
 
-    Turns u once round and keeps count of the sign changes along the boundary: two is monotone.
+    Turns u through a full turn and counts the sign changes along the boundary: two is monotone.
 
     Cost: O(n log n).
 
     Example:
-        >>> square = monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
+        >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
         >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
         (True, False, True)
     """
@@ -207,7 +210,7 @@ def monotone_directions(polygon: Polygon) -> Directions:
     def local(k: int) -> int:
         return (forward[k] != forward[k - 1]) + (forward[k] != forward[(k + 1) % n])
 
-    normals = [primitive((-dy, dx)) for dx, dy in edges]
+    normals = [reduce_direction((-dy, dx)) for dx, dy in edges]
     order = sorted(range(n), key=lambda k: angle_key(normals[k]))
     critical, at, after = [], [], []
     for u, group in groupby(order, key=normals.__getitem__):
@@ -237,7 +240,7 @@ def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) ->
     return changes == 2
 
 
-def shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
+def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
     """Choose a direction to which both polygons are monotone.
 
     The X axis if possible; else one to which both are strictly monotone, with small components;
@@ -248,14 +251,17 @@ def shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
 
     Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
     """
-    if is_monotone(generatrix, X_AXIS) and is_monotone(directrix, X_AXIS):
+    if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
     for direction in _SMALL:
         if is_monotone(generatrix, direction, strict=True) and is_monotone(
             directrix, direction, strict=True
         ):
             return direction
-    of_generatrix, of_directrix = monotone_directions(generatrix), monotone_directions(directrix)
+    of_generatrix, of_directrix = (
+        find_monotone_directions(generatrix),
+        find_monotone_directions(directrix),
+    )
     shared = of_generatrix & of_directrix
     if not shared:
         raise DirectionError(
@@ -269,12 +275,13 @@ def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:
     """Refuse a polygon that is not monotone to a direction that somebody asked for."""
     if not is_monotone(polygon, direction):
         raise DirectionError(
-            f"the {name} is not monotone to {vector(direction)}, {degrees(direction)} degrees; "
-            f"its directions of monotonicity: {monotone_directions(polygon)}"
+            f"the {name} is not monotone to {write_vector(direction)}, "
+            f"{write_degrees(direction)} degrees; "
+            f"its directions of monotonicity: {find_monotone_directions(polygon)}"
         )
 
 
-def _edges(ring: Sequence[LatticePoint]) -> list[LatticePoint]:
+def _edges(ring: Sequence[Vertex]) -> list[Vertex]:
     return [(ring[k][0] - ring[k - 1][0], ring[k][1] - ring[k - 1][1]) for k in range(len(ring))]
 
 
@@ -282,11 +289,11 @@ def _turn(u: Vector, v: Vector) -> int:
     return u[1] * v[0] - u[0] * v[1]
 
 
-# Both in the half plane of `primitive`, so that the sign of the cross product orders them.
+# Both in the half plane of `reduce_direction`, so that the sign of the cross product orders them.
 angle_key = cmp_to_key(_turn)
 
 
-def _simplest_between(u: Vector, v: Vector) -> Vector:
+def _find_simplest_between(u: Vector, v: Vector) -> Vector:
     """The direction of least components strictly between two, v less than half a turn after u."""
     if u[0] > 0 > v[0]:
         return Y_AXIS

@@ -9,7 +9,7 @@ class ExactSweepError(ValueError):
 
 
 @contextmanager
-def named(name: str) -> Iterator[None]:
+def name_refusals(name: str) -> Iterator[None]:
     """Put a name in front of whatever is refused inside a `with` block.
 
     Args:
@@ -19,7 +19,7 @@ def named(name: str) -> Iterator[None]:
         ExactSweepError: the refusal, of the type that it has, its message after the name.
 
     Example:
-        >>> with named("hole 2"):
+        >>> with name_refusals("hole 2"):
         ...     raise ExactSweepError("zero area")
         Traceback (most recent call last):
         exactsweep.geometry.error.ExactSweepError: hole 2: zero area

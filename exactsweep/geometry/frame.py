@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.number import quotient, quotients
-from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex
+from exactsweep.geometry.number import divide_all, divide_exactly
+from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex, make_points
 from exactsweep.geometry.polygon import Polygon
 
 
@@ -42,7 +42,7 @@ class Frame(NamedTuple):
         p, q = self.direction
         scale = self.scale * (p * p + q * q)
         if (p, q) == X_AXIS:
-            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
+            xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
         else:
             xs, ys = [], []
             for x, y in points:
@@ -50,12 +50,12 @@ class Frame(NamedTuple):
                 if type(x) is not int or type(y) is not int:
                     (x, b), (y, d) = x.as_integer_ratio(), y.as_integer_ratio()
                     x, y, unit = x * d, y * b, scale * b * d
-                xs.append(quotient(p * x - q * y, unit))
-                ys.append(quotient(q * x + p * y, unit))
+                xs.append(divide_exactly(p * x - q * y, unit))
+                ys.append(divide_exactly(q * x + p * y, unit))
         if shift != ORIGIN:
             dx, dy = shift
             xs, ys = [x + dx for x in xs], [y + dy for y in ys]
-        return list(map(Point._make, zip(xs, ys, strict=True)))
+        return make_points(xs, ys)
 
 
 def _plain(value: Fraction) -> Rational:

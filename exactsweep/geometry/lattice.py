@@ -13,12 +13,12 @@ from math import gcd, lcm
 from operator import mul
 from typing import cast
 
-from exactsweep.geometry.number import NumberError, ratios, to_fraction
-from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.geometry.number import NumberError, split_ratios, to_fraction
+from exactsweep.geometry.point import Point, Vertex
 
 _LATTICE_BITS = 8192
 
-Lattice = tuple[int, Sequence[LatticePoint]]
+Lattice = tuple[int, Sequence[Vertex]]
 """A scale and points: each stands for itself divided by the scale."""
 
 
@@ -45,7 +45,7 @@ def read_columns(vertices: Sequence[Iterable[object]]) -> Lattice | None:
     numbers = set(map(type, flat))
     if numbers == {int}:
         points = vertices if kinds == {tuple} else list(zip(flat[::2], flat[1::2], strict=True))
-        return 1, cast(Sequence[LatticePoint], points)
+        return 1, cast(Sequence[Vertex], points)
     if numbers != {Fraction}:
         try:
             flat = list(map(to_fraction, flat))
@@ -73,7 +73,7 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
         (6, [(3, 6), (0, 2)])
     """
     xs, ys = tuple(xs), tuple(ys)
-    (px, qx), (py, qy) = ratios(xs), ratios(ys)
+    (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
     denominators = {*qx, *qy}
     scale = lcm_within(denominators)
     if scale is None:
@@ -86,9 +86,7 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     )
 
 
-def reduce_lattice(
-    scale: int, points: tuple[LatticePoint, ...]
-) -> tuple[int, tuple[LatticePoint, ...]]:
+def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[Vertex, ...]]:
     """Divide a scale and its points by what they have in common. Cost: O(n).
 
     >>> reduce_lattice(6, ((2, 4), (4, 0)))

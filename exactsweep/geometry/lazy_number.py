@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.point import Vertex
 
 # Of the largest coordinate.
 _BITS = 256
@@ -84,7 +84,7 @@ class LazyNumber:
         return hash(Fraction(*self._exact()))
 
 
-def lazy_points(points: Sequence[LatticePoint]) -> list[tuple[LazyNumber, LazyNumber]]:
+def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
     """Make points of lazy numbers, all on one scale.
 
     Example:

@@ -46,7 +46,7 @@ _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 _NUMBER = re.compile(
     r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
     r"(?:/(?P<denominator>0|[1-9][0-9]*)"
-    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<minus>-?)\+?0*(?P<exponent>[0-9]+))?)"
+    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<subtract>-?)\+?0*(?P<exponent>[0-9]+))?)"
 )
 
 
@@ -126,14 +126,14 @@ def to_fraction(value: object) -> Fraction:
     if type(value) is Fraction:
         return value
     if type(value) is int:
-        return _reduced(value, 1)
+        return _make_reduced(value, 1)
     if isinstance(value, str):
         return _from_string(value)
     if isinstance(value, float):
         return _from_real(value)
     if isinstance(value, Decimal):
         if not value.is_finite():
-            raise NumberError(f"{quoted(value)} is not a finite number")
+            raise NumberError(f"{quote(value)} is not a finite number")
         return _from_string(str(value))
     if isinstance(value, bool):
         raise NumberError(f"{value} is a truth value, not a number")
@@ -141,18 +141,18 @@ def to_fraction(value: object) -> Fraction:
         try:
             return Fraction(operator.index(value))
         except TypeError:
-            raise NumberError(f"{quoted(value)} is not a number") from None
+            raise NumberError(f"{quote(value)} is not a number") from None
     if isinstance(value, Rational):
         numerator, denominator = int(value.numerator), int(value.denominator)
         if denominator == 0:
-            raise NumberError(f"{quoted(value)} has the denominator 0")
+            raise NumberError(f"{quote(value)} has the denominator 0")
         return Fraction(numerator, denominator)
     if isinstance(value, Real):
         return _from_real(value)
-    raise NumberError(f"{quoted(value)} is not a rational number")
+    raise NumberError(f"{quote(value)} is not a rational number")
 
 
-def _reduced(numerator: int, denominator: int) -> Fraction:
+def _make_reduced(numerator: int, denominator: int) -> Fraction:
     """Make a Fraction of coprime ints, the second one positive.
 
     Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
@@ -163,47 +163,63 @@ def _reduced(numerator: int, denominator: int) -> Fraction:
     return fraction
 
 
-def ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
+def split_ratios(values: Sequence[Fraction]) -> tuple[list[int], list[int]]:
     """Return the numerators and the denominators, many at a time.
 
     Example:
-        >>> ratios([Fraction(1, 2), Fraction(3)])
+        >>> split_ratios([Fraction(1, 2), Fraction(3)])
         ([1, 3], [2, 1])
     """
     return [*map(_numerator, values)], [*map(_denominator, values)]
 
 
-def quotient(value: int | Fraction, divisor: int | Fraction) -> Fraction:
+def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     """Divide by a positive number, quickly where both are ints.
 
     Example:
-        >>> quotient(6, 4), quotient(Fraction(1, 2), 3)
+        >>> divide_exactly(6, 4), divide_exactly(Fraction(1, 2), 3)
         (Fraction(3, 2), Fraction(1, 6))
     """
     if type(divisor) is int:
         if type(value) is int:
             common = gcd(value, divisor)
-            return _reduced(value // common, divisor // common)
+            return _make_reduced(value // common, divisor // common)
         if type(value) is Fraction:
             n, d = value.as_integer_ratio()
             common = gcd(n, divisor)
-            return _reduced(n // common, d * (divisor // common))
+            return _make_reduced(n // common, d * (divisor // common))
     return Fraction(value, divisor)
 
 
-def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
+def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
+    """Divide by a positive number, to an int where that is the result.
+
+    Example:
+        >>> ratio(6, 3), ratio(6, 4)
+        (2, Fraction(3, 2))
+    """
+    if type(value) is int and type(divisor) is int:
+        common = gcd(value, divisor)
+        if common == divisor:
+            return value // common
+        return _make_reduced(value // common, divisor // common)
+    whole = value // divisor
+    return whole if whole * divisor == value else divide_exactly(value, divisor)
+
+
+def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
     Example:
-        >>> quotients([3, Fraction(1, 2)], 1)
+        >>> divide_all([3, Fraction(1, 2)], 1)
         [Fraction(3, 1), Fraction(1, 2)]
     """
     if divisor != 1:
-        return [quotient(v, divisor) for v in values]
+        return [divide_exactly(v, divisor) for v in values]
     found: list[Fraction] = []
     for v in values:
         if type(v) is int:
-            # As `_reduced` does, without the call.
+            # As `_make_reduced` does, without the call.
             fraction = _new(Fraction)
             fraction._numerator = v  # type: ignore[attr-defined]
             fraction._denominator = 1  # type: ignore[attr-defined]
@@ -213,30 +229,30 @@ def quotients(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     return found
 
 
-def negative(value: int | Fraction) -> int | Fraction:
+def negate(value: int | Fraction) -> int | Fraction:
     """Change the sign, quickly.
 
     Example:
-        >>> negative(Fraction(1, 2))
+        >>> negate(Fraction(1, 2))
         Fraction(-1, 2)
     """
     if type(value) is Fraction:
         n, d = value.as_integer_ratio()
-        return _reduced(-n, d)
+        return _make_reduced(-n, d)
     return -value
 
 
-def sums(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
+def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[int | Fraction]:
     """Add a number to each of others, quickly where those are ints.
 
     Example:
-        >>> sums(Fraction(1, 2), [1, 2])
+        >>> add_to_all(Fraction(1, 2), [1, 2])
         [Fraction(3, 2), Fraction(5, 2)]
     """
     if isinstance(value, Fraction) and all(type(k) is int for k in ints):
         # n/d + k is in lowest terms as n/d is.
         n, d = value.as_integer_ratio()
-        return [_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
+        return [_make_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
     return [value + k for k in ints]
 
 
@@ -272,14 +288,18 @@ def format_fraction(value: Fraction) -> str:
 
 
 def _from_string(text: str) -> Fraction:
+    digits = text.removeprefix("-")
+    is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
+    if is_int and len(text) <= _SHORT and len(text) <= _max_digits.get():
+        return _make_reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
-        raise NumberError(f"{quoted(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
+        raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
     whole, denominator = match["whole"], match["denominator"]
     if denominator is None:
         return _from_decimal(text, match)
     if denominator == "0":
-        raise NumberError(f"{quoted(text)} has a zero denominator")
+        raise NumberError(f"{quote(text)} has a zero denominator")
     if max(len(whole), len(denominator)) > answer_digits():
         raise _too_long(text)
     return _check(text, Fraction(read_int(match["sign"] + whole), read_int(denominator)))
@@ -287,12 +307,10 @@ def _from_string(text: str) -> Fraction:
 
 def _from_decimal(text: str, match: re.Match[str]) -> Fraction:
     sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
-    if decimals is None and exponent is None and len(text) <= min(_SHORT, _max_digits.get()):
-        return _reduced(int(text), 1)
     # Up to 15 digits, lest the exponent itself takes time.
     if exponent is not None and len(exponent) > 15:
         raise _too_long(text)
-    places = len(decimals or "") - int(f"{match['minus'] or ''}{exponent or 0}")
+    places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
     digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
     # Refused before it is computed, however short it may be afterwards.
     length = max(len(digits) - min(places, 0), places)
@@ -305,11 +323,11 @@ def _from_decimal(text: str, match: re.Match[str]) -> Fraction:
 def _from_real(value: float | Real) -> Fraction:
     try:
         binary = float(value)
-        exact = _reduced(*binary.as_integer_ratio())
+        exact = _make_reduced(*binary.as_integer_ratio())
     except (OverflowError, ValueError):
-        raise NumberError(f"{quoted(value)} is not a finite number") from None
+        raise NumberError(f"{quote(value)} is not a finite number") from None
     if binary != value:
-        raise NumberError(f"{quoted(value)} has no exact value as a float; give it as a fraction")
+        raise NumberError(f"{quote(value)} has no exact value as a float; give it as a fraction")
     return exact
 
 
@@ -329,13 +347,13 @@ def _allowed_digits(text: str) -> int:
 
 
 def _too_long(text: str) -> NumberError:
-    return NumberError(f"{quoted(text)} has more than {_allowed_digits(text)} digits (max_digits)")
+    return NumberError(f"{quote(text)} has more than {_allowed_digits(text)} digits (max_digits)")
 
 
-def quoted(value: object) -> str:
+def quote(value: object) -> str:
     """Write any value for a message: its repr, cut short where it is long.
 
-    >>> quoted("7" * 99)
+    >>> quote("7" * 99)
     "'777777777777777777777777777777777777..."
     """
     try:
@@ -347,10 +365,10 @@ def quoted(value: object) -> str:
     return text if len(text) <= _ECHO else f"{text[: _ECHO - 3]}..."
 
 
-def abridged(value: Fraction) -> str:
+def abridge(value: Fraction) -> str:
     """Write a number for people: exactly, or its first digits where it is long.
 
-    >>> abridged(Fraction(-7, 2)), abridged(Fraction(10**99))
+    >>> abridge(Fraction(-7, 2)), abridge(Fraction(10**99))
     ('-7/2', '100000000000000000000...')
     """
     text = format_fraction(value)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 
-from exactsweep.geometry.point import Edge, Vertex
+from exactsweep.geometry.point import Edge, Rational, Vertex
 
 
 class Outline:
@@ -45,6 +47,19 @@ class Outline:
     def edges(self) -> list[Edge]:
         """All edges, by number."""
         return [self.edge(k) for k in range(len(self.vertices))]
+
+    @cached_property
+    def _by_x(self) -> tuple[list[Rational], list[int]]:
+        order = sorted(range(len(self.vertices)), key=lambda k: self.vertices[k][0])
+        return [self.vertices[k][0] for k in order], order
+
+    def vertices_between(self, low: Rational, high: Rational) -> list[int]:
+        """The numbers of the vertices in an x-range, ends included, by x.
+
+        Cost: O(log n + their number), and the first time O(n log n).
+        """
+        xs, order = self._by_x
+        return order[bisect_left(xs, low) : bisect_right(xs, high)]
 
     def scaled(self, factor: int) -> Outline:
         """The same, enlarged by a positive factor. Cost: O(n)."""

@@ -35,7 +35,7 @@ Places = defaultdict[tuple[int, int], set[Vertex]]
 _COLUMNS = 512
 
 
-class _Side(NamedTuple):
+class _BoundedEdge(NamedTuple):
     """An edge, with its bounds and its number in its ring."""
 
     left: Rational
@@ -55,7 +55,7 @@ class _Bounds(NamedTuple):
     high: Rational
 
 
-class _Shape:
+class _EdgesByColumn:
     """The edges of a shape, for finding those near a place: by columns of its x-range.
 
     Args:
@@ -70,7 +70,7 @@ class _Shape:
         self.bounds = _bounds(self.sides)
         count = min(len(self.sides), _COLUMNS)
         self._width = (self.bounds.right - self.bounds.left) // count + 1
-        self._columns: list[list[tuple[int, _Side]]] = [[] for _ in range(count)]
+        self._columns: list[list[tuple[int, _BoundedEdge]]] = [[] for _ in range(count)]
         for side in self.sides:
             first, last = self._column(side.left), self._column(side.right)
             for column in self._columns[first : last + 1]:
@@ -79,7 +79,7 @@ class _Shape:
     def _column(self, x: Rational) -> int:
         return int((x - self.bounds.left) // self._width)
 
-    def near(self, bounds: _Bounds) -> list[_Side]:
+    def near(self, bounds: _Bounds) -> list[_BoundedEdge]:
         """The edges whose bounds meet others, by their left ends column by column."""
         first = max(self._column(bounds.left), 0)
         last = min(self._column(bounds.right), len(self._columns) - 1)
@@ -118,10 +118,10 @@ class Overlap:
     """
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
-        self._fixed = _Shape(stationary, unbounded=unbounded)
-        self._moved = _Shape(orbiting)
+        self._fixed = _EdgesByColumn(stationary, unbounded=unbounded)
+        self._moved = _EdgesByColumn(orbiting)
         # Where edges crossed last time they are likely to cross again.
-        self._last: tuple[_Side, _Side] | None = None
+        self._last: tuple[_BoundedEdge, _BoundedEdge] | None = None
 
     def at(self, t: Point) -> bool:
         """Whether the interiors of D and G + t meet.
@@ -163,15 +163,16 @@ class Overlap:
             for k in {side.ring for side in fixed}
         }
         return any(
-            self._fixed.holds(px, py, 2 * scale) for px, py in points_between(moved_rings, on_moved)
+            self._fixed.holds(px, py, 2 * scale)
+            for px, py in find_points_between(moved_rings, on_moved)
         ) or any(
             self._moved.holds(px - 2 * dx, py - 2 * dy, 2 * scale)
-            for px, py in points_between(fixed_rings, on_fixed)
+            for px, py in find_points_between(fixed_rings, on_fixed)
         )
 
     def _meet(
         self,
-        fixed: Sequence[_Side],
+        fixed: Sequence[_BoundedEdge],
         left: int,
         right: int,
         low: int,
@@ -198,15 +199,15 @@ class Overlap:
         return on_moved, on_fixed
 
 
-def _sides(rings: Rings) -> Iterator[_Side]:
+def _sides(rings: Rings) -> Iterator[_BoundedEdge]:
     for k, ring in enumerate(rings):
         for i, p in enumerate(ring):
             q = ring[(i + 1) % len(ring)]
             xs, ys = sorted((p[0], q[0])), sorted((p[1], q[1]))
-            yield _Side(xs[0], xs[1], ys[0], ys[1], p, q, k, i)
+            yield _BoundedEdge(xs[0], xs[1], ys[0], ys[1], p, q, k, i)
 
 
-def _bounds(sides: Sequence[_Side]) -> _Bounds:
+def _bounds(sides: Sequence[_BoundedEdge]) -> _Bounds:
     return _Bounds(
         min(map(itemgetter(0), sides)),
         max(map(itemgetter(1), sides)),
@@ -215,7 +216,9 @@ def _bounds(sides: Sequence[_Side]) -> _Bounds:
     )
 
 
-def _touch(fixed: _Side, moved: _Side, scale: int, shift: tuple[int, int]) -> list[Vertex] | None:
+def _touch(
+    fixed: _BoundedEdge, moved: _BoundedEdge, scale: int, shift: tuple[int, int]
+) -> list[Vertex] | None:
     (ax, ay), (bx, by), (px, py), (qx, qy) = fixed.start, fixed.end, moved.start, moved.end
     sx, sy = shift
     return touch(
@@ -268,7 +271,7 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
-def points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
+def find_points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
     """A point, times two, of each piece of the rings between places; a vertex if there are none."""
     for k, ring in rings.items():
         found = False

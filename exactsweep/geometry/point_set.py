@@ -13,7 +13,7 @@ from itertools import pairwise
 from math import isqrt, lcm
 from typing import Any, NamedTuple, Self, overload
 
-from exactsweep.geometry.number import NumberError, abridged, to_fraction
+from exactsweep.geometry.number import NumberError, abridge, to_fraction
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.reading import read_point
@@ -248,7 +248,7 @@ def _read_turn(by: object) -> tuple[Fraction, Fraction]:
         quarters, rest = divmod(to_fraction(by), 90)
         if rest:
             raise NumberError(
-                f"no exact turn is by {abridged(to_fraction(by))} degrees, except for multiples of "
+                f"no exact turn is by {abridge(to_fraction(by))} degrees, except for multiples of "
                 "90; give a direction of rational length, such as (3, 4)"
             )
         return _QUARTERS[quarters % 4]
@@ -258,7 +258,7 @@ def _read_turn(by: object) -> tuple[Fraction, Fraction]:
     length = isqrt(square)
     if not length or length * length != square:
         raise NumberError(
-            f"the direction ({abridged(x)}, {abridged(y)}) has no rational length but 0; "
+            f"the direction ({abridge(x)}, {abridge(y)}) has no rational length but 0; "
             "(3, 4) and (5, 12) have one"
         )
     return x * scale / length, y * scale / length

@@ -5,13 +5,19 @@ from fractions import Fraction
 from math import lcm
 from typing import TYPE_CHECKING, Any, Self
 
-from exactsweep.geometry.canonical import PolygonError, canonical_ring, doubled_area, turn_products
+from exactsweep.geometry.canonical import (
+    PolygonError,
+    canonicalize_ring,
+    find_doubled_area,
+    find_turns,
+)
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
-from exactsweep.geometry.number import abridged, quotient, quotients
-from exactsweep.geometry.point import LatticePoint, Point
+from exactsweep.geometry.number import abridge, divide_all, divide_exactly
+from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
-from exactsweep.geometry.reading import read_point, rings_of_interface
-from exactsweep.words import pair, size
+from exactsweep.geometry.reading import read_interface, read_point
+from exactsweep.geometry.simplicity import are_chains_monotone
+from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:
     import sympy
@@ -41,41 +47,50 @@ class Polygon(PointSet):
         Polygon([(0, 0), ('1/2', 1), (0, 2)])
     """
 
-    __slots__ = ("_convex", "_edge_index", "_lattice", "_vertex_index", "_vertices")
+    __slots__ = (
+        "_convex",
+        "_edge_index",
+        "_lattice",
+        "_monotone",
+        "_vertex_index",
+        "_vertices",
+    )
 
     _convex: bool | None
+    _monotone: bool | None
     _vertices: tuple[Point, ...] | None
-    _lattice: tuple[int, tuple[LatticePoint, ...]] | None
+    _lattice: tuple[int, tuple[Vertex, ...]] | None
     _vertex_index: Sequence[int]
     _edge_index: Sequence[int]
 
     def __init__(self, vertices: "Polygon | Iterable[Iterable[object]]") -> None:
         if isinstance(vertices, Polygon):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
-            self._convex = vertices._convex
+            self._convex, self._monotone = vertices._convex, vertices._monotone
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
         scale, points = _read(vertices)
-        ring = canonical_ring(points)
+        ring = canonicalize_ring(points)
         self._vertices = None
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
-        self._convex = ring.convex
+        self._convex, self._monotone = ring.convex, ring.monotone
 
     @classmethod
     def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
         """Trust that the vertices are canonical."""
         polygon = cls.__new__(cls)
-        polygon._vertices, polygon._lattice, polygon._convex = tuple(vertices), None, None
+        polygon._vertices, polygon._lattice = tuple(vertices), None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(vertices))
         return polygon
 
     @classmethod
-    def _from_lattice(cls, points: Sequence[LatticePoint], scale: int = 1) -> Self:
+    def _from_lattice(cls, points: Sequence[Vertex], scale: int = 1) -> Self:
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
-        polygon._convex = None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 
@@ -84,8 +99,8 @@ class Polygon(PointSet):
         """Tuple of Point: counter-clockwise, only corners, least first, not closed."""
         if self._vertices is None:
             scale, points = self.lattice()
-            xs, ys = (quotients(column, scale) for column in zip(*points, strict=True))
-            self._vertices = tuple(map(Point, xs, ys))
+            xs, ys = (divide_all(column, scale) for column in zip(*points, strict=True))
+            self._vertices = tuple(make_points(xs, ys))
         return self._vertices
 
     @property
@@ -93,7 +108,7 @@ class Polygon(PointSet):
         """The vertices, as those of the only ring of its boundary."""
         return (self.vertices,)
 
-    def lattice(self) -> tuple[int, tuple[LatticePoint, ...]]:
+    def lattice(self) -> tuple[int, tuple[Vertex, ...]]:
         """Return the polygon on the coarsest integer lattice that holds it.
 
         Returns:
@@ -132,15 +147,23 @@ class Polygon(PointSet):
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
         scale, points = self._lattice or (1, self.vertices)
-        return quotient(doubled_area(points), 2 * scale * scale)
+        return divide_exactly(find_doubled_area(points), 2 * scale * scale)
 
     @property
     def is_convex(self) -> bool:
         """Whether all turns are to the left."""
         if self._convex is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
-            self._convex = min(turn_products(points)) > 0
+            self._convex = min(find_turns(points)) > 0
         return self._convex
+
+    @property
+    def is_x_monotone(self) -> bool:
+        """Whether every vertical line that meets it does so in one piece."""
+        if self._monotone is None:
+            points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
+            self._monotone = are_chains_monotone(points)
+        return self._monotone
 
     @property
     def bounding_box(self) -> tuple[Point, Point]:
@@ -221,19 +244,19 @@ class Polygon(PointSet):
 
     def __repr__(self) -> str:
         shown = [
-            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridged, v))})"
+            f"({', '.join(t if t.lstrip('-').isdigit() else repr(t) for t in map(abridge, v))})"
             for v in self._head()
         ]
         return f"Polygon([{', '.join(shown + self._more())}])"
 
     def __str__(self) -> str:
-        shown = [f"({', '.join(map(abridged, v))})" for v in self._head()]
+        shown = [f"({', '.join(map(abridge, v))})" for v in self._head()]
         return " ".join(shown + self._more())
 
     def _repr_svg_(self) -> str:
         from exactsweep.canvas.svg import draw_rings
 
-        return draw_rings([self.vertices], size(len(self), self.area))
+        return draw_rings([self.vertices], write_size(len(self), self.area))
 
     def _repr_html_(self) -> str:
         from exactsweep.canvas.svg import put_beside
@@ -241,10 +264,10 @@ class Polygon(PointSet):
         low, high = self.bounding_box
         rows = [
             ("vertices", str(len(self))),
-            ("area", abridged(self.area)),
+            ("area", abridge(self.area)),
             ("convex", "yes" if self.is_convex else "no"),
-            ("from", pair(low)),
-            ("to", pair(high)),
+            ("from", write_pair(low)),
+            ("to", write_pair(high)),
         ]
         return put_beside(self._repr_svg_(), rows)
 
@@ -257,7 +280,7 @@ class Polygon(PointSet):
 
 
 def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
-    rings = rings_of_interface(vertices)
+    rings = read_interface(vertices)
     if rings is not None:
         if len(rings) > 1:
             raise PolygonError("it has holes: make a Region of it")

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.error import named
+from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
@@ -19,11 +19,11 @@ def read_point(pair: Iterable[object], name: str) -> Point:
         x, y = pair
     except (TypeError, ValueError):
         raise PolygonError(f"{name} is not a pair of numbers") from None
-    with named(name):
+    with name_refusals(name):
         return Point(to_fraction(x), to_fraction(y))
 
 
-def rings_of_interface(shape: object) -> list[Pairs] | None:
+def read_interface(shape: object) -> list[Pairs] | None:
     """Read the rings that an object tells by `__geo_interface__`, as shapely's polygons do.
 
     Args:
@@ -37,7 +37,7 @@ def rings_of_interface(shape: object) -> list[Pairs] | None:
 
     Example:
         >>> import shapely
-        >>> rings_of_interface(shapely.box(0, 0, 2, 1))
+        >>> read_interface(shapely.box(0, 0, 2, 1))
         [((2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]
     """
     told = getattr(shape, "__geo_interface__", None)

@@ -9,15 +9,15 @@ from itertools import chain
 
 from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.error import named
+from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.lattice import lcm_within
-from exactsweep.geometry.number import abridged
-from exactsweep.geometry.overlap import Places, is_inside, points_between, touch
-from exactsweep.geometry.point import LatticePoint, Point, Vertex
+from exactsweep.geometry.number import abridge
+from exactsweep.geometry.overlap import Places, find_points_between, is_inside, touch
+from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import rings_of_interface
-from exactsweep.words import pair, size
+from exactsweep.geometry.reading import read_interface
+from exactsweep.words import write_pair, write_size
 
 Vertices = Polygon | Iterable[Iterable[object]]
 
@@ -61,14 +61,14 @@ class Region(PointSet):
             inner += exterior.holes
             exterior = exterior.exterior
         elif not isinstance(exterior, Polygon):
-            exterior, *told = rings_of_interface(exterior) or [exterior]
-            inner += [_named(hole, f"hole {k}") for k, hole in enumerate(told)]
-        outer = _named(exterior, "exterior")
+            exterior, *told = read_interface(exterior) or [exterior]
+            inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(told)]
+        outer = _read_named(exterior, "exterior")
         try:
             given = list(holes)
         except TypeError:
             raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
-        inner += [_named(hole, f"hole {k}") for k, hole in enumerate(given)]
+        inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
         if inner:
             _check(outer, inner)
         order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
@@ -91,7 +91,7 @@ class Region(PointSet):
         """The vertices of all `rings`, one after another."""
         return tuple(chain.from_iterable(self.rings))
 
-    def lattice(self) -> tuple[int, tuple[tuple[LatticePoint, ...], ...]]:
+    def lattice(self) -> tuple[int, tuple[tuple[Vertex, ...], ...]]:
         """Return the region on the coarsest integer lattice that holds it.
 
         Returns:
@@ -185,7 +185,7 @@ class Region(PointSet):
     def _repr_svg_(self) -> str:
         from exactsweep.canvas.svg import draw_rings
 
-        return draw_rings(self.rings, size(len(self), self.area))
+        return draw_rings(self.rings, write_size(len(self), self.area))
 
     def _repr_html_(self) -> str:
         from exactsweep.canvas.svg import put_beside
@@ -194,9 +194,9 @@ class Region(PointSet):
         rows = [
             ("vertices", str(len(self))),
             ("holes", str(len(self.holes))),
-            ("area", abridged(self.area)),
-            ("from", pair(low)),
-            ("to", pair(high)),
+            ("area", abridge(self.area)),
+            ("from", write_pair(low)),
+            ("to", write_pair(high)),
         ]
         return put_beside(self._repr_svg_(), rows)
 
@@ -214,7 +214,7 @@ def _restore(
     return region
 
 
-def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
+def walk_rings(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
     """Count the vertices through all rings of a shape.
 
     Yields:
@@ -222,7 +222,7 @@ def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
 
     Example:
         >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
-        >>> list(around(plate))
+        >>> list(walk_rings(plate))
         [(2, 0, 1), (0, 1, 2), (1, 2, 0), (5, 3, 4), (3, 4, 5), (4, 5, 3)]
     """
     first = 0
@@ -233,9 +233,34 @@ def around(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
         first += size
 
 
+def number_features(
+    shape: Polygon | Region,
+) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
+    """Find the features of a shape by the numbers that they have in the input.
+
+    Returns:
+        The vertices by number, and of each edge by number the numbers of its two ends.
+
+    Cost: linear.
+
+    Example:
+        >>> corners, edges = number_features(Polygon([(0, 0), (0, 1), (2, 0), (1, 0)]))
+        >>> sorted(corners), edges[2]
+        ([0, 1, 2], (0, 2))
+    """
+    numbers = [shape.vertex_index(k) for k in range(len(shape))]
+    return (
+        dict(zip(numbers, shape.vertices, strict=True)),
+        {
+            shape.edge_index(k): (numbers[k], numbers[following])
+            for _, k, following in walk_rings(shape)
+        },
+    )
+
+
 def common_lattice(
     polygons: Sequence[Polygon],
-) -> tuple[int, list[tuple[LatticePoint, ...]]]:
+) -> tuple[int, list[tuple[Vertex, ...]]]:
     """Put polygons on one lattice, the coarsest that holds them all.
 
     Returns:
@@ -251,8 +276,8 @@ def common_lattice(
     ]
 
 
-def _named(ring: Vertices, name: str) -> Polygon:
-    with named(name):
+def _read_named(ring: Vertices, name: str) -> Polygon:
+    with name_refusals(name):
         return Polygon(ring)
 
 
@@ -278,10 +303,10 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
             places[k][0, i].add(point)
             places[j][0, h].add(point)
     for k in range(1, len(rings)):
-        if not all(is_inside(p, rings[:1]) for p in points_between({0: rings[k]}, places[k])):
+        if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    for k, j in _enclosed(rings):
-        points = points_between({0: rings[k]}, places[k])
+    for k, j in _find_enclosed(rings):
+        points = find_points_between({0: rings[k]}, places[k])
         if any(is_inside(point, [rings[j]]) for point in points):
             raise PolygonError(f"{names[k]} is inside {names[j]}")
     _refuse_parted(len(rings), touching, names, scale)
@@ -305,7 +330,7 @@ def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], 
         active.append(box)
 
 
-def _enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
+def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
     """The pairs of holes of which the bounds of the first lie in those of the second."""
     boxes = []
     for k, ring in enumerate(rings[1:], 1):
@@ -345,7 +370,7 @@ def _refuse_parted(
     for (x, y), there in touching.items():
         leaders = {leader(k) for k in there}
         if len(leaders) < len(there):
-            at = pair((Fraction(x) / scale, Fraction(y) / scale))
+            at = write_pair((Fraction(x) / scale, Fraction(y) / scale))
             listed = " and ".join(names[k] for k in sorted(there))
             raise PolygonError(
                 f"the interior falls apart: {listed} touch at {at} and are joined elsewhere, too"

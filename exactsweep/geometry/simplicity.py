@@ -8,10 +8,10 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.point import Vertex
 
 # A line as (dx, dy, c): a point (x, y) lies left of it, when dx * y - dy * x > c.
-_Line = tuple[int | Fraction, int | Fraction, int | Fraction]
+_DirectedLine = tuple[int | Fraction, int | Fraction, int | Fraction]
 
 
 class Conflict(NamedTuple):
@@ -22,7 +22,7 @@ class Conflict(NamedTuple):
     second: int
 
 
-def find_conflict(ring: Sequence[LatticePoint]) -> Conflict | None:
+def find_conflict(ring: Sequence[Vertex]) -> Conflict | None:
     """Find two features of a ring that should not meet and do.
 
     Args:
@@ -59,7 +59,7 @@ def find_conflict(ring: Sequence[LatticePoint]) -> Conflict | None:
 #          chain at q.x is not above the last edge of the bottom chain, so that (2) refuses it.
 
 
-def is_simple_monotone(ring: Sequence[LatticePoint], *, convex: bool) -> bool:
+def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
     """Tell that a ring is monotone to the X axis, perhaps with vertical edges, and simple.
 
     Args:
@@ -79,13 +79,11 @@ def is_simple_monotone(ring: Sequence[LatticePoint], *, convex: bool) -> bool:
         >>> is_simple_monotone([(0, 0), (2, 2), (4, 0), (2, 1)], convex=False)
         False
     """
-    right = ring.index(max(ring))
-    xs = [x for x, _ in ring]
-    forth, back = xs[: right + 1], xs[right:]
-    if forth != sorted(forth) or back != sorted(back, reverse=True):
+    if not are_chains_monotone(ring):
         return False
     if convex:
         return True
+    right = ring.index(max(ring))
     top = [ring[0], *ring[: right - 1 : -1]]
     k = 1
     (ax, ay), (bx, by), (px, py) = top[0], top[1], ring[0]
@@ -106,11 +104,23 @@ def is_simple_monotone(ring: Sequence[LatticePoint], *, convex: bool) -> bool:
     return all((x - px) * (v - py) > (y - py) * (u - px) for u, v in top[k:-1])
 
 
-def _sweep(ring: Sequence[LatticePoint], order: Sequence[int]) -> Conflict | None:
+def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
+    """Whether x does not decrease from the least vertex of a ring, its first, to the greatest one.
+
+    Nor increase on the way back. Cost: O(n).
+    """
+    right = ring.index(max(ring))
+    xs = [x for x, _ in ring]
+    forth, back = xs[: right + 1], xs[right:]
+    return forth == sorted(forth) and back == sorted(back, reverse=True)
+
+
+def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
     """Sweep distinct vertices in lexicographic order, which stands for a line tilted a little.
 
-    Invariant: the status holds the edges that cross the line, bottom to top, and no two that were
-    ever neighbours in it meet. So whatever meets at the next vertex is found there or was before.
+    The status holds the edges that cross the line, bottom to top, and no two that were ever
+    neighbours in it meet; this is invariant. So whatever meets at the next vertex is found there
+    or was before.
     """
     n = len(ring)
     lines = [_line(ring[i], ring[(i + 1) % n]) for i in range(n)]
@@ -158,7 +168,7 @@ def _sweep(ring: Sequence[LatticePoint], order: Sequence[int]) -> Conflict | Non
     return None
 
 
-def _line(a: LatticePoint, b: LatticePoint) -> _Line:
+def _line(a: Vertex, b: Vertex) -> _DirectedLine:
     """Return the line from the lexicographically lesser of two points to the other."""
     if b < a:
         a, b = b, a
@@ -166,7 +176,9 @@ def _line(a: LatticePoint, b: LatticePoint) -> _Line:
     return dx, dy, dx * a[1] - dy * a[0]
 
 
-def _meet(ring: Sequence[LatticePoint], lines: Sequence[_Line], i: int, j: int) -> Conflict | None:
+def _meet(
+    ring: Sequence[Vertex], lines: Sequence[_DirectedLine], i: int, j: int
+) -> Conflict | None:
     """Test two edges of a ring with distinct vertices and without edges that turn back."""
     n = len(ring)
     if (i + 1) % n == j or (j + 1) % n == i:
@@ -190,7 +202,7 @@ def _meet(ring: Sequence[LatticePoint], lines: Sequence[_Line], i: int, j: int) 
     return None
 
 
-def _side(line: _Line, point: LatticePoint) -> int | Fraction:
+def _side(line: _DirectedLine, point: Vertex) -> int | Fraction:
     return line[0] * point[1] - line[1] * point[0] - line[2]
 
 

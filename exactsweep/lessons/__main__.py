@@ -1,6 +1,12 @@
 """Runs the lessons and stores what they show: `python -m exactsweep.lessons`."""
 
-from exactsweep.lessons.notebook import FOLDER, read_notebook, run_notebook, titles, write_notebook
+from exactsweep.lessons.notebook import (
+    FOLDER,
+    list_titles,
+    read_notebook,
+    run_notebook,
+    write_notebook,
+)
 
-for name in titles():
+for name in list_titles():
     write_notebook(FOLDER / f"{name}.ipynb", run_notebook(read_notebook(name)))

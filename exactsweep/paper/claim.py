@@ -179,10 +179,10 @@ class Finding(NamedTuple):
         return {kind for kind, is_given in given.items() if is_given}
 
 
-def first_failure(failures: Iterator[str]) -> str:
+def find_first_failure(failures: Iterator[str]) -> str:
     """Return the first text that is not empty, or the empty one.
 
-    >>> first_failure(iter(["", "wrong", "worse"]))
+    >>> find_first_failure(iter(["", "wrong", "worse"]))
     'wrong'
     """
     return next(filter(None, failures), "")

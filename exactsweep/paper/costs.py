@@ -21,7 +21,7 @@ from exactsweep.corpus.generator.growing import (
     wide,
 )
 from exactsweep.paper import literal
-from exactsweep.paper.claim import Effort, Evidence, Table, first_failure
+from exactsweep.paper.claim import Effort, Evidence, Table, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_bytes, grow_operations, grow_seconds
 from exactsweep.paper.growth import M_PLUS_N, MN, MN2_LOG, MN_LOG, Bound, Growth
 from exactsweep.paper.pairs import Chains
@@ -218,5 +218,5 @@ def measure_costs(row: str, effort: Effort) -> Evidence:
     growth = tuple(series for cost in COSTS if cost.row == row for series in cost.measure(effort))
     without = " Seconds are left out of a quick run." if effort.quick else ""
     tried = f"Operations, bytes and seconds over doubling sizes.{without}"
-    failure = first_failure(series.failure for series in growth)
+    failure = find_first_failure(series.failure for series in growth)
     return Evidence(tried, failure, growth=growth)

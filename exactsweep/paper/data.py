@@ -33,10 +33,10 @@ FORMAT = "exactsweep ledger"
 PACKAGES = ("sympy", "matplotlib", "jinja2")
 
 
-def slug(text: str) -> str:
+def make_slug(text: str) -> str:
     """A name for a file.
 
-    >>> slug("Figure 10's count")
+    >>> make_slug("Figure 10's count")
     'figure-10-s-count'
     """
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
@@ -157,7 +157,7 @@ def _growth_as_json(series: Growth) -> dict[str, Any]:
 def name_cases(name: str, found: Evidence) -> Iterator[tuple[str, Counterexample]]:
     """The counterexamples of a row, and the names of their files."""
     for number, case in enumerate(found.cases, 1):
-        stem = slug(name) + (f"-{number}" if number > 1 else "")
+        stem = make_slug(name) + (f"-{number}" if number > 1 else "")
         yield f"counterexamples/{stem}.json", case
 
 
@@ -174,7 +174,7 @@ def write_data(folder: Path, rows: Sequence[Finding], effort: Effort) -> Path:
         (folder / name).mkdir(parents=True, exist_ok=True)
     for row in rows:
         for number, table in enumerate(row.evidence.tables, 1):
-            path = folder / "tables" / f"{slug(row.claim.name)}-{number}.csv"
+            path = folder / "tables" / f"{make_slug(row.claim.name)}-{number}.csv"
             _write_csv(path, [table.header, *table.rows])
         for name, case in name_cases(row.claim.name, row.evidence):
             if case.generatrix:

@@ -11,17 +11,15 @@ from exactsweep.check import ReferenceLoops, reference_loops
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.chain import corners, split
-
-Points = Sequence[Vertex]
+from exactsweep.procedures.chain import split, take_corners
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
     """A chain with corners only, so that equal chains are equal lists."""
-    return corners([(Fraction(x), Fraction(y)) for x, y in chain])
+    return take_corners([(Fraction(x), Fraction(y)) for x, y in chain])
 
 
-def evaluate(chain: Points, x: Fraction) -> Fraction:
+def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
     """The height of a chain that runs from left to right over an x at which it does not jump.
 
     >>> str(evaluate([(0, 0), (3, 1)], Fraction(1)))
@@ -33,19 +31,19 @@ def evaluate(chain: Points, x: Fraction) -> Fraction:
     raise ExactSweepError(f"the chain does not reach {x}")
 
 
-def sample_between(*chains: Points) -> Iterator[Fraction]:
+def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:
     """Points inside every interval of x between vertices of some chains."""
     xs = sorted({Fraction(x) for chain in chains for x, _ in chain})
     for left, right in pairwise(xs):
         yield (5 * left + 3 * right) / 8
 
 
-def reaches(chain: Points, x: Fraction) -> bool:
+def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
     """Whether x is strictly inside the range of a chain."""
     return chain[0][0] < x < chain[-1][0]
 
 
-def find_common_points(first: Points, second: Points) -> list[Fraction]:
+def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
     """Where two chains from left to right are equally high, of the x of vertices and of ends."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = {Fraction(x) for x, _ in (*first, *second) if left <= x <= right}
@@ -53,15 +51,15 @@ def find_common_points(first: Points, second: Points) -> list[Fraction]:
     return sorted(x for x in xs if left <= right and evaluate(first, x) == evaluate(second, x))
 
 
-def clip(chain: Points, left: Fraction, right: Fraction) -> list[Vertex]:
+def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
-    return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
+    return take_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
-    return keep_corners(split([(x, y) for x, y in loop])[0])
+    return take_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:

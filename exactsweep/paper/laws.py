@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.claim import Effort
-from exactsweep.paper.pairs import SweepPair, random_pairs
+from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.procedures.chain import split
 
 Law = Callable[[SweepPair], str]
@@ -23,13 +23,13 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
     'four corners; G = [(0, 0), (1, 0), (0, 1)], D = [(0, 0), (1, 0), (1, 1), (0, 2)]'
     """
     for pair in pairs:
-        if wrong(law, pair):
+        if find_wrong(law, pair):
             least = shrink(law, pair)
-            return f"{wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
+            return f"{find_wrong(law, least)}; G = {least.generatrix}, D = {least.directrix}"
     return ""
 
 
-def wrong(law: Law, pair: SweepPair) -> str:
+def find_wrong(law: Law, pair: SweepPair) -> str:
     """What a law says of a pair; an exception is wrong too."""
     try:
         return law(pair)
@@ -39,7 +39,7 @@ def wrong(law: Law, pair: SweepPair) -> str:
 
 def shrink(law: Law, pair: SweepPair) -> SweepPair:
     """Leave out vertices and halve coordinates as long as the law stays broken."""
-    while smaller := next((p for p in _smaller(pair) if wrong(law, p)), None):
+    while smaller := next((p for p in _smaller(pair) if find_wrong(law, p)), None):
         pair = smaller
     return pair
 
@@ -104,9 +104,7 @@ class Trial:
             count = self.effort.cases(int(number))
             self._counts[-1] += count
             if not self.failure:
-                self.failure = break_law(
-                    law, random_pairs(self.effort, kind, count, strict=not weak)
-                )
+                self.failure = break_law(law, draw_pairs(self.effort, kind, count, strict=not weak))
             counts.append(f"{count} {kind}{' with vertical edges' if weak else ''}")
         return self
 

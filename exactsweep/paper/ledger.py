@@ -15,7 +15,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, first_failure
+from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
 from exactsweep.paper.laws import Trial
 
 CHECKS, FIGURES = "exactsweep.paper.checks", "exactsweep.paper.figures"
@@ -40,7 +40,7 @@ def examine(row: Mapping[str, Any], effort: Effort) -> Evidence:
         found.append(resolve_name("exactsweep.paper.costs.measure_costs")(row["name"], effort))
     return Evidence(
         " ".join(filter(None, (one.tried for one in found))),
-        first_failure(one.failure for one in found),
+        find_first_failure(one.failure for one in found),
         next((one.against for one in found if one.against), None),
         tuple(case for one in found for case in one.others),
         tuple(table for one in found for table in one.tables),

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, Ring, convex, monotone, untangle
+from exactsweep.corpus.generator.shapes import Grid, Ring, draw_convex, draw_monotone, untangle
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
@@ -64,11 +64,11 @@ def _draw_ring(random: Prng, letter: str, *, strict: bool) -> Ring:
         return _draw_any(random)
     if letter == "C":
         side = random.choice([2, 4, 9])
-        found = convex(random, 9, side)
+        found = draw_convex(random, 9, side)
         return [((side + 1) * x + y, y) for x, y in found] if strict else found
     height, slope = random.choice([2, 5, 30]), random.between(-2, 2)
     ends = {"walls": 0, "pointed": 8} if strict else {"walls": 3, "pointed": 4}
-    ring = monotone(random, Grid(cells=(1, 5), widths=(1, 1, 2, 3), height=height, **ends))
+    ring = draw_monotone(random, Grid(cells=(1, 5), widths=(1, 1, 2, 3), height=height, **ends))
     return [(x, y + slope * x) for x, y in ring]
 
 
@@ -89,7 +89,7 @@ def _corners(ring: Ring) -> Ring:
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 
-def random_pairs(
+def draw_pairs(
     effort: Effort, kind: str, count: int, *, strict: bool = True
 ) -> Iterator[SweepPair]:
     """Draw pairs that depend on the seed of the run, their class and their number alone."""

@@ -16,13 +16,13 @@ from markupsafe import Markup, escape
 
 from exactsweep import sweep
 from exactsweep.canvas import style
-from exactsweep.canvas.svg import Shape, svg
+from exactsweep.canvas.svg import Shape, write_svg
 from exactsweep.draw import save
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper import plots
 from exactsweep.paper.claim import KINDS, ClaimVerdict, Counterexample, Effort, Finding
 from exactsweep.paper.costs import tabulate
-from exactsweep.paper.data import describe_environment, slug, write_data
+from exactsweep.paper.data import describe_environment, make_slug, write_data
 from exactsweep.paper.figures.figure import load
 from exactsweep.paper.growth import LIMITS, Growth
 from exactsweep.paper.ledger import ABSTRACT, OPEN
@@ -91,7 +91,7 @@ def render(
             seconds=sum(row.seconds for row in rows),
             plots={name: b64encode(svg).decode() for name, svg in drawn.items()},
             figures={name: b64encode(svg).decode() for name, svg in figures.items()},
-            bibtex=bibtex(),
+            bibtex=read_bibtex(),
             contents=_list_contents(sections, bounds=bool(bounds.rows)),
             abstract=ABSTRACT,
             open=OPEN,
@@ -113,12 +113,12 @@ def title_section(section: str) -> str:
 def _list_contents(sections: Iterable[str], *, bounds: bool) -> list[tuple[str, str]]:
     """The anchors and the names of the parts of the HTML report."""
     with_bounds = [("bounds", "Bounds")] if bounds else []
-    own = [(slug(title), title) for title in map(title_section, sections)]
+    own = [(make_slug(title), title) for title in map(title_section, sections)]
     before = [("errata", "What is wrong"), *with_bounds, ("evidence", "Evidence")]
     return [*before, *own, ("open", "What is open"), ("cite", "How to cite")]
 
 
-def totals(rows: Sequence[Finding]) -> str:
+def count_verdicts(rows: Sequence[Finding]) -> str:
     """How many rows have which verdict, how many fail, and how long all took."""
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
@@ -154,29 +154,29 @@ def _environment(*, html: bool) -> Environment:
         lstrip_blocks=True,
     )
     filters: dict[str, Any] = {
-        "alignments": alignments,
+        "alignments": find_alignments,
         "cell": lambda text: str(text).replace("|", "\\|"),
         "file_name": _file_name,
-        "formula": formula,
+        "formula": set_formula,
         "cite": cite,
         "growth_row": growth_row,
         "miss": miss,
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
         "section_title": title_section,
-        "slug": slug,
+        "slug": make_slug,
     }
     environment.filters.update(filters)
     environment.globals.update(GROWTH=GROWTH, LIMITS=LIMITS, WEIGHTS=WEIGHTS, KINDS=KINDS)
     return environment
 
 
-def formula(text: str) -> Markup:
+def set_formula(text: str) -> Markup:
     """Text as HTML, its indices and its Greek letter set as such.
 
-    >>> print(formula("m_b < n_t"))
+    >>> print(set_formula("m_b < n_t"))
     m<sub>b</sub> &lt; n<sub>t</sub>
-    >>> print(formula("T_(i-1), D_1, Trajectory_CC"))
+    >>> print(set_formula("T_(i-1), D_1, Trajectory_CC"))
     T<sub>i-1</sub>, D<sub>1</sub>, Trajectory_CC
     """
     index = r"\b([A-Za-z])_(?:([a-z0-9])\b|\(([a-z0-9+-]+)\))"
@@ -184,10 +184,10 @@ def formula(text: str) -> Markup:
     return Markup(re.sub(r"\balpha\b", "&alpha;", html))
 
 
-def alignments(rows: Sequence[Sequence[str]]) -> list[str]:
+def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:
     """For each column of a table its class in HTML: "number" where nothing else is in it.
 
-    >>> alignments([["edges", "12"], ["mn", "1,024"]])
+    >>> find_alignments([["edges", "12"], ["mn", "1,024"]])
     ['text', 'number']
     """
     return [
@@ -237,7 +237,7 @@ def miss(sampled: int) -> str:
 
 
 def _file_name(name: str) -> str:
-    return f"growth-{slug(name)}"
+    return f"growth-{make_slug(name)}"
 
 
 def _picture(case: Counterexample) -> Markup:
@@ -269,7 +269,7 @@ def cite(key: str) -> str:
     'Oks and Sharir 2006, Minkowski sums of monotone and general simple polygons, \
 doi:10.1007/s00454-005-1206-y'
     """
-    (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", bibtex(), re.S)
+    (entry,) = re.findall(rf"@\w+{{{key},\n(.*?)\n}}\n", read_bibtex(), re.S)
     fields = dict(re.findall(r"^  (\w+) *= \{(.*)\},?$", entry, re.M))
     names = [author.partition(",")[0] for author in fields["author"].split(" and ")]
     who = " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
@@ -278,7 +278,7 @@ doi:10.1007/s00454-005-1206-y'
     return f"{who} {fields['year']}, {title}{doi}"
 
 
-def bibtex() -> str:
+def read_bibtex() -> str:
     """The BibTeX entries alone."""
     return files("exactsweep.paper").joinpath("references.bib").read_text(encoding="utf-8")
 
@@ -297,14 +297,14 @@ def pair_svg(pair: SweepPair) -> str:
         Shape([g.translated(path.vertices[0]).vertices], style.GENERATRIX),
         Shape([path.vertices], style.TRAJECTORY),
     )
-    return svg(shapes, "D grey, G blue, and the path of G's origin")
+    return write_svg(shapes, "D grey, G blue, and the path of G's origin")
 
 
 def _save_outlined(picture: Figure, path: Path) -> None:
     """Write a figure as SVG with its letters as outlines, so that it needs no font."""
     from matplotlib import rc_context
 
-    with style.in_style(), rc_context({"svg.fonttype": "path"}):
+    with style.use_style(), rc_context({"svg.fonttype": "path"}):
         picture.savefig(path, format="svg", metadata={"Date": None}, bbox_inches="tight")
 
 
@@ -324,7 +324,7 @@ def write_figures(folder: Path, rows: Sequence[Finding]) -> dict[str, bytes]:
     drawn = {}
     for row in rows:
         if row.claim.figure and not row.disagreement:
-            picture, stem = load(row.claim.figure).draw(), slug(row.claim.name)
+            picture, stem = load(row.claim.figure).draw(), make_slug(row.claim.name)
             save(picture, str(folder / f"{stem}.pdf"))
             _save_outlined(picture, folder / f"{stem}.svg")
             drawn[row.claim.name] = (folder / f"{stem}.svg").read_bytes()

@@ -17,14 +17,14 @@ from exactsweep.paper.claim import Counterexample, Evidence
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split
 
-Shape = Callable[[Ring], bool]
+RingTest = Callable[[Ring], bool]
 
 
 @cache
-def polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
+def list_polygons(side: int, vertices: int) -> tuple[tuple[tuple[int, int], ...], ...]:
     """All strictly X-monotone polygons with a number of corners on a grid, moved to (0, 0).
 
-    >>> polygons(2, 3)[0]
+    >>> list_polygons(2, 3)[0]
     ((0, 0), (1, 0), (2, 1))
     """
     found = set()
@@ -66,24 +66,30 @@ def is_bent(ring: Ring) -> bool:
     return not Polygon(ring).is_convex
 
 
-def tiny_pairs(side: int, most: int, generatrix: Shape, directrix: Shape) -> Iterator[SweepPair]:
+def list_tiny_pairs(
+    side: int, most: int, generatrix: RingTest, directrix: RingTest
+) -> Iterator[SweepPair]:
     """All pairs on a grid with no more than so many vertices in all, smallest first."""
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):
-            gs = _chosen(side, n, generatrix)
-            ds = _chosen(side, total - n, directrix)
+            gs = _choose(side, n, generatrix)
+            ds = _choose(side, total - n, directrix)
             pairs += [SweepPair(g, d) for g in gs for d in ds]
         yield from sorted(pairs, key=lambda p: (_size(p.generatrix)[0] + _size(p.directrix)[0], p))
 
 
 @cache
-def _chosen(side: int, vertices: int, shape: Shape) -> list[Ring]:
-    return [ring for ring in map(list, polygons(side, vertices)) if shape(ring)]
+def _choose(side: int, vertices: int, shape: RingTest) -> list[Ring]:
+    return [ring for ring in map(list, list_polygons(side, vertices)) if shape(ring)]
 
 
 def search_grid(
-    side: int, most: int, generatrix: Shape, directrix: Shape, fails: Callable[[SweepPair], str]
+    side: int,
+    most: int,
+    generatrix: RingTest,
+    directrix: RingTest,
+    fails: Callable[[SweepPair], str],
 ) -> Evidence:
     """Look for the first pair on a grid with which a statement fails.
 
@@ -104,7 +110,7 @@ def search_grid(
         [(0, 0), (1, 0), (2, 1), (1, 1)]
     """
     where = f"with up to {most} vertices on the {side + 1} by {side + 1} grid"
-    return search(tiny_pairs(side, most, generatrix, directrix), fails, where)
+    return search(list_tiny_pairs(side, most, generatrix, directrix), fails, where)
 
 
 def search(pairs: Iterable[SweepPair], fails: Callable[[SweepPair], str], where: str) -> Evidence:

@@ -35,10 +35,9 @@ from itertools import pairwise
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.geometry.direction import Vector, primitive
+from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
-from exactsweep.geometry.point import Rational
-from exactsweep.geometry.point import Vertex as Corner
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.envelope import Break
 
 _UNITS = 2**32
@@ -51,7 +50,7 @@ there is overlap just before it, and just after it, on account of the other stre
 segments run both ways along that.
 """
 
-Vertex = tuple[int, int, int, int]
+ReducedPoint = tuple[int, int, int, int]
 """A point of the plane by its reduced coordinates: x = n / d and y = m / e as (n, d, m, e)."""
 
 
@@ -112,7 +111,7 @@ class Stretch:
         piece.low_through, piece.high_through = self.low_through, self.high_through
         return piece
 
-    def vertex(self, place: Break) -> Vertex:
+    def vertex(self, place: Break) -> ReducedPoint:
         """The point of the line at a place."""
         n, d = place
         if self.dx == 0:
@@ -127,7 +126,7 @@ def _reduce(n: Rational, d: Rational) -> tuple[int, int]:
     return Fraction(n, d).as_integer_ratio()
 
 
-class _Edge(NamedTuple):
+class _RankedEdge(NamedTuple):
     rank: int
     number: int  # of the direction, either way round
     ahead: bool  # whether it runs along that direction
@@ -137,12 +136,12 @@ class _Edge(NamedTuple):
 
 
 class _Convex(NamedTuple):
-    point: Corner
+    point: Vertex
     first: int
     last: int
 
 
-def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
+def find_contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     """The contact segments of two shapes, those on one line put together.
 
     Args:
@@ -154,9 +153,9 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
 
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
     """
-    shapes = [[_Ring(ring) for ring in rings] for rings in (stationary, moving)]
-    directions, ranks = _ranked(u for rings in shapes for ring in rings for u in ring.directions)
-    sides = [_features(rings, ranks, len(directions)) for rings in shapes]
+    shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
+    directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
+    sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
     )
@@ -176,20 +175,20 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     return [
         stretch
         for (k, c), segments in lines.items()
-        for stretch in _stretches((*directions[k], c), segments)
+        for stretch in _join_segments((*directions[k], c), segments)
     ]
 
 
-class _Ring:
+class _DirectedRing:
     """A ring, its edges, of which edge i ends at vertex i, and their directions, either way."""
 
-    def __init__(self, ring: Sequence[Corner]) -> None:
+    def __init__(self, ring: Sequence[Vertex]) -> None:
         self.vertices = ring
         self.edges = list(zip((ring[-1], *ring[:-1]), ring, strict=True))
-        self.directions = [primitive((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
+        self.directions = [reduce_direction((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
 
 
-def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
+def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
     """Directions of edges, either way round, in order of slope, and their places there."""
     found = set(given)
     vertical = {(0, 1)} & found
@@ -201,24 +200,24 @@ def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
     return directions, {u: k for k, u in enumerate(directions)}
 
 
-def _features(
-    rings: Sequence[_Ring], ranks: dict[Vector, int], half: int
-) -> tuple[list[_Edge], list[_Convex]]:
+def _list_features(
+    rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int
+) -> tuple[list[_RankedEdge], list[_Convex]]:
     """The edges and the convex vertices of a shape, with the ranks of their directions.
 
     Directions are ranked counter-clockwise from just above straight down, `half` to half a turn.
     """
-    edges: list[_Edge] = []
+    edges: list[_RankedEdge] = []
     corners: list[_Convex] = []
     for ring in rings:
-        of_ring: list[_Edge] = []
+        of_ring: list[_RankedEdge] = []
         for (p, q), u in zip(ring.edges, ring.directions, strict=True):
             (px, py), (qx, qy) = p, q
             k, (dx, dy) = ranks[u], u
             ahead = p < q
             low, high = ((px, qx) if dx else (py, qy)) if ahead else ((qx, px) if dx else (qy, py))
             rank = k if ahead else k + half
-            of_ring.append(_Edge(rank, k, ahead, dx * py - dy * px, low, high))
+            of_ring.append(_RankedEdge(rank, k, ahead, dx * py - dy * px, low, high))
         for i, point in enumerate(ring.vertices):
             first, last = of_ring[i].rank, of_ring[(i + 1) % len(of_ring)].rank
             if last < first:
@@ -229,7 +228,7 @@ def _features(
     return edges, corners
 
 
-def _stretches(
+def _join_segments(
     line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[Stretch]:
     """Put the contact segments of one line together: stretches with the same directions along."""

@@ -31,15 +31,17 @@ from operator import itemgetter
 from typing import NamedTuple, cast
 
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.envelope import Break, Envelope, Piece, bound_slope, take_edges
 
-Box = tuple[Rational, Rational, Rational, Rational | float, Rational | float]
-"""Bounds of a convex part: (left, right, low, flattest, steepest).
+Box = tuple[Rational, Rational, Rational]
+"""Bounds of a convex part: (left, right, low), of its x-range and its least y, rounded to ints."""
 
-They are those of its x-range, its least y, and the slopes in which it matters. x and y are rounded
-outwards to ints. Slopes are ints as `bound_slope` gives them, or infinite where the other polygon
-turns about an end of the part.
+Slopes = tuple[Rational | float, Rational | float]
+"""Bounds of the slopes in which a convex part matters: (flattest, steepest).
+
+They are ints as `bound_slope` gives them, or infinite where the other polygon turns about an end of
+the part.
 """
 
 _height = itemgetter(1)
@@ -67,14 +69,17 @@ class ConvexPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box."""
-        points, (left, left_d), (right, right_d), turns_left, turns_right, edges = self
-        return (
-            left // left_d,
-            -(-right // right_d),
-            min(points, key=_height)[1],
-            -inf if turns_left else bound_slope(edges[0]),
-            inf if turns_right else bound_slope(edges[-1]),
-        )
+        return (*self.x_range, min(self.points, key=_height)[1])
+
+    @property
+    def x_range(self) -> tuple[Rational, Rational]:
+        """Its x-range, rounded outwards to ints."""
+        return round_outwards(self.left, self.right)
+
+    @property
+    def slopes(self) -> Slopes:
+        """The slopes in which it matters."""
+        return bound_slopes(self.edges, self.turns_left, self.turns_right)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -85,11 +90,14 @@ class ConvexPart(NamedTuple):
 
         Returns an envelope, which has no pieces if nothing matters. Cost: O(m_i + n_t).
         """
-        points, (left, left_d), (right, right_d), _, _, own = self
-        others = chain.edges
-        i, last_i, j, last_j = _find_what_matters(self, chain)
-        (x, y), (ox, oy) = points[i], chain.points[j]
-        x, y = x + ox, y + oy
+        points, (left, left_d), (right, right_d), turns_left, turns_right, own = self
+        origins, _, _, chain_left, chain_right, others = chain
+        i, last_i, j, last_j = _find_what_matters(
+            own, turns_left, turns_right, others, chain_left, chain_right
+        )
+        (x, y), (ox, oy) = points[i], origins[j]
+        x += ox
+        y += oy
         # Whole, an end edge goes beyond the break; it may have been left out for its slope, (4).
         cuts_left = i == 0 < last_i and left != points[0][0] * left_d
         cuts_right = i < last_i == len(own) and right != points[-1][0] * right_d
@@ -108,11 +116,13 @@ class ConvexPart(NamedTuple):
                     dx, dy = dx + edx, dy + edy
                     j += 1
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
-            x, y = x + dx, y + dy
+            x += dx
+            y += dy
             breaks.append((x, 1))
         for dx, dy, _, _, _ in own[i:last_i] or others[j:last_j]:
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
-            x, y = x + dx, y + dy
+            x += dx
+            y += dy
             breaks.append((x, 1))
         if cuts_right:
             breaks[-1] = right + (x - points[-1][0]) * right_d, right_d
@@ -137,19 +147,22 @@ class CrossingPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
-        edges, breaks, turns_left, turns_right = self
-        (left, left_d), (right, right_d) = breaks[0], breaks[-1]
+        edges, breaks, _, _ = self
         lows = [
             (dy * n + c * d) // (dx * d)
             for (dx, dy, c, _, _), (n, d) in zip((*edges, edges[-1]), breaks, strict=True)
         ]
-        return (
-            left // left_d,
-            -(-right // right_d),
-            min(lows),
-            -inf if turns_left else bound_slope(edges[0]),
-            inf if turns_right else bound_slope(edges[-1]),
-        )
+        return (*self.x_range, min(lows))
+
+    @property
+    def x_range(self) -> tuple[Rational, Rational]:
+        """Its x-range, rounded outwards to ints."""
+        return round_outwards(self.breaks[0], self.breaks[-1])
+
+    @property
+    def slopes(self) -> Slopes:
+        """The slopes in which it matters."""
+        return bound_slopes(self.edges, self.turns_left, self.turns_right)
 
     def sweep(self, chain: ConvexPart, source: int) -> Envelope:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
@@ -159,9 +172,11 @@ class CrossingPart(NamedTuple):
 
         Arguments, result and cost as for `ConvexPart.sweep`.
         """
-        own, breaks, _, _ = self
-        points, steps = chain.points, chain.edges
-        first, last, at, end = _find_what_matters(self, chain)
+        own, breaks, turns_left, turns_right = self
+        points, _, _, chain_left, chain_right, steps = chain
+        first, last, at, end = _find_what_matters(
+            own, turns_left, turns_right, steps, chain_left, chain_right
+        )
         n, d = breaks[first]
         pieces: list[Piece] = []
         found: list[Break] = [(n + points[at][0] * d, d)]
@@ -189,30 +204,60 @@ class CrossingPart(NamedTuple):
         return Envelope(found, pieces)
 
 
+def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
+    """The least x-range between ints that holds two breaks. Cost: O(1)."""
+    (n, d), (m, e) = start, end
+    return n // d, -(-m // e)
+
+
+def bound_slopes(edges: Sequence[Piece], turns_left: bool, turns_right: bool) -> Slopes:
+    """The slopes in which a convex part of some edges matters. Cost: O(1)."""
+    return (
+        -inf if turns_left else bound_slope(edges[0]),
+        inf if turns_right else bound_slope(edges[-1]),
+    )
+
+
 def _find_what_matters(
-    part: ConvexPart | CrossingPart, chain: ConvexPart
+    own: Sequence[Piece],
+    turns_left: bool,
+    turns_right: bool,
+    others: Sequence[Piece],
+    chain_left: bool,
+    chain_right: bool,
 ) -> tuple[int, int, int, int]:
     """Which edges of a part and of a part of reversed G_t matter.
 
+    Args:
+        own: the edges of the part.
+        turns_left: whether the other polygon has to turn about its left end, (5).
+        turns_right: the same for its right end.
+        others: the edges of the part of reversed G_t.
+        chain_left: whether the other polygon has to turn about its left end.
+        chain_right: the same for its right end.
+
     Returns (first of the part, first that does not matter after it, the same two of the other).
     """
-    own, others = part.edges, chain.edges
     i, last_i, j, last_j = 0, len(own), 0, len(others)
-    if not part.turns_left:  # (2)
-        dx, dy, _, _, _ = own[0]
+    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[0], others[0]
+    turn = edx * dy - edy * dx
+    if turn > 0 and not turns_left:  # (2)
+        j = 1
         while j < last_j and others[j][1] * dx < others[j][0] * dy:
             j += 1
-    if not part.turns_right:  # (3)
-        dx, dy, _, _, _ = own[-1]
+    elif turn < 0 and not chain_left:  # (4)
+        i = 1
+        while i < last_i and own[i][1] * edx < own[i][0] * edy:
+            i += 1
+    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[-1], others[-1]
+    turn = edx * dy - edy * dx
+    if turn < 0 and not turns_right:  # (3)
+        last_j -= 1
         while j < last_j and others[last_j - 1][1] * dx > others[last_j - 1][0] * dy:
             last_j -= 1
-    if not chain.turns_left:  # (4)
-        dx, dy, _, _, _ = others[0]
-        while i < last_i and own[i][1] * dx < own[i][0] * dy:
-            i += 1
-    if not chain.turns_right:  # (4)
-        dx, dy, _, _, _ = others[-1]
-        while i < last_i and own[last_i - 1][1] * dx > own[last_i - 1][0] * dy:
+    elif turn > 0 and not chain_right:  # (4)
+        last_i -= 1
+        while i < last_i and own[last_i - 1][1] * edx > own[last_i - 1][0] * edy:
             last_i -= 1
     return i, last_i, j, last_j
 
@@ -240,7 +285,7 @@ def split_chain(chain: Sequence[Vertex]) -> list[ConvexPart]:
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
-    parts = convex_parts(chain)
+    parts = find_convex_parts(chain)
     # Not zero at a wall, of which the lower end has to be turned about.
     rises = [after[0][1] - before[-1][1] for before, after in pairwise(parts)]
     return [

@@ -14,13 +14,13 @@ is the sign of u * n + v * d, with u and v from the lines alone, without a divis
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.geometry.number import quotient
+from exactsweep.geometry.number import divide_exactly, ratio
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.procedures.chain import ChainError, convex_parts
+from exactsweep.procedures.chain import ChainError, find_convex_parts
 
 Break = tuple[Rational, Rational]
 """x = n / d with d > 0; not reduced."""
@@ -66,7 +66,7 @@ class Envelope:
 
         Raises ChainError when it is not X-monotone. Cost: O(n).
         """
-        first, *rest = (cls.of_convex(part, source) for part in convex_parts(chain))
+        first, *rest = (cls.of_convex(part, source) for part in find_convex_parts(chain))
         for part in rest:
             first.breaks += part.breaks[1:]
             first.pieces += part.pieces
@@ -84,13 +84,7 @@ class Envelope:
 
     def point(self, k: int, at: Break) -> Vertex:
         """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
-        dx, dy, c, start, _ = self.pieces[k]
-        n, d = at
-        if start is not None and n == start[0] * d:
-            return start
-        if not dx:
-            raise ChainError("the envelope has a gap: its chains do not overlap in x")
-        return ratio(n, d), ratio(dy * n + c * d, dx * d)
+        return find_point(self.pieces[k], at)
 
     def edge_before(self, at: Break, first: int = 0) -> int:
         """The number of the piece, from the first, that holds just left of a break.
@@ -119,9 +113,12 @@ class Envelope:
 
     def take_all(self, chain: Envelope) -> None:
         """Append a chain that starts where this one ends, or right of that. Cost: O(its size)."""
-        self.take_gap(chain.breaks[0])
+        if precedes(self.breaks[-1], chain.breaks[0]):
+            self.pieces.append(GAP)
+            self.breaks += chain.breaks
+        else:
+            self.breaks += chain.breaks[1:]
         self.pieces += chain.pieces
-        self.breaks += chain.breaks[1:]
 
     def take_gap(self, end: Break) -> None:
         """Append a gap up to a break, if that is right of the end."""
@@ -138,33 +135,72 @@ class Envelope:
         self.breaks[kept:] = chain.breaks[first:]
         self.breaks[kept] = at
 
+    def take_between(self, chain: Envelope, start: Break, end: Break) -> None:
+        """Append what a chain has between two breaks, if the second is right of the first.
+
+        Cost: O(log n + pieces appended).
+        """
+        if precedes(start, end):
+            self.take(chain, chain.edge_after(start), chain.edge_before(end), end)
+
+    def keep(self, spans: Iterable[Span]) -> Envelope | None:
+        """What it has over some x-ranges, given from left to right, and gaps between them.
+
+        Returns None if it reaches none of them. Cost: O(log n) for each, and O(pieces kept).
+        """
+        kept: Envelope | None = None
+        first, last = self.breaks[0], self.breaks[-1]
+        for start, end in spans:
+            if precedes(start, first):
+                start = first
+            if precedes(last, end):
+                end = last
+            if precedes(start, end):
+                if kept is None:
+                    kept = Envelope([start], [])
+                kept.take_gap(start)
+                kept.take_between(self, start, end)
+        return kept
+
     def restrict(self, start: Rational, end: Rational) -> Envelope:
         """Cut to the x-range from start to end, which must overlap it. Cost: O(n)."""
-        first = max(self.edge_after((start, 1)), 0)
-        last = min(self.edge_before((end, 1)), len(self.pieces) - 1)
-        cut = Envelope([(start, 1)], [])
-        cut.take(self, first, last, (end, 1))
-        return cut
+        kept = self.keep([((start, 1), (end, 1))])
+        assert kept is not None
+        return kept
 
     def __iter__(self) -> Iterator[Vertex]:
         breaks, pieces = self.breaks, self.pieces
-        found = [self.point(0, breaks[0])]
-        adx, ady, ac, _, _ = pieces[0]
-        for k in range(1, len(pieces)):
-            bdx, bdy, bc, _, _ = pieces[k]
-            n, d = at = breaks[k]
+        before = pieces[0]
+        found = [find_point(before, breaks[0])]
+        adx, ady, ac, _, _ = before
+        for piece, at in zip(pieces[1:], breaks[1:], strict=False):
+            bdx, bdy, bc, start, _ = piece
+            n, d = at
             u = ady * bdx - bdy * adx
             step = u * n + (ac * bdx - bc * adx) * d
             if step:
-                found.append(self.point(k - 1, at))
+                found.append(find_point(before, at))
             if step or u:
-                found.append(self.point(k, at))
-            adx, ady, ac = bdx, bdy, bc
-        found.append(self.point(len(pieces) - 1, breaks[-1]))
+                if start is None or n != start[0] * d:
+                    start = find_point(piece, at)
+                found.append(start)
+            before, adx, ady, ac = piece, bdx, bdy, bc
+        found.append(find_point(before, breaks[-1]))
         return iter(found)
 
     def __str__(self) -> str:
         return " ".join(f"({x}, {y})" for x, y in self)
+
+
+def find_point(piece: Piece, at: Break) -> Vertex:
+    """The point of a piece at a break. Raises ChainError where there is a gap. Cost: O(1)."""
+    dx, dy, c, start, _ = piece
+    n, d = at
+    if start is not None and n == start[0] * d:
+        return start
+    if not dx:
+        raise ChainError("the envelope has a gap: its chains do not overlap in x")
+    return ratio(n, d), ratio(dy * n + c * d, dx * d)
 
 
 def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
@@ -176,7 +212,7 @@ def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
     ]
 
 
-def point_on(edge: Edge, at: Break) -> Vertex:
+def find_point_on(edge: Edge, at: Break) -> Vertex:
     """The point of an edge at a break. Cost: O(1)."""
     n, d = at
     p, q = edge
@@ -186,12 +222,6 @@ def point_on(edge: Edge, at: Break) -> Vertex:
         return q
     dx, dy = q[0] - p[0], q[1] - p[1]
     return ratio(n, d), ratio(dy * n + (p[1] * dx - p[0] * dy) * d, dx * d)
-
-
-def ratio(n: Rational, d: Rational) -> Rational:
-    """N / d with d > 0: an int where it is one. Cost: O(1)."""
-    whole = n // d
-    return whole if whole * d == n else quotient(n, d)
 
 
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
@@ -214,14 +244,14 @@ def height(first: Piece, second: Piece, at: Break) -> Rational:
     return (ady * bdx - bdy * adx) * at[0] + (ac * bdx - bc * adx) * at[1]
 
 
-def crossing(u: Rational, v: Rational) -> Break:
+def find_crossing(u: Rational, v: Rational) -> Break:
     """Where lines cross whose difference has the sign of u * n + v * d at n / d, u not zero."""
     return (-v, u) if u > 0 else (v, -u)
 
 
 def value(at: Break) -> Fraction:
     """The x of a break."""
-    return quotient(*at)
+    return divide_exactly(*at)
 
 
 def precedes(first: Break, second: Break) -> bool:

@@ -23,13 +23,10 @@ from itertools import groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.number import quotient
-from exactsweep.geometry.point import Point
-from exactsweep.procedures.contact_lines import Stretch, Vertex
+from exactsweep.geometry.number import divide_exactly
+from exactsweep.geometry.point import Fit, Point
+from exactsweep.procedures.contact_lines import ReducedPoint, Stretch
 from exactsweep.procedures.envelope import Break
-
-Loop = list[Point]
-Fit = tuple[Point, Point]
 
 
 class Free(NamedTuple):
@@ -44,16 +41,16 @@ class Free(NamedTuple):
     Loops are canonical: counter-clockwise, corners only, the least vertex first, not closed.
     """
 
-    around: list[Loop]
-    within: list[Loop]
+    around: list[list[Point]]
+    within: list[list[Point]]
     fits: list[Fit]
 
 
-_Piece = tuple[Vertex, Vertex, int, int]
+_FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
 """A piece of a stretch between crossings: start, end, direction; a free region is on its right."""
 
 
-def free_positions(
+def find_free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
     scale: int = 1,
@@ -68,11 +65,11 @@ def free_positions(
     Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
     but the free ones, each piece with segments both ways, and each position that (6) leaves.
     """
-    pieces: list[_Piece] = []
-    both_ways: list[tuple[Stretch, Vertex, Vertex]] = []
-    suspects: set[Vertex] = set()
+    pieces: list[_FreeEdge] = []
+    both_ways: list[tuple[Stretch, ReducedPoint, ReducedPoint]] = []
+    suspects: set[ReducedPoint] = set()
     for stretch in stretches:
-        for low, high in _left_over(stretch, suspects):
+        for low, high in _find_left_over(stretch, suspects):
             p, q = stretch.vertex(low), stretch.vertex(high)
             if stretch.left and stretch.right:
                 both_ways.append((stretch, p, q))
@@ -80,21 +77,21 @@ def free_positions(
                 pieces.append((p, q, stretch.dx, stretch.dy))
             else:
                 pieces.append((q, p, -stretch.dx, -stretch.dy))
-    rings = list(_rings(pieces, overlap))
+    rings = list(_walk_rings(pieces, overlap))
     bounding = {start for ring in rings for start, _, _, _ in ring}
-    fits = list(_join((f for f in both_ways if not overlap(_middle(*f[1:]))), bounding))
+    fits = list(_join((f for f in both_ways if not overlap(_find_middle(*f[1:]))), bounding))
     known = bounding | {end for fit in fits for end in fit}
     alone = [p for p in suspects - known if not overlap(_leave(p, 1))]
     fits += [(p, p) for p in alone if not any(_lies_on(p, fit) for fit in fits)]
-    around: list[Loop] = []
-    within: list[Loop] = []
+    around: list[list[Point]] = []
+    within: list[list[Point]] = []
     for ring in rings:
-        loop, is_around = _canonical(ring, scale)
+        loop, is_around = _make_canonical(ring, scale)
         (around if is_around else within).append(loop)
     return Free(around, within, sorted(_hang(fit, bounding, scale) for fit in fits))
 
 
-def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Break]]:
+def _find_left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Break, Break]]:
     """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
 
     Cost: O(k log k) for k cuts.
@@ -103,8 +100,7 @@ def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Bre
     cuts, twice = stretch.cuts, stretch.left and stretch.right
     cuts.sort(key=itemgetter(0))
     if any(a[0] == b[0] for a, b in pairwise(cuts)):
-        cuts.sort(key=lambda cut: (cut[0], quotient(*cut[1])))
-    joint = stretch.low_through is not None or stretch.high_through is not None
+        cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
     while k < size:
@@ -123,7 +119,8 @@ def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Bre
             since_n, since_d, covered = n, d, after
         else:
             covered = covered or after
-        if not alone or (twice and other_twice) or (joint and _goes_on(stretch, place)):
+        # Where one line's stretches meet, another line that passes has a cut with each: not alone.
+        if not alone or (twice and other_twice):
             suspects.add(stretch.vertex(place))
     end_n, end_d = stretch.high
     if not (covered or stretch.high_covered) and since_n * end_d < end_n * since_d:
@@ -131,19 +128,11 @@ def _left_over(stretch: Stretch, suspects: set[Vertex]) -> list[tuple[Break, Bre
     return left
 
 
-def _goes_on(stretch: Stretch, place: Break) -> bool:
-    """Whether a place is an end at which another stretch of the line begins."""
-    n, d = place
-    return (stretch.low_through is not None and n == stretch.low[0] * d) or (
-        stretch.high_through is not None and n == stretch.high[0] * d
-    )
-
-
-def _rings(
-    pieces: Sequence[_Piece], overlap: Callable[[Point], bool]
-) -> Iterator[Sequence[_Piece]]:
+def _walk_rings(
+    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool]
+) -> Iterator[Sequence[_FreeEdge]]:
     """The rings of free pieces, by (5)."""
-    leaving: defaultdict[Vertex, list[int]] = defaultdict(list)
+    leaving: defaultdict[ReducedPoint, list[int]] = defaultdict(list)
     for number, piece in enumerate(pieces):
         leaving[piece[0]].append(number)
     undecided, on_way, done = 0, 1, 2
@@ -154,16 +143,16 @@ def _rings(
         while k is not None and state[k] == undecided:
             state[k] = on_way
             way.append(k)
-            k = _next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
+            k = _find_next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
         if k is not None and state[k] == on_way:
             ring = way[way.index(k) :]
-            if not overlap(_middle(pieces[k][0], pieces[k][1])):
-                yield from _simple(pieces[number] for number in ring)
+            if not overlap(_find_middle(pieces[k][0], pieces[k][1])):
+                yield from _part_where_it_touches(pieces[number] for number in ring)
         for number in way:
             state[number] = done
 
 
-def _next(pieces: Sequence[_Piece], piece: _Piece, leaving: Sequence[int]) -> int | None:
+def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
     """The first piece counter-clockwise from the way back."""
     if len(leaving) < 2:
         return leaving[0] if leaving else None
@@ -184,10 +173,10 @@ def _next(pieces: Sequence[_Piece], piece: _Piece, leaving: Sequence[int]) -> in
     return min(map(turned, leaving), key=cmp_to_key(compare))[1]
 
 
-def _simple(ring: Iterable[_Piece]) -> Iterator[Sequence[_Piece]]:
+def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
     """Part a ring where it comes back to a point: positions of overlap in several pieces touch."""
-    way: list[_Piece] = []
-    places: dict[Vertex, int] = {}
+    way: list[_FreeEdge] = []
+    places: dict[ReducedPoint, int] = {}
     for piece in ring:
         since = places.setdefault(piece[0], len(way))
         if since < len(way):
@@ -199,7 +188,7 @@ def _simple(ring: Iterable[_Piece]) -> Iterator[Sequence[_Piece]]:
     yield way
 
 
-def _canonical(ring: Sequence[_Piece], scale: int) -> tuple[Loop, bool]:
+def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
     corners = [
         (_leave(start, scale), (bx, by), (dx, dy))
@@ -215,24 +204,24 @@ def _canonical(ring: Sequence[_Piece], scale: int) -> tuple[Loop, bool]:
     return [points[0], *points[:0:-1]], False
 
 
-def _leave(vertex: Vertex, scale: int) -> Point:
+def _leave(vertex: ReducedPoint, scale: int) -> Point:
     """A vertex of the lattice or between, divided by the scale."""
     xn, xd, yn, yd = vertex
-    return Point(quotient(xn, xd * scale), quotient(yn, yd * scale))
+    return Point(divide_exactly(xn, xd * scale), divide_exactly(yn, yd * scale))
 
 
-def _middle(p: Vertex, q: Vertex) -> Point:
+def _find_middle(p: ReducedPoint, q: ReducedPoint) -> Point:
     a, b = _leave(p, 2), _leave(q, 2)
     return Point(a.x + b.x, a.y + b.y)
 
 
 def _join(
-    fits: Iterable[tuple[Stretch, Vertex, Vertex]], bounding: Container[Vertex]
-) -> Iterator[tuple[Vertex, Vertex]]:
+    fits: Iterable[tuple[Stretch, ReducedPoint, ReducedPoint]], bounding: Container[ReducedPoint]
+) -> Iterator[tuple[ReducedPoint, ReducedPoint]]:
     """Join exact fits that go on in one line, unless they meet a loop there."""
     for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c)):
-        start: Vertex | None = None
-        end: Vertex | None = None
+        start: ReducedPoint | None = None
+        end: ReducedPoint | None = None
         for _, p, q in group:
             if start is None or end is None:
                 start = p
@@ -245,12 +234,14 @@ def _join(
         yield start, end
 
 
-def _lies_on(vertex: Vertex, fit: tuple[Vertex, Vertex]) -> bool:
+def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bool:
     p, (a, b) = _leave(vertex, 1), sorted(_leave(end, 1) for end in fit)
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and a <= p <= b
 
 
-def _hang(fit: tuple[Vertex, Vertex], bounding: Container[Vertex], scale: int) -> Fit:
+def _hang(
+    fit: tuple[ReducedPoint, ReducedPoint], bounding: Container[ReducedPoint], scale: int
+) -> Fit:
     """Put the end on a loop first, if only one is, else the lesser one; and leave the lattice."""
     (p, first), (q, second) = sorted((_leave(end, scale), end) for end in fit)
     return (q, p) if second in bounding and first not in bounding else (p, q)

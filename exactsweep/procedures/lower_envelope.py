@@ -18,8 +18,7 @@ from exactsweep.procedures.chain import ChainError
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
-    crossing,
-    height,
+    find_crossing,
     precedes,
 )
 
@@ -51,25 +50,29 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
-    start, end = piece.breaks[0], partial.breaks[-1]
-    if precedes(start, partial.breaks[0]) or precedes(end, start):
+    breaks, piece_breaks = partial.breaks, piece.breaks
+    (first, first_d), (n, d) = breaks[0], breaks[-1]
+    (start, start_d), (last, last_d) = piece_breaks[0], piece_breaks[-1]
+    over = n * start_d - start * d
+    if start * first_d < first * start_d or over < 0:
         raise ChainError("the piece does not start over the partial trajectory")
     i, j = len(partial.pieces) - 1, 0
-    if precedes(piece.breaks[-1], end):
-        end = piece.breaks[-1]
-        i, j = partial.edge_before(end), len(piece.pieces) - 1
-        if height(partial.pieces[i], piece.pieces[j], end) <= 0:
-            return partial
-        partial.replace_end(*_find_takeover(partial, i, piece, j))
+    if last * d < n * last_d:
+        i, j = partial.edge_before(piece_breaks[-1]), len(piece.pieces) - 1
+        takeover = _find_takeover(partial, i, piece, j, piece_breaks[-1])
+        if takeover is not None:
+            partial.replace_end(*takeover)
         return partial
-    if precedes(start, end):
-        j = piece.edge_before(end)
-        if height(partial.pieces[i], piece.pieces[j], end) > 0:
-            partial.replace_end(*_find_takeover(partial, i, piece, j))
+    if over > 0:
+        if precedes(piece_breaks[1], breaks[-1]):
+            j = piece.edge_before(breaks[-1], 1)
+        takeover = _find_takeover(partial, i, piece, j, breaks[-1])
+        if takeover is not None:
+            partial.replace_end(*takeover)
             return partial
-        if not precedes(end, piece.breaks[j + 1]):
+        if not precedes(breaks[-1], piece_breaks[j + 1]):
             j += 1
-    partial.replace_end(i + 1, end, piece, j)
+    partial.replace_end(i + 1, breaks[-1], piece, j)
     return partial
 
 
@@ -95,25 +98,27 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
 
 
 def _find_takeover(
-    partial: Envelope, i: int, piece: Envelope, j: int
-) -> tuple[int, Break, Envelope, int]:
-    """Find where the piece takes over, (1) being given.
+    partial: Envelope, i: int, piece: Envelope, j: int, end: Break
+) -> tuple[int, Break, Envelope, int] | None:
+    """Find where the piece takes over, both being on their edges i and j just left of `end`.
 
     Returns what `Envelope.replace_end` takes: the number of edges of the partial trajectory that
-    are kept, the break, the piece, and its edge there.
+    are kept, the break, the piece, and its edge there; None if (1) does not hold at the end.
     """
     breaks, piece_breaks = partial.breaks, piece.breaks
     edges, piece_edges = partial.pieces, piece.pieces
     adx, ady, ac, _, _ = edges[i]
     bdx, bdy, bc, _, _ = piece_edges[j]
     u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+    if u * end[0] + v * end[1] <= 0:
+        return None
     while True:
         mine, others = breaks[i], piece_breaks[j]
         order = others[0] * mine[1] - mine[0] * others[1]
         n, d = at = others if order > 0 else mine
         above = u * n + v * d
         if above < 0:  # (2)
-            return i + 1, crossing(u, v), piece, j
+            return i + 1, find_crossing(u, v), piece, j
         if order > 0:
             if above == 0 or j == 0:  # (3), (4)
                 return i + 1, at, piece, j
@@ -198,22 +203,25 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
     adx, ady, ac, _, _ = a_pieces[i]
     bdx, bdy, bc, _, _ = b_pieces[j]
     changes: list[tuple[Break, int, int]] = []
+    at = n, d
     while True:
         u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-        end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
-        order = end_a[0] * end_b[1] - end_b[0] * end_a[1]
         at_start = u * n + v * d
-        begin = n, d
-        n, d = end_a if order <= 0 else end_b
+        begin = at
+        (n, d), (m, e) = end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
+        order = n * e - m * d
+        at = end_a
+        if order > 0:
+            n, d = at = end_b
         at_end = u * n + v * d
         if not on_first:
             at_start, at_end = -at_start, -at_end
-        if at_start > 0 or (at_start == 0 and at_end > 0):  # (3)
+        if at_start >= 0 and (at_start or at_end > 0):  # (3)
             changes.append((begin, i, j))
             on_first = not on_first
             at_end = -at_end
         if at_end > 0:  # (4)
-            changes.append((crossing(u, v), i, j))
+            changes.append((find_crossing(u, v), i, j))
             on_first = not on_first
         if order <= 0:
             i += 1

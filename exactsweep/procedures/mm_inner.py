@@ -18,12 +18,12 @@ touches D. So R has to be computed over the gaps between touched points only.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise, repeat
 from typing import cast
 
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import complement, convex_parts, corners, inverse
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
 from exactsweep.procedures.convex_part import (
     count_flatter,
     split_envelope,
@@ -37,6 +37,9 @@ from exactsweep.procedures.envelope import (
     value,
 )
 from exactsweep.procedures.part_pairs import sweep_pairs
+
+FEW_EDGES = 8
+"""So few are sooner walked along than searched."""
 
 
 def take_inside(trajectory: Envelope) -> Envelope:
@@ -62,16 +65,19 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     >>> from exactsweep.procedures.mm import trajectory_mm
     >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
     >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
-    >>> (left, right), = find_gaps(trajectory, convex_parts(notch))
+    >>> (left, right), = find_gaps(trajectory, find_convex_parts(notch))
     >>> value(left), value(right)
     (Fraction(5, 2), Fraction(7, 2))
     """
     touched: list[list[list[Span]]] = [[[] for _ in part[1:]] for part in parts]
     last, v, turn = -1, 0, cast(Rational, 0)
+    points, spans = parts[0], touched[0]
+    breaks = trajectory.breaks
     for k, (dx, dy, _, start, source) in enumerate(trajectory.pieces):
-        points, spans = parts[source % len(parts)], touched[source % len(parts)]
         if source != last:
-            last, v = source, count_flatter(points, dx, dy)
+            last, part = source, source % len(parts)
+            points, spans = parts[part], touched[part]
+            v = count_flatter(points, dx, dy) if len(spans) > FEW_EDGES else 0
         # Edges from one source become steeper.
         while v < len(spans):
             (left, y), (right, z) = points[v], points[v + 1]
@@ -81,12 +87,12 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
             v += 1
         if v == len(spans) or turn > 0:
             at = points[v][0], 1
-            spans[min(v, len(spans) - 1)].append((at, at))
+            spans[v - (v == len(spans))].append((at, at))
             continue
         # At u, the vertex or edge of G is over D from u - g_right to u - g_left.
         x, _ = cast(Vertex, start)
-        (n, d), g_right = trajectory.breaks[k], x + dx - right
-        (m, e), g_left = trajectory.breaks[k + 1], x - left
+        (n, d), g_right = breaks[k], x + dx - right
+        (m, e), g_left = breaks[k + 1], x - left
         spans[v].append(
             (
                 (left, 1) if n <= (left + g_right) * d else (n - g_right * d, d),
@@ -99,23 +105,22 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
         if len(of_edge) > 1 and any(precedes(b[0], a[0]) for a, b in pairwise(of_edge)):
             of_edge.sort(key=lambda span: value(span[0]))
         for begin, end in of_edge:
-            if precedes(reach, begin):
+            (n, d), (m, e), (o, f) = reach, begin, end
+            if n * e < m * d:
                 found.append((reach, begin))
-            if precedes(reach, end):
+            if n * f < o * d:
                 reach = end
     return found
 
 
-def open_gaps(envelope: Envelope, gaps: Iterable[Span]) -> Envelope:
-    """An envelope without what it has over gaps, given from left to right. Cost: O(n log n)."""
-    left_over = Envelope([envelope.breaks[0]], [])
-    end = envelope.breaks[-1]
-    for left, right in [*gaps, (end, end)]:
-        since = left_over.breaks[-1]
-        if precedes(since, left):
-            left_over.take(envelope, envelope.edge_after(since), envelope.edge_before(left), left)
-        left_over.take_gap(right)
-    return left_over
+def close_gaps(floor: Envelope, closed: Envelope, gaps: Iterable[Span]) -> Envelope:
+    """An envelope with another one in its place over gaps, given from left to right. Cost: O(n)."""
+    joined = Envelope([floor.breaks[0]], [])
+    for left, right in gaps:
+        joined.take_between(floor, joined.breaks[-1], left)
+        joined.take_between(closed, left, right)
+    joined.take_between(floor, joined.breaks[-1], floor.breaks[-1])
+    return joined
 
 
 def inner_mm(
@@ -130,19 +135,19 @@ def inner_mm(
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
     """
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
-        return corners(directrix)
+        return take_corners(directrix)
     chains = split_parts(inverse(generatrix_top))
     inside = take_inside(trajectory)
     slots = list(split_envelope(inside))
-    # The part of G_t that draws the trajectory is likely to reach deepest into the gap beside it.
-    guess: list[set[int]] = [set() for _ in chains]
-    owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
-    for source, k in zip(inside.sources, owners, strict=True):
-        guess[source // len(parts)].add(k)
+
+    def guess() -> Iterator[tuple[int, int]]:
+        # The part of G_t that draws the trajectory likely reaches deepest into the gap beside it.
+        owners = chain.from_iterable(repeat(k, len(slot.edges)) for k, slot in enumerate(slots))
+        return ((source // len(parts), k) for source, k in zip(inside.sources, owners, strict=True))
+
     floor = Envelope.of(inverse(complement(directrix)))
-    boundary = sweep_pairs(chains, slots, open_gaps(floor, open_spans), open_spans, guess)
-    boundary = boundary.restrict(-directrix[-1][0], -directrix[0][0])
-    return inverse(complement(list(boundary)))
+    closed = sweep_pairs(chains, slots, open_spans, guess)
+    return inverse(complement(list(close_gaps(floor, closed, open_spans))))

@@ -1,7 +1,8 @@
 """Which pairs of convex parts need not be swept: boxes of parts, and a ceiling over a trajectory.
 
-Two parts without a slope in common give nothing that matters (see `convex_part`), and most of the
-other pairs never come near the envelope. So its x-range is cut into strips of equal width,
+Two parts without a slope in common give nothing that matters (see `convex_part`); along the inside
+of a trajectory nothing matters but what lies over gaps. If many pairs are left, most of them never
+come near the envelope. So its x-range is cut into strips of equal width,
 each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
 than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
 Heights of the envelope are rounded upwards to ints and those of the boxes downwards; slopes are all
@@ -11,10 +12,9 @@ rounded downwards, which keeps their order except for ties, and ties count as in
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from exactsweep.geometry.point import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
@@ -27,8 +27,10 @@ FEW_PAIRS = 40
 """So many pairs are swept sooner than a ceiling is made over half of them."""
 
 
-Guess = Sequence[Collection[int]]
-"""For each part of G_t, numbers of parts of D_b."""
+Parts = Sequence[ConvexPart] | Sequence[CrossingPart]
+
+Guess = Callable[[], Iterable[tuple[int, int]]]
+"""Makes pairs of numbers, of parts of G_t and of D_b."""
 
 
 class Boxes(NamedTuple):
@@ -44,62 +46,60 @@ class Boxes(NamedTuple):
         boxes = [part.box for part in parts]
         return cls(boxes, [box[0] for box in boxes], [box[1] for box in boxes])
 
-    def find_facing(self, part: Box) -> list[int]:
-        """The numbers of the boxes that may have slopes in common with a part. Cost: O(m)."""
-        _, _, _, flattest, steepest = part
-        return [
-            k
-            for k, (_, _, _, first, last) in enumerate(self.boxes)
-            if first <= steepest and flattest <= last
-        ]
-
 
 class Ceiling:
     """Upper bounds of an envelope over strips of its x-range; of a gap, infinity.
 
     Args:
         envelope: what is known of the envelope to be found.
-        span: bounds of all sums.
-        chains: how many convex chains of G_t and D_b there are. There
-            are no more strips than in proportion, so that a pair crosses O(1) of them on average
-            however large the envelope is.
-        gaps: the x-ranges in which it may be lower than what is known, from left to right;
-            everywhere, if left out.
+        span: bounds of the x-ranges of all sums.
+        chains: how many convex chains of G_t and D_b there are. There are no more
+            strips than in proportion, so that a pair crosses O(1) of them on average.
+        gaps: the x-ranges that matter, from left to right; all of it, if left out.
 
     Cost: O(size of the envelope).
     """
 
     def __init__(
-        self, envelope: Envelope, span: Box, chains: int, gaps: Sequence[Span] | None = None
+        self,
+        envelope: Envelope,
+        span: tuple[Rational, Rational],
+        chains: int,
+        gaps: Sequence[Span] | None = None,
     ) -> None:
         breaks, pieces = envelope.breaks, envelope.pieces
-        self.start, end, _, _, _ = span
+        self.start, end = span
         width = end - self.start + 1
         count = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
         self.width = -(-width // count)
         # One strip more: the end of the x-range may lie on its border.
-        tops: list[Rational | float] = [-inf] * (count + 1)
-        strips = [self._strip(at) for at in breaks]
-        tops[: strips[0] + 1] = [inf] * (strips[0] + 1)
-        tops[strips[-1] :] = [inf] * (count + 1 - strips[-1])
-        for k, (dx, dy, c, _, _) in enumerate(pieces):
-            top: Rational | float = inf
-            if dx:
-                (n, d), (m, e) = breaks[k], breaks[k + 1]
-                top = -min(-(dy * n + c * d) // (dx * d), -(dy * m + c * e) // (dx * e))
-            for strip in range(strips[k], strips[k + 1] + 1):
-                if top > tops[strip]:
-                    tops[strip] = top
+        self.tops = tops = [cast("Rational | float", -inf)] * (count + 1)
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
+        strips = [self._strip(at) for at in breaks]
         for left, right in [((self.start, 1), (end, 1))] if gaps is None else gaps:
             first, last = self._strip(left), self._strip(right)
+            begin, stop = envelope.edge_after(left), envelope.edge_before(right)
+            if begin < 0:
+                self._open(first, min(strips[0], last))
+            if stop == len(pieces):
+                self._open(max(first, strips[-1]), last)
+            for k in range(max(begin, 0), min(stop + 1, len(pieces))):
+                dx, dy, c, _, _ = pieces[k]
+                top: Rational | float = inf
+                if dx:
+                    (n, d), (m, e) = breaks[k], breaks[k + 1]
+                    top = -min(-(dy * n + c * d) // (dx * d), -(dy * m + c * e) // (dx * e))
+                for strip in range(strips[k], strips[k + 1] + 1):
+                    if top > tops[strip]:
+                        tops[strip] = top
             if self.windows and first <= self.windows[-1][1]:
                 first = self.windows.pop()[0]
             self.windows.append((first, last))
-        self.tops: list[Rational | float] = [-inf] * (count + 1)
-        for first, last in self.windows:
-            self.tops[first : last + 1] = tops[first : last + 1]
+
+    def _open(self, first: int, last: int) -> None:
+        """Take some strips for unbounded."""
+        self.tops[first : last + 1] = [inf] * (last + 1 - first)
 
     def _strip(self, at: Break) -> int:
         """The strip in which a break lies."""
@@ -116,7 +116,7 @@ class Ceiling:
 
         Cost: O(strips crossed), for most boxes O(1), and O(log m) for each window.
         """
-        left, right, low, _, _ = part
+        left, right, low = part
         left, right = left - self.start, right - self.start
         width, tops = self.width, self.tops
         reached: list[int] = []
@@ -125,7 +125,7 @@ class Ceiling:
             begin = max(done, bisect_left(boxes.rights, first_strip * width - right))
             done = bisect_right(boxes.lefts, (last_strip + 1) * width - left, begin)
             for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
-                first, last, least, _, _ = boxes.boxes[k]
+                first, last, least = boxes.boxes[k]
                 least += low
                 start, end = (left + first) // width, (right + last) // width
                 # Most are decided by the strip in the middle.
@@ -158,13 +158,13 @@ class Ceiling:
 #          where it is above E except for single points.
 #
 # So the lowest of all runs is E, by (2) and (3), though a run by itself need not be the lowest of
-# what it has taken in.
+# what it has taken in. Where only gaps matter, (2) is said of each x in a gap, and of E there; so
+# pairs whose sums lie beside all gaps are left out, and what a run has there.
 
 
 def sweep_pairs(
     chains: Sequence[ConvexPart],
-    parts: Sequence[ConvexPart] | Sequence[CrossingPart],
-    known: Envelope | None = None,
+    parts: Parts,
     gaps: Sequence[Span] | None = None,
     guess: Guess | None = None,
 ) -> Envelope:
@@ -178,10 +178,9 @@ def sweep_pairs(
     Args:
         chains: the convex parts of reversed G_t.
         parts: the convex parts of D_b.
-        known: the envelope outside the gaps, with gaps in it.
-        gaps: the x-ranges that matter; all of it, if left out.
-        guess: for each chain the numbers of the parts with which it is likely to be lowest;
-            these pairs go first.
+        gaps: the x-ranges that matter, from left to right; all of it, if left out.
+        guess: makes pairs of a chain and a part that are likely to be lowest; these go first, if
+            there are too many pairs to sweep them all at once.
 
     Returns:
         The lower envelope, `sources` as in `trajectory_mm`.
@@ -190,17 +189,29 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    row_boxes, boxes = [row.box for row in rows], Boxes.of(columns)
-    order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
-    size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
+    if gaps is None and len(rows) * len(columns) <= FEW_PAIRS:
+        facing = [list(range(len(columns)))] * len(rows)
+    else:
+        facing = find_facing(rows, columns)
+    if gaps is not None:
+        facing = keep_over(gaps, facing, rows, columns)
 
-    span: Box = (
-        row_boxes[0][0] + boxes.lefts[0],
-        row_boxes[-1][1] + boxes.rights[-1],
-        0,
-        -inf,
-        inf,
-    )
+    def sweep_row(i: int, numbers: Iterable[int]) -> Iterable[Envelope]:
+        """The runs of one row, with some of the columns."""
+        runs: list[Envelope] = []
+        for k in numbers:
+            chain, part = (k, i) if exchanged else (i, k)
+            piece = parts[part].sweep(chains[chain], chain * len(parts) + part)
+            if piece.pieces and not (runs and add_to_run(runs[-1], piece)):
+                runs.append(piece)
+        return runs if gaps is None else filter(None, [run.keep(gaps) for run in runs])
+
+    if sum(map(len, facing)) <= FEW_PAIRS:
+        found = (run for i, numbers in enumerate(facing) for run in sweep_row(i, numbers))
+        return lower_envelope_mm(list(found))
+
+    row_boxes, boxes = Boxes.of(rows).boxes, Boxes.of(columns)
+    span = row_boxes[0][0] + boxes.lefts[0], row_boxes[-1][1] + boxes.rights[-1]
 
     def sweep_batch(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
         runs: list[Envelope] = []
@@ -211,38 +222,58 @@ def sweep_pairs(
         for i, numbers in batch.items():
             if ceiling is not None:
                 numbers = ceiling.find_reaching(row_boxes[i], boxes, numbers)
-            since = len(runs)
-            for k in numbers:
-                chain, part = (k, i) if exchanged else (i, k)
-                piece = parts[part].sweep(chains[chain], chain * len(parts) + part)
-                if not piece.pieces:
-                    continue
-                if len(runs) == since or not add_to_run(runs[-1], piece):
-                    runs.append(piece)
+            runs += sweep_row(i, numbers)
         return lower_envelope_mm(runs) if runs else None
 
-    envelope = known
+    envelope: Envelope | None = None
+    order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
     if guess is not None:
         # Its pairs come up again with the others, few of them under the ceiling that they make.
-        guessed: Mapping[int, Collection[int]] = dict(enumerate(guess))
-        if exchanged:
-            turned = defaultdict(list)
-            for chain, numbers in enumerate(guess):
-                for part in numbers:
-                    turned[part].append(chain)
-            guessed = turned
-        envelope = sweep_batch(envelope, {i: sorted(guessed[i]) for i in order if guessed.get(i)})
+        guessed = {(k, i) if exchanged else (i, k) for i, k in guess()}
+        likely = {i: [k for k in facing[i] if (i, k) in guessed] for i in order}
+        envelope = sweep_batch(envelope, likely)
     batch: dict[int, list[int]] = {}
+    size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
     for i in order:
-        facing = boxes.find_facing(row_boxes[i])
-        if batch and pairs + len(facing) > size:
+        if batch and pairs + len(facing[i]) > size:
             envelope = sweep_batch(envelope, batch)
             batch, size, pairs = {}, 3 * size, 0
-        batch[i] = facing
-        pairs += len(facing)
+        batch[i] = facing[i]
+        pairs += len(facing[i])
     envelope = sweep_batch(envelope, batch)
     assert envelope is not None, "some pair draws the trajectory"
     return envelope
+
+
+def find_facing(rows: Parts, columns: Parts) -> list[list[int]]:
+    """For each row the numbers of the columns that may have slopes in common. Cost: O(m n)."""
+    slopes = [column.slopes for column in columns]
+    return [
+        [k for k, (first, last) in enumerate(slopes) if first <= steepest and flattest <= last]
+        for flattest, steepest in [row.slopes for row in rows]
+    ]
+
+
+def keep_over(
+    gaps: Sequence[Span], numbers: Sequence[list[int]], rows: Parts, columns: Parts
+) -> list[list[int]]:
+    """Of the numbers of columns that each row comes with, those whose sums lie over some gap.
+
+    Cost: O(log m) for each row and each gap, and O(numbers returned).
+    """
+    lefts: list[Rational] = [column.x_range[0] for column in columns]
+    rights: list[Rational] = [column.x_range[1] for column in columns]
+    kept = []
+    for i, asked in enumerate(numbers):
+        left, right = rows[i].x_range
+        found: list[int] = []
+        done = 0
+        for (n, d), (m, e) in gaps:
+            begin = max(done, bisect_right(rights, n // d - right))
+            done = bisect_left(lefts, -(-m // e) - left, begin)
+            found += asked[bisect_left(asked, begin) : bisect_left(asked, done)]
+        kept.append(found)
+    return kept
 
 
 def add_to_run(run: Envelope, piece: Envelope) -> bool:
@@ -251,11 +282,12 @@ def add_to_run(run: Envelope, piece: Envelope) -> bool:
     Returns whether it did. Cost: as for `lower_envelope_cm`.
     """
     (a, a_d), (b, b_d) = run.breaks[0], run.breaks[-1]
-    (start, start_d), (end, end_d) = piece.breaks[0], piece.breaks[-1]
+    (start, start_d), (b, b_d) = piece.breaks[0], run.breaks[-1]
     if b * start_d <= start * b_d:
         run.take_all(piece)
-    elif start * a_d >= a * start_d and end * b_d >= b * end_d:
+        return True
+    (a, a_d), (end, end_d) = run.breaks[0], piece.breaks[-1]
+    if start * a_d >= a * start_d and end * b_d >= b * end_d:
         lower_envelope_cm(run, piece)
-    else:
-        return False
-    return True
+        return True
+    return False

@@ -13,15 +13,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import Fit, Free, Loop, free_positions
+from exactsweep.procedures.free_positions import Free, find_free_positions
 
 
-class NoFit(NamedTuple):
+class NoFitSS(NamedTuple):
     """Where a polygon does not fit around another one.
 
     Attributes:
@@ -31,25 +31,25 @@ class NoFit(NamedTuple):
             of two equal ends; an end that hangs on a loop comes first if the other one does not.
     """
 
-    exterior: Loop
-    holes: list[Loop]
+    exterior: list[Point]
+    holes: list[list[Point]]
     exact_fits: list[Fit]
 
 
-class InnerFit(NamedTuple):
+class InnerFitSS(NamedTuple):
     """Where a polygon fits into a container.
 
     Attributes:
         regions: free regions, each as its exterior and the loops around overlap inside it, all
             counter-clockwise.
-        exact_fits: as for `NoFit`.
+        exact_fits: as for `NoFitSS`.
     """
 
-    regions: list[tuple[Loop, list[Loop]]]
+    regions: list[tuple[list[Point], list[list[Point]]]]
     exact_fits: list[Fit]
 
 
-def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFit:
+def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
     """The no-fit polygon of two shapes, with its holes and exact fits.
 
     Args:
@@ -67,12 +67,12 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFit:
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
-    free = _free(directrix, generatrix, scale)
+    free = _find_free(directrix, generatrix, scale)
     (exterior,) = free.around
-    return NoFit(exterior, sorted(free.within), free.fits)
+    return NoFitSS(exterior, sorted(free.within), free.fits)
 
 
-def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFit:
+def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
     """The positions of a part inside a container.
 
     Args:
@@ -90,23 +90,23 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFit:
     [(0, 0, 2, 0)]
     """
     # What the part must not overlap is the plane outside the container, and each defect.
-    free = _free([ring[::-1] for ring in container], part, scale, unbounded=True)
-    inside: list[list[Loop]] = [[] for _ in free.within]
+    free = _find_free([ring[::-1] for ring in container], part, scale, unbounded=True)
+    inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
-        inside[_around(loop, free.within)].append(loop)
-    return InnerFit(list(zip(free.within, inside, strict=True)), free.fits)
+        inside[_find_holder(loop, free.within)].append(loop)
+    return InnerFitSS(list(zip(free.within, inside, strict=True)), free.fits)
 
 
-def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
+def _find_free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
     moving = [inverse(ring) for ring in orbiting]
-    stretches = contact_stretches(stationary, moving)
+    stretches = find_contact_stretches(stationary, moving)
     if not unbounded:
         stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
     overlap = Overlap(stationary, orbiting, unbounded=unbounded)
-    return free_positions(stretches, overlap.at, scale)
+    return find_free_positions(stretches, overlap.at, scale)
 
 
-def _around(loop: Loop, exteriors: Sequence[Loop]) -> int:
+def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
     """Which of some loops without common inner points has a loop inside."""
     return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))

@@ -8,11 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridged
+from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region, around
-from exactsweep.words import CLASSES, count, heading, pair
+from exactsweep.geometry.region import Region, number_features, walk_rings
+from exactsweep.words import CLASSES, count, name_heading, write_pair
 
 _HALVES: dict[Half, str] = {
     "lower": "Below D: the lower sweep (G_t, D_b)",
@@ -50,34 +50,32 @@ def tell(s: Swept) -> Iterator[str]:
             yield f"-- {_HALVES[half]} --"
             yield ""
         yield (
-            f"Step {k}: {heading(step.direction)}, along {pair(step.direction)}, "
-            f"from {pair(step.start)} to {pair(step.end)}"
+            f"Step {k}: {name_heading(step.direction)}, along {write_pair(step.direction)}, "
+            f"from {write_pair(step.start)} to {write_pair(step.end)}"
         )
         for line in teller.step(step, steps[(k + 1) % len(steps)]):
             yield f"  {line}"
         yield ""
-    yield f"G is back at {pair(steps[0].start)}."
+    yield f"G is back at {write_pair(steps[0].start)}."
     yield from teller.holes()
     yield from teller.fits()
 
 
-class _Features:
+class _FeatureNames:
     """How the features of a polygon are called, by index."""
 
     def __init__(self, shape: Polygon | Region, letter: str) -> None:
         self.vertices: dict[int, str] = {}
         self.edges: dict[int, str] = {}
-        self.corners: dict[int, Point] = {}
-        self.ends: dict[int, set[int]] = {}
+        self.corners, ends = number_features(shape)
+        self.ends = {j: set(numbers) for j, numbers in ends.items()}
         self.reflex: set[int] = set()
         corners = shape.vertices
-        for before, k, after in around(shape):
+        for before, k, after in walk_rings(shape):
             i, j = shape.vertex_index(k), shape.edge_index(k)
             (px, py), (x, y), (qx, qy) = corners[before], corners[k], corners[after]
-            self.vertices[i] = f"vertex {i} of {letter}, {pair((x, y))}"
-            self.edges[j] = f"edge {j} of {letter}, {pair((x, y))}-{pair((qx, qy))}"
-            self.corners[i] = corners[k]
-            self.ends[j] = {i, shape.vertex_index(after)}
+            self.vertices[i] = f"vertex {i} of {letter}, {write_pair((x, y))}"
+            self.edges[j] = f"edge {j} of {letter}, {write_pair((x, y))}-{write_pair((qx, qy))}"
             # What is inside of a hole is outside of the shape.
             if ((x - px) * (qy - y) < (y - py) * (qx - x)) == (k < len(shape.rings[0])):
                 self.reflex.add(i)
@@ -88,8 +86,8 @@ class _Teller:
 
     def __init__(self, s: Swept) -> None:
         self.sweep = s
-        self.g = _Features(s.generatrix, "G")
-        self.d = _Features(s.directrix, "D")
+        self.g = _FeatureNames(s.generatrix, "G")
+        self.d = _FeatureNames(s.directrix, "D")
 
     def opening(self, steps: Sequence[Step]) -> Iterator[str]:
         s = self.sweep
@@ -102,8 +100,8 @@ class _Teller:
             f"in {len(steps)} steps."
         )
         yield (
-            f"A position is that of the point {pair(s.reference)} of G; vertices and edges of G "
-            "and D are those of the input."
+            f"A position is that of the point {write_pair(s.reference)} of G; "
+            "vertices and edges of G and D are those of the input."
         )
         if s.kind == "SS":
             rest = count(len(s.no_fit_holes), "hole")
@@ -113,8 +111,8 @@ class _Teller:
             )
         elif s.direction != (1, 0):
             yield (
-                f"Both are monotone to {pair(s.direction)}; what is below, above or an end is so "
-                "with this direction to the right."
+                f"Both are monotone to {write_pair(s.direction)}; "
+                "what is below, above or an end is so with this direction to the right."
             )
         yield (
             f"Contacts: {', '.join(f'{events[e]} {e}' for e in ('EV', 'VE', 'EE') if events[e])}; "
@@ -128,7 +126,7 @@ class _Teller:
             yield self._touch(touch, step)
         for mark in step.landmarks:
             if mark.position != step.end:
-                yield f"On the way, at {pair(mark.position)}, {self._landmark(mark)}"
+                yield f"On the way, at {write_pair(mark.position)}, {self._landmark(mark)}"
         yield f"{self._ending(step)}; {self._onward(step, following)}"
         for mark in step.landmarks:
             if mark.position == step.end:
@@ -142,12 +140,12 @@ class _Teller:
             loop = loops[k]
             yield ""
             yield (
-                f"-- Hole {k} of the no-fit polygon, of area {abridged(s.no_fit_holes[k].area)}: "
+                f"-- Hole {k} of the no-fit polygon, of area {abridge(s.no_fit_holes[k].area)}: "
                 "G is free inside --"
             )
             for start, end, contacts in zip(loop, (*loop[1:], loop[0]), along, strict=True):
-                way = heading((end.x - start.x, end.y - start.y))
-                yield f"{way[0].upper()}{way[1:]}, from {pair(start)} to {pair(end)}"
+                way = name_heading((end.x - start.x, end.y - start.y))
+                yield f"{way[0].upper()}{way[1:]}, from {write_pair(start)} to {write_pair(end)}"
                 yield from (f"  {self._slide(contact)}" for contact in contacts)
 
     def fits(self) -> Iterator[str]:
@@ -157,14 +155,15 @@ class _Teller:
         for k, (start, end) in enumerate(s.exact_fits):
             yield ""
             if start == end:
-                yield f"-- Exact fit {k}: G fits at {pair(start)} and cannot move --"
-                for event, i, j in self._telling(s.contacts_at(start)):
+                yield f"-- Exact fit {k}: G fits at {write_pair(start)} and cannot move --"
+                for event, i, j in self._choose_telling(s.contacts_at(start)):
                     g = self.g.edges[i] if event[0] == "E" else self.g.vertices[i]
                     d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
                     yield f"  {event}: {g}, is on {d}"
             else:
-                way = heading((end.x - start.x, end.y - start.y))
-                yield f"-- Exact fit {k}: G could go {way}, from {pair(start)} to {pair(end)} --"
+                way = name_heading((end.x - start.x, end.y - start.y))
+                there = f"from {write_pair(start)} to {write_pair(end)}"
+                yield f"-- Exact fit {k}: G could go {way}, {there} --"
                 yield from (f"  {self._slide(contact)}" for contact in next(ways)[0])
 
     def _slide(self, contact: Contact) -> str:
@@ -176,9 +175,9 @@ class _Teller:
     def _touch(self, touch: Touch, step: Step) -> str:
         text = self._slide(touch.contact)
         if touch.start != step.start:
-            text += f", from {pair(touch.start)} on"
+            text += f", from {write_pair(touch.start)} on"
         if touch.end != step.end:
-            text += f", until {pair(touch.end)}"
+            text += f", until {write_pair(touch.end)}"
         return text
 
     def _ending(self, step: Step) -> str:
@@ -188,7 +187,9 @@ class _Teller:
             )
             return f"Corner: {', and '.join(meetings)}"
         if step.ending == "stop":
-            stops = (self._stop(contact, step.end) for contact in self._telling(step.reasons))
+            stops = (
+                self._stop(contact, step.end) for contact in self._choose_telling(step.reasons)
+            )
             return f"Stop: {', and '.join(stops)}"
         return "Slot: nothing stops G, but straight on it would be in an exact fit"
 
@@ -201,7 +202,7 @@ class _Teller:
             return f"{g.edges[i]}, runs into {d.vertices[j]}"
         if event == "VE":
             (x, y), (tx, ty), (rx, ry) = g.corners[i], position, self.sweep.reference
-            at = pair((x + tx - rx, y + ty - ry))
+            at = write_pair((x + tx - rx, y + ty - ry))
             return f"{g.vertices[i]}, runs into {d.edges[j]}, at {at}"
         if i in g.reflex:
             return f"{d.vertices[j]}, comes into the reflex corner at {g.vertices[i]}"
@@ -209,7 +210,7 @@ class _Teller:
             return f"{g.vertices[i]}, comes into the reflex corner at {d.vertices[j]}"
         return f"{g.vertices[i]}, runs into {d.vertices[j]}"
 
-    def _telling(self, contacts: Iterable[Contact]) -> list[Contact]:
+    def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
         """Leave out what comes with two edges that touch: contacts at their ends."""
         contacts = list(contacts)
         implied: set[Contact] = set()
@@ -237,8 +238,8 @@ class _Teller:
         if landmark.mark == "exact fit":
             return self._exact_fit(landmark)
         undercut = self.sweep.undercuts[landmark.number]
-        extremes = " and ".join(map(pair, undercut.extremes))
-        name = f"undercut {landmark.number}, of area {abridged(undercut.polygon.area)},"
+        extremes = " and ".join(map(write_pair, undercut.extremes))
+        name = f"undercut {landmark.number}, of area {abridge(undercut.polygon.area)},"
         if landmark.mark == "undercut":
             return f"G closes {name} by touching {extremes} at once"
         several = undercut.intersection == "point"
@@ -254,8 +255,8 @@ class _Teller:
         hanging, inside = self.sweep.exact_fits[landmark.number]
         if hanging != landmark.position:
             hanging, inside = inside, hanging
-        way = heading((inside.x - hanging.x, inside.y - hanging.y))
+        way = name_heading((inside.x - hanging.x, inside.y - hanging.y))
         return (
-            f"exact fit {landmark.number} hangs: G could go {way} to {pair(inside)}, "
+            f"exact fit {landmark.number} hangs: G could go {way} to {write_pair(inside)}, "
             "touching D on both sides"
         )

@@ -1,21 +1,24 @@
 """Text reports of sweeps, no-fit polygons and inner fits, for people to read."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
+from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.table import Table
-
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridged, format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.number import abridge, format_fraction
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.procedures.free_positions import Fit
-from exactsweep.words import CLASSES, pair
+from exactsweep.words import CLASSES, write_pair
+
+# rich takes longer to import than all the rest.
+if TYPE_CHECKING:
+    from rich.table import Table
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
 # Far beyond any line: rich wraps to a width, always.
@@ -67,18 +70,18 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
     }
     facts = {
         "class": CLASSES[sweep.kind],
-        "direction": "none" if sweep.direction is None else pair(sweep.direction),
-        "reference": pair(sweep.reference),
+        "direction": "none" if sweep.direction is None else write_pair(sweep.direction),
+        "reference": write_pair(sweep.reference),
         "undercuts": str(len(sweep.undercuts)),
         "exact fits": str(len(sweep.exact_fits)),
     }
     given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
     shapes = {**given, **loops}
-    return _told(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
+    return _tell(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
 
 
-def no_fit_report(
-    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
+def report_no_fit(
+    n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -94,7 +97,7 @@ def no_fit_report(
         >>> from exactsweep import no_fit_polygon
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-        >>> print(no_fit_report(no_fit_polygon(slot, square)), end="")
+        >>> print(report_no_fit(no_fit_polygon(slot, square)), end="")
         class        CM, convex generatrix and monotone directrix
         reference    (0,0)
         holes        0
@@ -112,17 +115,17 @@ def no_fit_report(
     loops = {"exterior": n.exterior, **{f"hole {k}": hole for k, hole in enumerate(n.holes)}}
     facts = {
         "class": CLASSES[n.kind],
-        "reference": pair(n.reference),
+        "reference": write_pair(n.reference),
         "holes": str(len(n.holes)),
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
     shapes: dict[str, Polygon | Region] = {**given, **loops}
-    return _told(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
+    return _tell(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
-def inner_fit_report(
-    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
+def report_inner_fit(
+    f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 
@@ -137,7 +140,7 @@ def inner_fit_report(
     Example:
         >>> from exactsweep import inner_fit_polygon
         >>> bin, part = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (2, 0), (2, 2), (0, 2)]
-        >>> print(inner_fit_report(inner_fit_polygon(bin, part)), end="")
+        >>> print(report_inner_fit(inner_fit_polygon(bin, part)), end="")
         the part     fits exactly
         reference    (0,0)
         regions      0
@@ -153,7 +156,7 @@ def inner_fit_report(
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
         "the part": "fits" if f.regions else exact,
-        "reference": pair(f.reference),
+        "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),
     }
@@ -164,10 +167,10 @@ def inner_fit_report(
     }
     shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
     fits = f.exact_fits
-    return _told(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
+    return _tell(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
 
 
-def _told(
+def _tell(
     facts: Mapping[str, str],
     shapes: Mapping[str, Polygon | Region],
     name: str,
@@ -177,6 +180,8 @@ def _told(
     terminal_width: int | None,
     everything: bool,
 ) -> str:
+    from rich.table import Table
+
     texts = _texts(loops) | _fit_texts(fits)
     width = max(map(len, [*facts, *shapes, name, *texts]))
     sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
@@ -191,16 +196,16 @@ def _told(
     if everything:
         # Long numbers take a table a long time.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
-        told = (f"{n:<{width}}  {' '.join(map(_exactly, ends))}\n" for n, ends in lines.items())
-        return laid_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
-    return laid_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
+        told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
+        return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
+    return lay_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
 
 
-def _exactly(point: Point) -> str:
+def _write_point(point: Point) -> str:
     return f"({format_fraction(point.x)},{format_fraction(point.y)})"
 
 
-def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
+def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     """Write tables as text, an empty line between them.
 
     Args:
@@ -211,6 +216,8 @@ def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     Returns:
         Lines of text; for a terminal also its control sequences.
     """
+    from rich.console import Console
+
     text = StringIO()
     console = Console(
         file=text,
@@ -228,6 +235,8 @@ def laid_out(tables: Iterable[Table], terminal_width: int | None) -> str:
 
 
 def _rows(texts: Mapping[str, str], width: int) -> Table:
+    from rich.table import Table
+
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_column(min_width=width, style="bold")
     table.add_column(overflow="fold")
@@ -237,7 +246,7 @@ def _rows(texts: Mapping[str, str], width: int) -> Table:
 
 
 def _area(area: Fraction) -> tuple[str, str]:
-    exact, rounded = abridged(area), approximation(area)
+    exact, rounded = abridge(area), approximate(area)
     return "" if rounded == exact else rounded, exact
 
 
@@ -247,17 +256,17 @@ def _texts(loops: Mapping[str, Polygon]) -> dict[str, str]:
 
 
 def _fit_texts(fits: Iterable[Fit]) -> dict[str, str]:
-    return {name: " ".join(map(pair, ends)) for name, ends in _fit_ends(fits).items()}
+    return {name: " ".join(map(write_pair, ends)) for name, ends in _fit_ends(fits).items()}
 
 
 def _fit_ends(fits: Iterable[Fit]) -> dict[str, tuple[Point, ...]]:
     return {f"exact fit {k}": tuple(dict.fromkeys(fit)) for k, fit in enumerate(fits)}
 
 
-def approximation(value: Fraction) -> str:
+def approximate(value: Fraction) -> str:
     """Round to six significant digits, to give an idea of a number.
 
-    >>> approximation(Fraction(-20, 3)), approximation(Fraction(30)), approximation(Fraction(2**99))
+    >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825E+29')
     """
     rounded = _APPROXIMATE.divide(Decimal(value.numerator), Decimal(value.denominator))

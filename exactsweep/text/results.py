@@ -8,12 +8,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
-from exactsweep.formats.writing import wkt_fits, wkt_polygon
+from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
@@ -41,14 +41,14 @@ def sweep_to_json(sweep: Swept) -> str:
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
         **_input(sweep),
-        **{name: _written(loop.vertices) for name, loop in loops.items()},
-        **({"unswept": _written(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
-        "area": _written(sweep.area),
+        **{name: _write(loop.vertices) for name, loop in loops.items()},
+        **({"unswept": _write(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
+        "area": _write(sweep.area),
     }
     return _object(texts)
 
 
-def no_fit_to_json(n: NoFitPolygon) -> str:
+def no_fit_to_json(n: NoFitPositions) -> str:
     """Write a no-fit polygon, its input included, as JSON.
 
     Args:
@@ -63,19 +63,19 @@ def no_fit_to_json(n: NoFitPolygon) -> str:
     """
     return _object(
         {
-            "stationary": _written(as_json(n.stationary)),
-            "orbiting": _written(as_json(n.orbiting)),
-            "kind": _written(n.kind),
-            "reference": _written(n.reference),
-            "exterior": _written(n.exterior.vertices),
-            "holes": _written(_loops(n.holes)),
-            "exact_fits": _written(n.exact_fits),
-            "area": _written(n.area),
+            "stationary": _write(write_json_value(n.stationary)),
+            "orbiting": _write(write_json_value(n.orbiting)),
+            "kind": _write(n.kind),
+            "reference": _write(n.reference),
+            "exterior": _write(n.exterior.vertices),
+            "holes": _write(_loops(n.holes)),
+            "exact_fits": _write(n.exact_fits),
+            "area": _write(n.area),
         }
     )
 
 
-def inner_fit_to_json(f: InnerFit) -> str:
+def inner_fit_to_json(f: InnerFitPositions) -> str:
     """Write the positions of a part inside a container, its input included, as JSON.
 
     Args:
@@ -89,17 +89,17 @@ def inner_fit_to_json(f: InnerFit) -> str:
     """
     return _object(
         {
-            "container": _written(as_json(f.container)),
-            "part": _written(as_json(f.part)),
-            "reference": _written(f.reference),
-            "regions": _written([_rings(region) for region in f.regions]),
-            "exact_fits": _written(f.exact_fits),
-            "area": _written(f.area),
+            "container": _write(write_json_value(f.container)),
+            "part": _write(write_json_value(f.part)),
+            "reference": _write(f.reference),
+            "regions": _write([_rings(region) for region in f.regions]),
+            "exact_fits": _write(f.exact_fits),
+            "area": _write(f.area),
         }
     )
 
 
-def as_json(shape: Polygon | Region) -> object:
+def write_json_value(shape: Polygon | Region) -> object:
     """Make the list of vertices of a shape, or of one with holes the object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
@@ -112,7 +112,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Swept | NoFitPolygon | InnerFit) -> str:
+def certificate_to_json(result: Swept | NoFitPositions | InnerFitPositions) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
@@ -142,20 +142,20 @@ def explanation_to_json(sweep: Swept) -> str:
 
     Cost: that of `exactsweep.evidence.steps`.
     """
-    steps = [_written(_step(step)) for step in explain(sweep)]
+    steps = [_write(_step(step)) for step in explain(sweep)]
     return _object(
         {
             **_input(sweep),
-            "features": _written(
+            "features": _write(
                 {
-                    "generatrix": _numbers(sweep.generatrix),
-                    "directrix": _numbers(sweep.directrix),
+                    "generatrix": list_numbers(sweep.generatrix),
+                    "directrix": list_numbers(sweep.directrix),
                 }
             ),
-            "undercuts": _written([_undercut(undercut) for undercut in sweep.undercuts]),
-            "exact_fits": _written(sweep.exact_fits),
-            "exact_fit_contacts": _written(_fit_contacts(sweep)),
-            "holes": _written(_holes(sweep)),
+            "undercuts": _write([_undercut(undercut) for undercut in sweep.undercuts]),
+            "exact_fits": _write(sweep.exact_fits),
+            "exact_fit_contacts": _write(_fit_contacts(sweep)),
+            "holes": _write(_holes(sweep)),
             "steps": "[\n    " + ",\n    ".join(steps) + "\n  ]",
         }
     )
@@ -183,16 +183,16 @@ def verification_to_json(verification: Verification) -> str:
     Returns:
         One object; the witness is a point, two strings, or null.
     """
-    return _object({name: _written(part) for name, part in verification._asdict().items()})
+    return _object({name: _write(part) for name, part in verification._asdict().items()})
 
 
 def _input(sweep: Swept) -> dict[str, str]:
     return {
-        "generatrix": _written(as_json(sweep.generatrix)),
-        "directrix": _written(as_json(sweep.directrix)),
-        "kind": _written(sweep.kind),
+        "generatrix": _write(write_json_value(sweep.generatrix)),
+        "directrix": _write(write_json_value(sweep.directrix)),
+        "kind": _write(sweep.kind),
         "direction": direction_to_json(sweep.direction),
-        "reference": _written(sweep.reference),
+        "reference": _write(sweep.reference),
     }
 
 
@@ -203,11 +203,12 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def _numbers(polygon: Polygon | Region) -> dict[str, list[int]]:
-    size = len(polygon)
+def list_numbers(shape: Polygon | Region) -> dict[str, list[int]]:
+    """List the numbers that the caller gave the vertices, and the edges that start there."""
+    size = len(shape)
     return {
-        "vertices": [polygon.vertex_index(k) for k in range(size)],
-        "edges": [polygon.edge_index(k) for k in range(size)],
+        "vertices": [shape.vertex_index(k) for k in range(size)],
+        "edges": [shape.edge_index(k) for k in range(size)],
     }
 
 
@@ -230,7 +231,7 @@ def _object(texts: Mapping[str, str]) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _written(value: object) -> str:
+def _write(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 
@@ -241,12 +242,12 @@ def sweep_to_regions(sweep: Swept) -> list[NamedRegion]:
     return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
 
 
-def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
+def no_fit_to_regions(n: NoFitPositions) -> list[NamedRegion]:
     """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
 
 
-def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
+def inner_fit_to_regions(f: InnerFitPositions) -> list[NamedRegion]:
     """Name the regions of an inner fit: "region 0" and so on."""
     return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
 
@@ -267,10 +268,10 @@ def sweep_to_wkt(sweep: Swept) -> str:
     """
     loops = {"trajectory": sweep.trajectory, "inner loop": sweep.inner, "outer loop": sweep.outer}
     loops |= {f"unswept hole {k}": loop for k, loop in enumerate(sweep.unswept)}
-    return "".join(wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
+    return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
-def no_fit_to_wkt(n: NoFitPolygon) -> str:
+def no_fit_to_wkt(n: NoFitPositions) -> str:
     """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
 
     Args:
@@ -290,10 +291,10 @@ def no_fit_to_wkt(n: NoFitPolygon) -> str:
         POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))
         LINESTRING (1 3, 1 1)
     """
-    return _area_to_wkt("", n.exterior, n.holes) + wkt_fits(n.exact_fits)
+    return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
-def inner_fit_to_wkt(f: InnerFit) -> str:
+def inner_fit_to_wkt(f: InnerFitPositions) -> str:
     """Write the positions of a part inside a container as WKT.
 
     Args:
@@ -310,9 +311,11 @@ def inner_fit_to_wkt(f: InnerFit) -> str:
         _area_to_wkt(f"region {k}, ", region.exterior, region.holes)
         for k, region in enumerate(f.regions)
     ]
-    return "".join(lines) + wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
+    return "".join(lines) + write_wkt_fits(f.exact_fits) or "POLYGON EMPTY\n"
 
 
 def _area_to_wkt(prefix: str, exterior: Polygon, holes: Iterable[Polygon]) -> str:
     rings = {f"{prefix}exterior": exterior.vertices}
-    return wkt_polygon(rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)})
+    return write_wkt_polygon(
+        rings | {f"{prefix}hole {k}": hole.vertices for k, hole in enumerate(holes)}
+    )

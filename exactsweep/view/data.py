@@ -13,15 +13,16 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
-from exactsweep.draw import Scale, Stretch
-from exactsweep.draw.stretches import stretches_of
-from exactsweep.draw.sweeps import anchor, anchor_name, path, shift
+from exactsweep.draw import ContactStretch, Scale
+from exactsweep.draw.stretches import cut_loops
+from exactsweep.draw.sweeps import find_anchor, find_shift, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES
 
@@ -46,7 +47,7 @@ class Stop(NamedTuple):
     contacts: tuple[Contact, ...]
 
 
-def tracks(s: Swept) -> list[Track]:
+def list_tracks(s: Swept) -> list[Track]:
     """List the trajectory, the holes of the no-fit polygon and the exact fits."""
     holes = [Track(f"hole {k}", hole.vertices) for k, hole in enumerate(s.no_fit_holes)]
     fits = [
@@ -55,9 +56,9 @@ def tracks(s: Swept) -> list[Track]:
     return [Track("the trajectory", s.trajectory.vertices), *holes, *fits]
 
 
-def stops(s: Swept) -> list[Stop]:
+def find_stops(s: Swept) -> list[Stop]:
     """Find all stops of the trajectory, as `track_stops` does."""
-    found, _ = track_stops(s, tracks(s)[:1])
+    found, _ = track_stops(s, list_tracks(s)[:1])
     return found[0]
 
 
@@ -75,7 +76,7 @@ def track_stops(s: Swept, listed: Sequence[Track]) -> tuple[list[list[Stop]], bo
     landmarks = _landmarks(s)
     meetings = find_meetings(s, sum(len(track.corners) for track in listed))
     loops = [track.corners for track in listed if len(track.corners) > 1]
-    pieces_of_loops = stretches_of(s, loops)
+    pieces_of_loops = cut_loops(s, loops)
     found = []
     for track in listed:
         if len(track.corners) == 1:
@@ -93,7 +94,7 @@ def track_stops(s: Swept, listed: Sequence[Track]) -> tuple[list[list[Stop]], bo
     return found, meetings is not None
 
 
-def page_data(
+def gather_page_data(
     s: Swept,
     *,
     names: tuple[str, str] | None = None,
@@ -112,14 +113,14 @@ def page_data(
         Places are flat lists x, y, x, y, ... of floats, those of G relative to the point whose
         path is drawn; "exact" are the coordinates in the same order as strings.
 
-    Cost: that of `stops` and of the loops.
+    Cost: that of `find_stops` and of the loops.
     """
-    dx, dy = shift(s)
+    dx, dy = find_shift(s)
     tell("the loops")
-    outer, moved = s.outer.vertices, path(s).vertices
+    outer, moved = s.outer.vertices, trace_anchor(s).vertices
     scale = Scale.of(outer, moved)
     tell("exact fits")
-    listed = tracks(s)
+    listed = list_tracks(s)
     tell("undercuts")
     closed = s.undercuts
     tell(f"contacts along {sum(len(track.corners) for track in listed)} edges")
@@ -154,10 +155,10 @@ def page_data(
         "area": format_fraction(s.area),
         "stretched": not scale.is_true,
         "hasMeetings": has_meetings,
-        "path": "" if anchor(s) == s.reference else anchor_name(s),
+        "path": "" if find_anchor(s) == s.reference else name_anchor(s),
         "reference": [format_fraction(c) for c in s.reference],
-        "generatrix": {**_around_anchor(s, scale), **_numbers(s.generatrix)},
-        "directrix": {**shown(s.directrix.vertices), **_numbers(s.directrix)},
+        "generatrix": {**_around_anchor(s, scale), **_number(s.generatrix)},
+        "directrix": {**shown(s.directrix.vertices), **_number(s.directrix)},
         "inner": shown(s.inner.vertices),
         "outer": shown(outer),
         "unswept": [shown(loop.vertices) for loop in s.unswept],
@@ -192,7 +193,7 @@ def _landmarks(s: Swept) -> list[Point]:
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
 
-def _cut(pieces: list[Stretch], inside: Sequence[Point]) -> list[Stretch]:
+def _cut(pieces: list[ContactStretch], inside: Sequence[Point]) -> list[ContactStretch]:
     """Cut stretches at those of some sorted positions that are inside one."""
     found = []
     for piece in pieces:
@@ -212,7 +213,7 @@ def _on_line(p: Point, a: Point, b: Point) -> bool:
 
 
 def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
-    x, y = anchor(s)
+    x, y = find_anchor(s)
     corners = s.generatrix.vertices
     return {
         "places": [
@@ -224,11 +225,6 @@ def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
     }
 
 
-def _numbers(shape: Polygon | Region) -> dict[str, list[int]]:
-    """The numbers that the caller gave the vertices and edges, and the sizes of the rings."""
-    size = range(len(shape))
-    return {
-        "vertices": [shape.vertex_index(k) for k in size],
-        "edges": [shape.edge_index(k) for k in size],
-        "rings": [len(ring) for ring in shape.rings],
-    }
+def _number(shape: Polygon | Region) -> dict[str, list[int]]:
+    """The numbers of the features, and the sizes of the rings."""
+    return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from exactsweep.view.page import page
+from exactsweep.view.page import make_page
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -19,9 +19,9 @@ class InlinePage:
         height: of its frame, in pixels.
 
     Attributes:
-        html: the page, as by `page`; write it to a file to open it alone.
+        html: the page, as by `make_page`; write it to a file to open it alone.
 
-    Cost: that of `page`.
+    Cost: that of `make_page`.
 
     Example:
         >>> from exactsweep import sweep
@@ -31,7 +31,7 @@ class InlinePage:
     """
 
     def __init__(self, s: Swept, height: int = 600) -> None:
-        self.html = page(s)
+        self.html = make_page(s)
         self._height = height
         self._title = f"Sweep of {len(s.generatrix)} around {len(s.directrix)} vertices"
 

@@ -1,4 +1,4 @@
-"""Where two vertices meet on the way: positions that the contacts which last do not tell.
+"""Where two vertices meet for an instant: positions that lasting contacts do not show.
 
 Nothing else touches inside an edge of a loop for an instant only: two features that touch at
 positions on a segment, which does not cross the loop, touch it inside an edge with an end only.
@@ -15,7 +15,7 @@ from math import lcm
 from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, Rational
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -26,9 +26,6 @@ _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 class Meetings:
     """The positions at which two vertices meet without overlap near them.
 
-    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap: O(m + n) for convex polygons, O(m n) for any.
-
     Args:
         s: a Sweep.
 
@@ -36,6 +33,9 @@ class Meetings:
         reference: that of the sweep.
         scale: of the lattice on which the two meet.
         translations: the translations, on the lattice, sorted.
+
+    Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
+    overlap: O(m + n) for convex polygons, O(m n) for any.
     """
 
     def __init__(self, s: Swept) -> None:
@@ -86,7 +86,13 @@ def find_meetings(s: Swept, corners: int) -> Meetings | None:
 
 
 def _outline(shape: Polygon | Region, scale: int) -> Outline:
-    """The features of a shape on a lattice."""
-    exterior, *holes = ([(int(x * scale), int(y * scale)) for x, y in ring] for ring in shape.rings)
+    """The features of a shape, in ints if it is on the lattice."""
+    exterior, *holes = (
+        [(_plain(x * scale), _plain(y * scale)) for x, y in ring] for ring in shape.rings
+    )
     # With the interior on the left, as all of an outline has it.
     return Outline([exterior, *(hole[::-1] for hole in holes)])
+
+
+def _plain(value: Fraction) -> Rational:
+    return value.numerator if value.denominator == 1 else value

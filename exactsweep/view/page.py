@@ -11,7 +11,7 @@ from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from exactsweep.canvas.style import style_sheet
+from exactsweep.canvas.style import write_style_sheet
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -35,7 +35,7 @@ _SCRIPTS = tuple(
 _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 
-def page(
+def make_page(
     s: Swept,
     *,
     names: tuple[str, str] | None = None,
@@ -59,12 +59,12 @@ def page(
     Example:
         >>> from exactsweep import sweep
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> page(sweep(square, square)).startswith("<!doctype html>")
+        >>> make_page(sweep(square, square)).startswith("<!doctype html>")
         True
     """
-    from exactsweep.view.data import page_data
+    from exactsweep.view.data import gather_page_data
 
-    data = page_data(s, names=names, y_down=y_down, tell=tell)
+    data = gather_page_data(s, names=names, y_down=y_down, tell=tell)
     library = "\n".join(_text(f"vendor/{name}.min.js") for name in _LIBRARIES)
     notice = _text("vendor/LICENSE").strip()
     script = "\n".join(map(_text, _SCRIPTS))
@@ -74,8 +74,8 @@ def page(
         "policy": f"default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; "
         "img-src data:",
         "title": escape(data["title"]),
-        "style": style_sheet() + _text("page.css"),
-        "data": embedded_json(data),
+        "style": write_style_sheet() + _text("page.css"),
+        "data": embed_json(data),
         "library": scripts[0],
         "script": scripts[1],
     }
@@ -86,7 +86,7 @@ def _text(name: str) -> str:
     return files("exactsweep.view").joinpath(name).read_text(encoding="utf-8")
 
 
-def embedded_json(data: object) -> str:
+def embed_json(data: object) -> str:
     """JSON that cannot end the script element in which it stands."""
     text = json.dumps(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from partlist import part_list
 
 from exactsweep import Polygon, sweep
-from exactsweep.batch import BatchError, Part, all_pairs, pairs_of, read_parts, work
+from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_listed_pairs, work
 from exactsweep.batch import run as run_batch
 from exactsweep.batch.job import CHUNK_PAIRS
 from exactsweep.batch.work import Chunk, Work
@@ -36,14 +36,16 @@ def line_record(line: str | bytes, what: str = "loops") -> dict[str, Any]:
 
 
 def pairs_of_work(what: str) -> Work:
-    return all_pairs(PARTS, PARTS, what).work
+    return take_all_pairs(PARTS, PARTS, what).work
 
 
 def test_all_pairs_are_swept_in_order(tmp_path: Path) -> None:
     path = tmp_path / "out.jsonl"
     seen: list[int] = []
     parts = part_list(8)
-    summary = run_batch(all_pairs(parts, parts[:3]), str(path), workers=1, progress=seen.append)
+    summary = run_batch(
+        take_all_pairs(parts, parts[:3]), str(path), workers=1, progress=seen.append
+    )
     assert (summary.pairs, summary.resumed) == (24, 0)
     assert seen == [0, CHUNK_PAIRS, 24]
     assert list(tmp_path.iterdir()) == [path]
@@ -148,7 +150,7 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
     good = PAIR + "}\n"
     long = "[" + " " * MAX_BYTES + "]\n"
     (tmp_path / "pairs.jsonl").write_text(f"\n{good}x\n \n{long}{good}{good[:-1]}")
-    job = pairs_of(str(tmp_path / "pairs.jsonl"), PARTS)
+    job = take_listed_pairs(str(tmp_path / "pairs.jsonl"), PARTS)
     path = tmp_path / "out.jsonl"
     assert run_batch(job, str(path), workers=1) == (5, 2, 0)
     found = records(path)
@@ -162,7 +164,7 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
 @settings(max_examples=12)
 def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int) -> None:
     named = [NamedPolygon(p) for p in polygons]
-    job = all_pairs(named, named)
+    job = take_all_pairs(named, named)
     pairs = range(job.total)
     whole = job.work.lines(Chunk(0, pairs))
     parts = [Chunk(k, pairs[k : k + size]) for k in range(0, job.total, size)]
@@ -181,27 +183,27 @@ def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
     reason = "$.polygons[1]: fewer than three distinct vertices: 1 among the 1 given"
     assert one == Part("1", reason)
     assert two == Part("2", "$.polygons[2][0] has 3 coordinates, not 2")
-    record = json.loads(all_pairs([a, one], [two]).work.line(1, 1))
+    record = json.loads(take_all_pairs([a, one], [two]).work.line(1, 1))
     assert record["error"] == f"generatrix: {reason}"
 
 
 def test_no_pairs_are_a_batch_too(tmp_path: Path) -> None:
     path = tmp_path / "out.jsonl"
-    assert run_batch(all_pairs([], PARTS), str(path)) == (0, 0, 0)
+    assert run_batch(take_all_pairs([], PARTS), str(path)) == (0, 0, 0)
     assert path.read_bytes() == b""
 
 
 def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
     with pytest.raises(BatchError, match=r"^'all' is none of trajectory, loops, areas, nfp$"):
-        all_pairs([], [], "all")
+        take_all_pairs([], [], "all")
     (tmp_path / "pairs").write_text("")
     with pytest.raises(BatchError, match=r"^2 parts have the name 'square'$"):
-        pairs_of(str(tmp_path / "pairs"), [SQUARE, SQUARE])
+        take_listed_pairs(str(tmp_path / "pairs"), [SQUARE, SQUARE])
     with pytest.raises(BatchError, match=r"none: No such file or directory$"):
-        pairs_of(str(tmp_path / "none"))
+        take_listed_pairs(str(tmp_path / "none"))
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(BatchError, match=r"pipe: a pipe or a device, which cannot be read twice$"):
-        pairs_of(str(tmp_path / "pipe"))
+        take_listed_pairs(str(tmp_path / "pipe"))
     for output, message in {
         str(tmp_path): "Is a directory",
         "": "'': Is a directory",
@@ -209,13 +211,13 @@ def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
         f"{tmp_path}/pipe": "a pipe or a device, which cannot be resumed",
     }.items():
         with pytest.raises(BatchError, match=f"{message}$"):
-            run_batch(all_pairs(PARTS, PARTS), output)
+            run_batch(take_all_pairs(PARTS, PARTS), output)
 
 
 def test_lines_that_come_later_do_not_count(tmp_path: Path) -> None:
     pairs, path = tmp_path / "pairs.jsonl", tmp_path / "out.jsonl"
     pairs.write_text(f"{PAIR}}}\n" * 2)
-    job = pairs_of(str(pairs), PARTS)
+    job = take_listed_pairs(str(pairs), PARTS)
     pairs.write_text(f"{PAIR}}}\n" * 40)
     assert run_batch(job, str(path), workers=1) == (2, 0, 0)
     pairs.write_text(f"{PAIR}}}\n")

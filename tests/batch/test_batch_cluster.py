@@ -14,10 +14,10 @@ from batches import all_of, children, size, start, wait_for
 from command import PATIENCE
 from partlist import part_list
 
-from exactsweep.batch import all_pairs
+from exactsweep.batch import take_all_pairs
 
 PARTS = part_list(16)
-JOB = all_pairs(PARTS, PARTS)
+JOB = take_all_pairs(PARTS, PARTS)
 WHOLE = b"".join(line for chunk in JOB.chunks(0) for line in JOB.work.lines(chunk))
 
 

@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from strategies import simple_polygons
 
 from exactsweep import Polygon, Region, no_fit_polygon
-from exactsweep.batch import Part, Rounding, all_pairs
+from exactsweep.batch import Part, Rounding, take_all_pairs
 from exactsweep.batch.parts import rotate_parts
 from exactsweep.formats.folder import find_files, list_parts, make_unique
 from exactsweep.formats.rounding import contains
@@ -59,7 +59,7 @@ def test_names_of_files_survive_in_records(folder: Path, tmp_path: Path) -> None
 def test_parts_are_named_by_id_layer_file_or_index(folder: Path) -> None:
     assert [part.name for part in list_parts([str(folder / "left.svg")]).parts] == ["plate"]
     assert [part.name for part in list_parts([str(folder / "one.json")]).parts] == ["one.json"]
-    job = all_pairs([Part("a", TRIANGLE)] * 3, [Part("b", TRIANGLE)])
+    job = take_all_pairs([Part("a", TRIANGLE)] * 3, [Part("b", TRIANGLE)])
     assert [part.name for part in job.work.generatrices] == ["a", "a-2", "a-3"]
     assert make_unique(["a-2", "a", "a"]) == ["a-2", "a", "a-3"]
 
@@ -106,7 +106,7 @@ def test_rotations_are_exact(tmp_path: Path) -> None:
 @given(simple_polygons(), simple_polygons())
 def test_rounded_records_permit_no_overlap(one: Polygon, other: Polygon) -> None:
     d, g = one.rotated((3, 4)), other.rotated((5, 12))
-    work = all_pairs([Part("g", g)], [Part("d", d)], "nfp", Rounding(1, outward=True)).work
+    work = take_all_pairs([Part("g", g)], [Part("d", d)], "nfp", Rounding(1, outward=True)).work
     record = json.loads(work.line(0, 0), parse_float=str, parse_int=str)
     exact = no_fit_polygon(d, g)
     found = Region(record["exterior"], record["holes"])
@@ -170,9 +170,9 @@ def test_a_module_needs_no_main_guard(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(
         "from exactsweep import Polygon\n"
-        "from exactsweep.batch import Part, all_pairs, run\n"
+        "from exactsweep.batch import Part, take_all_pairs, run\n"
         "part = Part('a', Polygon([(0, 0), (1, 0), (0, 1)]))\n"
-        f"print(run(all_pairs([part] * 40, [part]), {str(tmp_path / 'out')!r}, workers=2))\n"
+        f"print(run(take_all_pairs([part] * 40, [part]), {str(tmp_path / 'out')!r}, workers=2))\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600)
     assert (done.returncode, done.stdout) == (0, "Counts(pairs=40, refused=0, resumed=0)\n")

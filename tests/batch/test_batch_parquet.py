@@ -5,7 +5,7 @@ import pyarrow.parquet
 import pytest
 from partlist import part_list
 
-from exactsweep.batch import all_pairs, run
+from exactsweep.batch import run, take_all_pairs
 from exactsweep.batch.output import Output
 from exactsweep.batch.table import write_parquet
 
@@ -18,7 +18,7 @@ def test_a_table_has_the_same_records(
     tmp_path: Path, what: str, rows: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("exactsweep.batch.table._ROWS", rows)
-    job = all_pairs(PARTS, PARTS[:3], what)
+    job = take_all_pairs(PARTS, PARTS[:3], what)
     lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
     path, part = tmp_path / "out.parquet", tmp_path / "out.parquet.part"
     with Output(str(path), job):
@@ -37,7 +37,7 @@ def test_a_table_has_the_same_records(
 
 
 def test_a_table_interrupted_while_it_is_written_is_written_again(tmp_path: Path) -> None:
-    job = all_pairs(PARTS, PARTS[:3], "areas")
+    job = take_all_pairs(PARTS, PARTS[:3], "areas")
     lines = b"".join(line for chunk in job.chunks(0) for line in job.work.lines(chunk))
     path = tmp_path / "out.parquet"
     with Output(str(path), job):

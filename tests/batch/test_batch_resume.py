@@ -15,11 +15,11 @@ from batches import all_of, children, size, start, wait_for
 from command import PATIENCE, eventually
 from partlist import part_list
 
-from exactsweep.batch import BatchError, all_pairs, run
+from exactsweep.batch import BatchError, run, take_all_pairs
 from exactsweep.batch.output import Output
 
 PARTS = part_list(24)
-JOB = all_pairs(PARTS, PARTS)
+JOB = take_all_pairs(PARTS, PARTS)
 
 
 @pytest.fixture
@@ -98,8 +98,8 @@ def test_a_finished_part_file_only_needs_its_name(tmp_path: Path, whole: list[by
 
 def test_records_of_another_batch_are_not_mixed_in(tmp_path: Path, whole: list[bytes]) -> None:
     output, part = tmp_path / "out.jsonl", tmp_path / "out.jsonl.part"
-    others = [all_pairs(PARTS, PARTS[:9]), all_pairs(PARTS, PARTS, "areas"),
-              all_pairs([p._replace(name="x") for p in PARTS], PARTS)]  # fmt: skip
+    others = [take_all_pairs(PARTS, PARTS[:9]), take_all_pairs(PARTS, PARTS, "areas"),
+              take_all_pairs([p._replace(name="x") for p in PARTS], PARTS)]  # fmt: skip
     with Output(str(output), JOB):
         part.write_bytes(whole[0])
     for other in others:
@@ -168,7 +168,7 @@ def test_a_killed_worker_costs_no_record(
 
 DEADLY = """
 import os, sys
-from exactsweep.batch import local, run, all_pairs
+from exactsweep.batch import local, run, take_all_pairs
 from exactsweep.batch.work import Work
 from exactsweep.formats import NamedPolygon
 from exactsweep import Polygon
@@ -179,7 +179,7 @@ class Deadly(Work):
 
 if __name__ == "__main__":
     square = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "s")
-    job = all_pairs([square] * 8, [square] * 5)
+    job = take_all_pairs([square] * 8, [square] * 5)
     work = Deadly(job.work.what, job.work.generatrices, job.work.directrices)
     print(*run(job._replace(work=work), sys.argv[1], workers=2))
 """

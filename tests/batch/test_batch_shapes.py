@@ -11,7 +11,7 @@ from partlist import part_list
 from strategies import simple_polygons
 
 from exactsweep import Polygon, Region, no_fit_polygon, sweep
-from exactsweep.batch import Part, all_pairs, pairs_of, read_parts
+from exactsweep.batch import Part, read_parts, take_all_pairs, take_listed_pairs
 from exactsweep.formats import parse_polygon
 
 SQUARE = Part("square", Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
@@ -35,7 +35,7 @@ PARTS = (SQUARE, PLATE, CAVE)
 
 def records(what: str) -> dict[tuple[str, str], dict[str, Any]]:
     """The records of all pairs of PARTS, by their names."""
-    job = all_pairs(PARTS, PARTS, what)
+    job = take_all_pairs(PARTS, PARTS, what)
     lines = [line for chunk in job.chunks(0) for line in job.work.lines(chunk)]
     found = map(json.loads, lines)
     return {(record["generatrix"], record["directrix"]): record for record in found}
@@ -73,7 +73,7 @@ def test_pairs_without_a_shared_direction_are_swept() -> None:
 @given(simple_polygons(), simple_polygons())
 def test_records_are_what_the_functions_return(g: Polygon, d: Polygon) -> None:
     for what in ("nfp", "loops"):
-        work = all_pairs([Part("g", g)], [Part("d", d)], what).work
+        work = take_all_pairs([Part("g", g)], [Part("d", d)], what).work
         record = json.loads(work.line(0, 0))
         expected = no_fit_polygon(d, g) if what == "nfp" else sweep(g, d)
         assert Fraction(record["area"]) == expected.area
@@ -105,19 +105,19 @@ def test_holes_are_read_from_parts_and_pairs(tmp_path: Path) -> None:
     line = {"generatrix": [[0, 0], [1, 0], [1, 1], [0, 1]], "directrix": {**plate, "holes": holes}}
     named = {"generatrix": line["generatrix"], "directrix": "plate"}
     pairs.write_text(f"{json.dumps(line)}\n{json.dumps(named)}\n")
-    job = pairs_of(str(pairs), [whole], "nfp")
+    job = take_listed_pairs(str(pairs), [whole], "nfp")
     one, two = (json.loads(text) for chunk in job.chunks(0) for text in job.work.lines(chunk))
     assert one["holes"] == two["holes"] == records("nfp")["square", "plate"]["holes"]
 
 
 def test_the_reference_counts_and_a_direction_has_no_place(tmp_path: Path) -> None:
-    work = all_pairs(PARTS, PARTS, "nfp").work
+    work = take_all_pairs(PARTS, PARTS, "nfp").work
     pair = b'{"generatrix": "square", "directrix": "plate", %s}'
     record = json.loads(work.line(0, pair % b'"reference": [1, "1/2"]'))
     assert record["exact_fits"] == [[["2", "3/2"], ["3", "3/2"]]]
     record = json.loads(work.line(0, pair % b'"direction": [1, 0]'))
     assert record["error"] == "$.direction: a no-fit polygon takes no direction"
-    loops = all_pairs(PARTS, PARTS, "loops").work
+    loops = take_all_pairs(PARTS, PARTS, "loops").work
     record = json.loads(loops.line(0, pair % b'"direction": [1, 0]'))
     assert record["error"] == "the directrix has a hole: it is monotone to no direction"
 
@@ -132,13 +132,13 @@ def test_batches_that_differ_in_holes_are_told_apart() -> None:
         Region(solid, [second]),
         PLATE.polygon,
     ]
-    jobs = [all_pairs([SQUARE], [Part("plate", other)]) for other in others]
+    jobs = [take_all_pairs([SQUARE], [Part("plate", other)]) for other in others]
     assert len({job.digest for job in jobs}) == len(others)
 
 
 def test_no_part_of_the_part_list_is_refused() -> None:
     parts = part_list(30)
-    job = all_pairs(parts, parts[:3], "nfp")
+    job = take_all_pairs(parts, parts[:3], "nfp")
     for chunk in job.chunks(0):
         assert not any(b'"error"' in line for line in job.work.lines(chunk))
 

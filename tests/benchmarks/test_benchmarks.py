@@ -10,11 +10,12 @@ from benchmarks import scaling
 from benchmarks.__main__ import main
 from benchmarks.families import FAMILIES
 from benchmarks.outlines import OUTLINES, part_pairs
+from benchmarks.spent import COUNTED, count
 from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
 from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
-from exactsweep.paper.counting import Counted, counting, make_counted
+from exactsweep.paper.counting import Counted, make_counted, watch_operations
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
@@ -65,7 +66,7 @@ def test_outlines_of_parts_are_parts() -> None:
 
 
 def test_counted_numbers_stay_counted() -> None:
-    with counting() as tally:
+    with watch_operations() as tally:
         a, b = Counted(7), Counted(3)
         results = [a + 1, 1 - a, a * 2, 2 * a, a // 2, 9 // b, -a, abs(a), a % b]
         ratio = Fraction(a, b)
@@ -79,7 +80,7 @@ def test_counted_numbers_stay_counted() -> None:
 
 def test_comparisons_are_counted_once() -> None:
     (x, y), (u, v) = make_counted([(1, 2), (1, 3)])
-    with counting() as tally:
+    with watch_operations() as tally:
         assert x < y
         assert x == u
         assert not v <= y
@@ -144,3 +145,18 @@ def test_scaling_says_by_its_exit_code_whether_all_is_within(
     result = CliRunner().invoke(main, ["scaling", "--quick"])
     assert result.exit_code == 1
     assert "operations of Trajectory_CC on cc" in result.output
+
+
+def test_what_a_pair_is_spent_on_is_counted_the_same_each_time() -> None:
+    pair = [Polygon(ring) for ring in FAMILIES["stair"](8, 8, 0)]
+    size = len(sweep(*pair).trajectory)
+    first, second = (count(lambda: sweep(*pair).trajectory.vertices) for _ in "ab")
+    assert first == second
+    assert all(first[name] for name in COUNTED)
+    assert 2 * size <= first["Fractions"] <= 3 * size
+
+
+def test_instructions_are_counted_by_what_they_do() -> None:
+    x = 3
+    found = count(lambda: ([x * x, x // 2], x < 6))
+    assert [found[name] for name in COUNTED[1:]] == [1, 2, 0, 2, 1]

@@ -14,7 +14,7 @@ import click
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
 from builders.theme import THEMES, BuilderError, built, digest, encoded, with_answers, written
-from exactsweep.corpus.shipped import theme_text
+from exactsweep.corpus.shipped import read_theme
 
 DATA = Path(__file__).parent.parent.parent / "exactsweep" / "corpus" / "data"
 DIGESTS = Path(__file__).parent / "digests.json"
@@ -28,7 +28,7 @@ def main(renew: bool) -> None:
     digests: dict[str, str] = {}
     for name in THEMES:
         try:
-            old = theme_text(DATA, name)
+            old = read_theme(DATA, name)
         except FileNotFoundError:
             old = ""
         try:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from builders.entry import Entry, in_places
 from exactsweep import Region
-from exactsweep.corpus.generator.cells import block, connect, draw, outline
+from exactsweep.corpus.generator.cells import build_block, connect, draw, trace_outline
 
 TITLE = "Jigsaws: parts that fit along segments and in single positions"
 
@@ -16,16 +16,21 @@ def entries() -> Iterator[Entry]:
         ("knob-loose", "A knob with a neck and some room", LOOSE_BLANK, KNOB),
         ("two-knobs", "Two knobs at once", TWO_BLANKS, TWO_KNOBS),
         ("two-knobs-apart", "Two knobs that do not match", TWO_BLANKS, draw("#  #", "####")),
-        ("mould", "A part and the mould around it", mould(S), outline(S)),
-        ("mould-open", "A mould open to one side", mould(S, left=0), outline(S)),
-        ("mould-of-c", "A mould of a letter C", mould(C), outline(C)),
-        ("mould-with-hole", "A mould of a ring: the core is lost", mould(RING), outline(RING)),
+        ("mould", "A part and the mould around it", mould(S), trace_outline(S)),
+        ("mould-open", "A mould open to one side", mould(S, left=0), trace_outline(S)),
+        ("mould-of-c", "A mould of a letter C", mould(C), trace_outline(C)),
+        (
+            "mould-with-hole",
+            "A mould of a ring: the core is lost",
+            mould(RING),
+            trace_outline(RING),
+        ),
         ("stairs", "Stairs on stairs", draw("#   ", "##  ", "### ", "####"), STAIRS),
         ("diagonal", "Parts of a square cut along a stair", draw("###", "##", "#"), LOWER),
         ("puzzle-corner", "A corner piece", CORNER, draw("##", "## ", "#")),
         ("triangles", "A triangle cut out of a triangle", CUT, SMALL),
         ("arrow", "An arrow in its notch", NOTCH, ARROW),
-        ("cross", "A cross in a cross", mould(CROSS), outline(CROSS)),
+        ("cross", "A cross in a cross", mould(CROSS), trace_outline(CROSS)),
     ]:
         yield from in_places(slug, title, d, g)
 
@@ -34,8 +39,8 @@ def mould(cells: set[tuple[int, int]], left: int = 1) -> Region:
     """A block around some squares, with those cut out."""
     xs, ys = zip(*cells, strict=True)
     width, height = max(xs) - min(xs) + 2 + left, max(ys) - min(ys) + 3
-    around = block(width, height, min(xs) - left, min(ys) - 1)
-    return outline(connect(around - cells))
+    around = build_block(width, height, min(xs) - left, min(ys) - 1)
+    return trace_outline(connect(around - cells))
 
 
 def cells(*rows: str) -> set[tuple[int, int]]:

@@ -7,7 +7,7 @@ from builders.entry import UNIT, Entry, Ring, box, columns
 from exactsweep import Region
 from exactsweep.corpus.generator import growing
 from exactsweep.corpus.generator.any_shape import sort_by_angle
-from exactsweep.corpus.generator.cells import block, connect, outline
+from exactsweep.corpus.generator.cells import build_block, connect, trace_outline
 
 TITLE = "Up to a thousand vertices, answers of thousands, sizes next to powers of two"
 
@@ -128,4 +128,4 @@ def maze(rooms: int) -> Region:
         dx, dy = random.choice(ways)
         open_cells |= {(x + dx // 2, y + dy // 2), (x + dx, y + dy)}
         path.append((x + dx, y + dy))
-    return outline(connect(block(side, side) - open_cells))
+    return trace_outline(connect(build_block(side, side) - open_cells))

@@ -6,7 +6,7 @@ from fractions import Fraction
 from builders import outlines
 from builders.entry import Entry, Ring, box, in_places, scaled
 from exactsweep import Region
-from exactsweep.corpus.generator.cells import connect, frame, outline
+from exactsweep.corpus.generator.cells import build_frame, connect, trace_outline
 
 TITLE = "Rings around rings"
 
@@ -17,7 +17,12 @@ def entries() -> Iterator[Entry]:
     for slug, title, d, g in [
         ("nested", "A frame inside a frame, with room", square(7), square(3)),
         ("nested-exact", "A frame in one position inside a frame", square(5), square(3)),
-        ("nested-slide", "A frame that slides inside a frame", outline(frame(7, 5)), square(3)),
+        (
+            "nested-slide",
+            "A frame that slides inside a frame",
+            trace_outline(build_frame(7, 5)),
+            square(3),
+        ),
         ("outside", "A frame that moves around a smaller one", square(3), square(7)),
         ("outside-exact", "A frame in one position around a smaller one", square(3), square(5)),
         ("equal", "A frame around itself", square(4), square(4)),
@@ -36,11 +41,11 @@ def entries() -> Iterator[Entry]:
 
 
 def square(side: int) -> Region:
-    return outline(frame(side, side))
+    return trace_outline(build_frame(side, side))
 
 
 def gapped(side: int) -> Region:
-    return outline(connect(frame(side, side) - {(side // 2, 0)}))
+    return trace_outline(connect(build_frame(side, side) - {(side // 2, 0)}))
 
 
 def washer(radius: int, hole: int) -> Region:

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from builders.entry import Entry, Ring, in_places
 from exactsweep import Region
-from exactsweep.corpus.generator.cells import block, draw, outline
+from exactsweep.corpus.generator.cells import build_block, draw, trace_outline
 from exactsweep.corpus.generator.shapes import walk
 
 TITLE = "Spirals with a corridor wider than G, as wide, and narrower"
@@ -15,7 +15,7 @@ def entries() -> Iterator[Entry]:
     for turns in 4, 7, 12:
         for gap in 2, 3:
             for width in range(1, gap):
-                part = outline(block(width, width))
+                part = trace_outline(build_block(width, width))
                 title = f"{turns} turns {gap} apart, a square of {width}"
                 yield from in_places(
                     f"{turns}-{gap}-square-{width}", title, wound(turns, gap), part
@@ -39,7 +39,7 @@ def entries() -> Iterator[Entry]:
 def wound(turns: int, gap: int) -> Region:
     directions = ((1, 0), (0, 1), (-1, 0), (0, -1))
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
-    return outline(walk(steps))
+    return trace_outline(walk(steps))
 
 
 UNITS: Ring = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -11,7 +11,7 @@ from builders.entry import Entry
 from exactsweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.check import verify
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.corpus.case import given_rings
+from exactsweep.corpus.case import read_given_rings
 from exactsweep.geometry.reading import read_point
 
 _NAMES = (
@@ -113,7 +113,7 @@ def unproved(case: Case) -> Iterator[tuple[str, str]]:
 
 
 def _same_input(entry: Entry, case: Case) -> bool:
-    d, g = given_rings(entry.d, entry.d_holes), given_rings(entry.g, entry.g_holes)
+    d, g = read_given_rings(entry.d, entry.d_holes), read_given_rings(entry.g, entry.g_holes)
     reference = read_point(entry.reference, "reference")
     return (d, g, reference) == (case.directrix_rings, case.generatrix_rings, case.reference)
 

@@ -16,6 +16,7 @@ from exactsweep import (
     DirectionError,
     Polygon,
     PolygonError,
+    Region,
     inner_fit_polygon,
     limits,
     no_fit_polygon,
@@ -149,3 +150,16 @@ def test_polygons_written_by_a_program_are_read() -> None:
     largest = Fraction(10**4300 - 1)
     for c in (largest, 1 / largest, LONG):
         assert Polygon([(0, 0), (format_fraction(c), 0), (0, 1)]).area == c / 2
+
+
+def test_the_work_on_a_claim_is_told_before_it_is_begun() -> None:
+    """2 m n + m**2 + n**2 steps with m = 8 and n = 4, 18 points of the rings and fits, one area."""
+    plate = Region(_box(0, 3), [_box(1, 2)])
+    certificate = sweep(UNIT, plate).certificate()
+    steps = 64 + 64 + 16 + 18 + 1
+    assert verify(certificate, max_steps=steps).proved
+    assert verify(certificate, max_steps=steps - 1).reason.startswith("too large: ")
+
+
+def _box(low: int, high: int) -> list[tuple[int, int]]:
+    return [(low, low), (high, low), (high, high), (low, high)]

@@ -12,6 +12,7 @@ from shapes import Cells, cell_sets
 
 from exactsweep import NumberError, Point, Polygon, PolygonError
 from exactsweep.check import Classification, classify, point_in_polygon
+from exactsweep.check.cone import is_between
 from exactsweep.corpus.generator.cells import move
 from exactsweep.geometry.number import to_fraction
 
@@ -273,3 +274,9 @@ def test_a_position_that_is_no_pair_is_refused(position: object) -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     with pytest.raises(PolygonError, match=r"^the position is "):
         classify(square, square, position)  # type: ignore[arg-type]
+
+
+def test_a_segment_holds_its_ends() -> None:
+    a, b = (0, 0), (4, 2)
+    found = [p for p in [(-2, -1), a, (2, 1), (2, 2), b, (6, 3)] if is_between(p, a, b)]
+    assert found == [p for p in found if is_between(p, b, a)] == [a, (2, 1), b]

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapes import Cells, cell_sets, polyominoes, ringed, shape_pairs
 
-from exactsweep import Point, Polygon
+from exactsweep import Point, Polygon, no_fit_polygon
 from exactsweep.check import (
     ReferenceInnerFit,
     ReferenceNoFit,
@@ -82,6 +82,13 @@ UNIT = box(0, 0, 1, 1)
         ),
         pytest.param(
             grid("#.#", "#.#", "###"), UNIT, [], [[("1", "3"), ("1", "1")]], id="slot from outside"
+        ),
+        pytest.param(
+            grid("#####", "##.##", "#...#", "##.##", "#####"),
+            UNIT,
+            [],
+            [[("1", "2"), ("3", "2")], [("2", "1"), ("2", "3")]],
+            id="two slots that cross",
         ),
         pytest.param(
             grid("#####", "#...#", "#...#", "#...#", "##.##"),
@@ -328,3 +335,16 @@ def test_points_swept_are_those_of_some_position(d: Cells, g: Cells) -> None:
         assert covered == ((x, y) in fine), (x, y)
     for x, y in d:
         assert point_in_polygon((x + Fraction(1, 2), y + Fraction(1, 2)), swept.inner) > 0
+
+
+def test_contacts_along_one_line_far_apart_and_within_each_other() -> None:
+    """A tooth on a long beam meets a pillar while the foot is on another plain of one height."""
+    plains = [(0, -90), (300, -90), (300, 0), (200, 0), (200, -50), (100, -50), (100, 0)]
+    d = [*plains, (66, 0), (66, 50), (64, 50), (64, 0), (0, 0)]
+    g = [(30, 0), (40, 0), (40, 80), (-200, 80), (-200, 50), (-199, 50), (-199, 60), (30, 60)]
+    answer, expected = reference_no_fit(d, g), no_fit_polygon(d, g)
+    assert (answer.exterior, list(answer.holes)) == (
+        expected.exterior.vertices,
+        [hole.vertices for hole in expected.holes],
+    )
+    assert list(answer.exact_fits) == list(expected.exact_fits)

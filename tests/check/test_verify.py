@@ -4,7 +4,7 @@ import json
 import random
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 import pytest
 from families import random_pair
@@ -32,9 +32,9 @@ from exactsweep.check import (
     verify,
 )
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import heights
-from exactsweep.check.loop import Frame, Loop
-from exactsweep.check.sums import are_above, check_sum_within
+from exactsweep.check.chain import walk_heights
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.check.sums import check_sum_within, corners_with_common_slopes
 from exactsweep.geometry.direction import is_monotone
 
 
@@ -54,24 +54,47 @@ def test_certificate_is_proved_in_every_shared_direction() -> None:
         assert verify(s.certificate()) == (True, "proved", None), number
 
 
-def test_sums_of_convex_loops_are_within_if_all_sums_of_corners_are() -> None:
-    """Corner by corner, against the walk along the edges."""
-    rng, frame, origin = random.Random(4), Frame((1, 0), 1), Point(Fraction(0), Fraction(0))
+def test_sums_of_convex_loops_are_within_if_those_with_common_slopes_are() -> None:
+    """All sums of corners against those that the lemma asks for: far fewer."""
+    rng, frame, origin = random.Random(4), NodeFrame((1, 0), 1), Point(Fraction(0), Fraction(0))
     counts = {True: 0, False: 0}
     for _ in range(1000):
         k, dx, dy = rng.choice([1, 1, 2, 3, 4]), rng.randint(-4, 3), rng.randint(-4, 3)
         around, first, second = (Polygon(convex(rng)[0]) for _ in range(3))
         around = Polygon([(k * x + dx, k * y + dy) for x, y in around.vertices])
-        loops = [Loop(frame.enter(p.vertices, origin), "", frame) for p in (around, first, second)]
+        loops = [
+            MonotoneLoop(frame.enter(p.vertices, origin), "", frame)
+            for p in (around, first, second)
+        ]
         for chain, a, b in zip(*(loop.halves for loop in loops), strict=True):
-            every = all(
-                chain.holds((ax + bx * w, ay + by * w, w))
-                for _, (ax, ay, w) in a.convex
-                for _, (bx, by, _) in b.convex
+            (a_run,), (b_run,) = a.runs, b.runs
+            every, some = (
+                all(
+                    chain.holds((px + qx, py + qy, 1))
+                    for (_, (px, py, _), *_), (_, (qx, qy, _), *_) in sums
+                )
+                for sums in (product(a_run, b_run), corners_with_common_slopes(a, b))
             )
-            assert are_above(chain, a, b) == every
+            assert every == some
             counts[every] += 1
+            assert len([*corners_with_common_slopes(a, b)]) < len(a_run) + len(b_run)
     assert min(counts.values()) > 100
+
+
+@settings(max_examples=80)
+@given(monotone_rings(), monotone_rings())
+def test_convex_corners_of_a_sum_are_sums_of_corners_with_common_slopes(
+    first: Ring, second: Ring
+) -> None:
+    a, b = Polygon(first), Polygon(second)
+    true = reference_loops(b.reflected(), a).trajectory
+    halves = (_loop(vertices).halves for vertices in (a.vertices, b.vertices, true))
+    for of_a, of_b, of_sum in zip(*halves, strict=True):
+        sums = {
+            (px + qx, py + qy)
+            for (_, (px, py, _), *_), (_, (qx, qy, _), *_) in corners_with_common_slopes(of_a, of_b)
+        }
+        assert {node[:2] for run in of_sum.runs for _, node, _, _ in run} <= sums
 
 
 @settings(max_examples=25)
@@ -289,11 +312,21 @@ def test_sum_within_agrees_with_the_definition(data: st.DataObject) -> None:
     assert where == (0, 1) if str(found.value) == "inside" else where[0] == -1 <= where[1]
 
 
-FRAME = Frame((1, 0), 1)
+def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
+    """At x = 2 the sum drops from 4 to 0; a corner of Q on that wall is not inside the sum."""
+    a = Polygon([(0, 4), (1, 4), (1, 0), (2, 8), (2, 20), (0, 20)])
+    q = Polygon([(0, 0), (2, 0), (2, 3), (4, 3), (4, 40), (0, 40)])
+    outer, part = _loop(q.vertices), _loop(a.vertices)
+    with pytest.raises(CertificateError, match="inside 2") as found:
+        check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
+    assert found.value.witness == Point(Fraction(9, 4), Fraction(3))
 
 
-def _loop(vertices: Vertices) -> Loop:
-    return Loop(FRAME.enter(vertices, Point(Fraction(0), Fraction(0))), "loop", FRAME)
+FRAME = NodeFrame((1, 0), 1)
+
+
+def _loop(vertices: Vertices) -> MonotoneLoop:
+    return MonotoneLoop(FRAME.enter(vertices, Point(Fraction(0), Fraction(0))), "loop", FRAME)
 
 
 @settings(max_examples=80)
@@ -303,9 +336,9 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
     true = reference_loops(b.reflected(), a).trajectory
     halves = (_loop(vertices).halves for vertices in (a.vertices, b.vertices, true))
     for of_a, of_b, of_sum in zip(*halves, strict=True):
-        for edge in of_sum.edges:
-            for node, side in ((edge.left, 1), (edge.right, -1)):
-                assert min(height for height, _ in heights(of_a, of_b, node, side)) == 0
+        for left, right, _ in of_sum.edges:
+            for node, side in ((left, 1), (right, -1)):
+                assert min(height for height, _ in walk_heights(of_a, of_b, node, side)) == 0
 
 
 @settings(max_examples=500)

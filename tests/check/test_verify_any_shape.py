@@ -21,7 +21,7 @@ from strategies import simple_polygons
 from exactsweep import Point, Polygon
 from exactsweep.check import classify, verify
 from exactsweep.check.monotone import has_shared_direction
-from exactsweep.geometry.direction import DirectionError, shared_direction
+from exactsweep.geometry.direction import DirectionError, choose_direction
 
 patient = settings(max_examples=40)
 UNIT = grid("#")
@@ -107,7 +107,7 @@ def test_shared_direction_is_found_as_by_the_kernel(d: Polygon, g: Polygon) -> N
 
 def _has_direction(d: Polygon, g: Polygon) -> bool:
     try:
-        shared_direction(g, d)
+        choose_direction(g, d)
     except DirectionError:
         return False
     return True

@@ -13,7 +13,7 @@ from strategies import simple_polygons
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.formats import parse_polygon, read_region
-from exactsweep.text.report import inner_fit_report, no_fit_report
+from exactsweep.text.report import report_inner_fit, report_no_fit
 from exactsweep.text.results import inner_fit_to_json, no_fit_to_json
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -81,7 +81,7 @@ def test_holes_are_read(files: dict[str, str]) -> None:
 def test_the_no_fit_polygon_has_its_holes_and_fits(name: str, files: dict[str, str]) -> None:
     assert run("nfp", files[name], files["square.json"]).stdout == PLATE_REPORT
     expected = no_fit_polygon(PLATE, SQUARE)
-    assert no_fit_report(expected) == PLATE_REPORT
+    assert report_no_fit(expected) == PLATE_REPORT
     assert run("nfp", files[name], "-", "--json", stdin=json.dumps(SQUARE)).stdout == (
         no_fit_to_json(expected)
     )
@@ -128,7 +128,7 @@ def test_the_reference_moves_the_answer(files: dict[str, str]) -> None:
 def test_positions_in_a_container_are_found(files: dict[str, str]) -> None:
     result = run("ifp", files["plate.json"], files["square.json"])
     expected = inner_fit_polygon(PLATE, SQUARE)
-    assert result.stdout == inner_fit_report(expected)
+    assert result.stdout == report_inner_fit(expected)
     assert result.stdout.startswith("the part     fits\n")
     shown = run("ifp", files["plate.json"], files["square.json"], "--json").stdout
     assert shown == inner_fit_to_json(expected)

@@ -14,7 +14,7 @@ from command import PATIENCE
 
 import exactsweep
 from exactsweep.cli.reference import MODULES
-from exactsweep.lessons import titles as read_lessons
+from exactsweep.lessons import list_titles as read_lessons
 
 
 def public_names(module: ModuleType) -> list[str]:

@@ -14,7 +14,7 @@ from command import PATIENCE
 from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
-from exactsweep.conform.adapters.adapter import prepared
+from exactsweep.conform.adapters.adapter import prepare_ring
 from exactsweep.conform.adapters.orbit import sort_out
 from exactsweep.conform.adapters.table import Rows, read_journal, write_tables
 from exactsweep.conform.judge.verdict import Verdict
@@ -50,7 +50,7 @@ def verdicts(name: str, cases: Iterator[Case]) -> set[Verdict]:
 
 @pytest.mark.parametrize("name", EXACT)
 def test_an_exact_program_is_exact_but_for_exact_fits(name: str) -> None:
-    allowed = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS}
+    allowed = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS}
     families = "convex", "notched", "rounded-crossings", "fractions"
     drawn = (case for family in families for case in generate(family, 3, 3))
     assert verdicts(name, drawn) <= allowed
@@ -75,7 +75,7 @@ def test_a_crossing_at_thirds_is_rounded(name: str) -> None:
 @pytest.mark.parametrize("name", SUMS)
 def test_sums_have_no_exact_fits(name: str) -> None:
     assert verdicts(name, iter([find_case("fits-square")])) == {
-        Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+        Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
     }
 
 
@@ -264,8 +264,8 @@ def test_journals_become_a_table(tmp_path: Path) -> None:
 def test_a_ring_is_prepared_exactly() -> None:
     # Doubled area 2^-1074: lost in products of floats.
     tiny = [(0.0, 0.0), (0.0, 5e-324), (1.0, 0.0)]
-    assert prepared(tiny) == tiny[::-1]
-    assert prepared(tiny[::-1]) == tiny[::-1]
+    assert prepare_ring(tiny) == tiny[::-1]
+    assert prepare_ring(tiny[::-1]) == tiny[::-1]
 
 
 def test_the_peers_of_the_test_environment_are_there() -> None:

@@ -265,7 +265,7 @@ def test_exact_fits_are_a_part_of_their_own() -> None:
     right = answer(FIT)
     fits = right.pop("exact_fits")
     dropped = compare(FIT, right)
-    assert dropped.verdict is Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+    assert dropped.verdict is Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
     assert dropped.reason == "1 exact fit missing"
     assert dropped.witness is not None
     assert dropped.witness.classified == "CONTACT"
@@ -278,11 +278,11 @@ def test_exact_fits_are_a_part_of_their_own() -> None:
     ("fit", "verdict"),
     [
         ([[1, 3], [1, 1]], "exact"),
-        ([[1, 3], [1, 2]], "equivalent but for exact fits"),
+        ([[1, 3], [1, 2]], "equivalent except for exact fits"),
         ([[1, 3], [1, 0]], "unsound"),
         ([[0, 1], [2, 1]], "unsound"),
-        ([[-2, 0], [-2, 1]], "equivalent but for exact fits"),
-        ([[9, 9], [9, 9]], "equivalent but for exact fits"),
+        ([[-2, 0], [-2, 1]], "equivalent except for exact fits"),
+        ([[9, 9], [9, 9]], "equivalent except for exact fits"),
         ([[1, 3]], "malformed"),
         ([1, 3], "malformed"),
     ],

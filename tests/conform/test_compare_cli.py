@@ -29,12 +29,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_case_is_a_file_or_an_id(folder: Path, case: str) -> None:
     result = run("compare", case, "answer.json")
     assert result.exit_code == 0
-    assert result.stdout.startswith("fits-square: equivalent but for exact fits\n")
-    assert "exact fits: equivalent but for exact fits, 1 exact fit missing\n" in result.stdout
+    assert result.stdout.startswith("fits-square: equivalent except for exact fits\n")
+    assert "exact fits: equivalent except for exact fits, 1 exact fit missing\n" in result.stdout
 
 
 def test_what_is_a_failure_can_be_chosen(folder: Path) -> None:
-    fits = "equivalent but for exact fits"
+    fits = "equivalent except for exact fits"
     assert run("compare", "fits-square", "answer.json", "--accept", fits).exit_code == 0
     assert run("compare", "fits-square", "answer.json", "--accept", "equivalent").exit_code == 1
     assert run("compare", "fits-square", "answer.json", "--accept", "good").exit_code == 2

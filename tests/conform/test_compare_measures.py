@@ -1,6 +1,6 @@
 """Areas between regions, distances of loops, and walks along both: laws and known answers."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -13,8 +13,8 @@ from strategies import points, simple_rings
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
 from exactsweep.conform.judge.frechet import walk_together
-from exactsweep.conform.judge.hausdorff import LoopEdge, Place, distance_squared
-from exactsweep.conform.judge.region import RegionError, area, differences, simplest
+from exactsweep.conform.judge.hausdorff import LoopEdge, Place, bound_distance
+from exactsweep.conform.judge.region import RegionError, add_areas, find_differences, find_simplest
 
 Ring = Sequence[Point]
 
@@ -32,8 +32,8 @@ def polygons() -> st.SearchStrategy[Ring]:
     return simple_rings().map(lambda ring: Polygon(ring).vertices)
 
 
-def apart(one: Iterable[Ring], other: Iterable[Ring]) -> Fraction:
-    return area(differences(one, other))
+def apart(one: Sequence[Ring], other: Sequence[Ring]) -> Fraction:
+    return add_areas(find_differences(one, other))
 
 
 @patient
@@ -56,7 +56,7 @@ def test_differences_are_a_metric_of_regions(one: Ring, two: Ring, three: Ring) 
 @patient
 @given(any_rings(), any_rings())
 def test_points_of_a_cell_are_in_exactly_its_region(one: Ring, other: Ring) -> None:
-    for cell in differences([one], [other]):
+    for cell in find_differences([one], [other]):
         for point in cell.points():
             assert (locate(point, one) > 0) is cell.first
             assert (locate(point, other) > 0) is not cell.first
@@ -65,8 +65,8 @@ def test_points_of_a_cell_are_in_exactly_its_region(one: Ring, other: Ring) -> N
 @patient
 @given(polygons(), polygons())
 def test_areas_of_simple_polygons_add_up(one: Ring, other: Ring) -> None:
-    cells = list(differences([one], [other]))
-    first, second = (area(c for c in cells if c.first is side) for side in (True, False))
+    cells = list(find_differences([one], [other]))
+    first, second = (add_areas(c for c in cells if c.first is side) for side in (True, False))
     assert Polygon(one).area - first == Polygon(other).area - second
 
 
@@ -109,17 +109,17 @@ def _area(ring: list[tuple[Fraction, Fraction]]) -> Fraction:
 def test_rings_that_cross_too_often_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     comb = [Point(Fraction(x), Fraction(9 * (x % 2))) for x in range(20)]
     turned = [Point(2 * y, x / 2) for x, y in comb]
-    cells = list(differences([comb], [turned]))
-    assert area(cells) > 0
+    cells = list(find_differences([comb], [turned]))
+    assert add_areas(cells) > 0
     monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 1000)
     with pytest.raises(RegionError, match="to be measured"):
-        list(differences([comb], [turned]))
+        list(find_differences([comb], [turned]))
 
 
 @given(st.fractions(max_denominator=50), st.fractions(max_denominator=50))
 def test_the_simplest_number_between_has_the_least_denominator(p: Fraction, q: Fraction) -> None:
     low, high = sorted((p, q))
-    found = simplest(low, high)
+    found = find_simplest(low, high)
     assert low <= found <= high
     for denominator in range(1, found.denominator):
         assert -(-low * denominator // 1) > high * denominator // 1
@@ -143,7 +143,7 @@ def _whole(ring: Ring) -> list[tuple[int, int]]:
 @patient
 @given(polygons(), polygons())
 def test_the_distance_is_that_of_many_places(one: Ring, other: Ring) -> None:
-    low, high = distance_squared([one], [other])
+    low, high = bound_distance([one], [other])
     assert low <= high <= low * (1 + Fraction(1, 2**32))
     found = max(brute(one, other, 12), brute(other, one, 12))
     assert found <= high
@@ -160,9 +160,9 @@ def test_the_distance_is_that_of_many_places(one: Ring, other: Ring) -> None:
 @patient
 @given(polygons(), polygons())
 def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring) -> None:
-    assert distance_squared([one], [other]) == distance_squared([other], [one])
+    assert bound_distance([one], [other]) == bound_distance([other], [one])
     doubled = [*one, one[0], *one]
-    assert distance_squared([one], [doubled])[1] == 0
+    assert bound_distance([one], [doubled])[1] == 0
 
 
 @pytest.mark.parametrize(
@@ -177,7 +177,7 @@ def test_the_distance_is_symmetric_and_zero_for_one_loop(one: Ring, other: Ring)
     ],
 )
 def test_distances_by_hand(ring: Ring, squared: str) -> None:
-    low, high = distance_squared([SQUARE], [ring])
+    low, high = bound_distance([SQUARE], [ring])
     assert low == high
     if squared != "16/13":
         assert low == Fraction(squared)
@@ -185,10 +185,10 @@ def test_distances_by_hand(ring: Ring, squared: str) -> None:
 
 def test_vertices_along_edges_do_not_loosen_the_bounds() -> None:
     many = [Point(Fraction(k, 30), Fraction(0)) for k in range(121)] + list(SQUARE[2:])
-    assert distance_squared([SQUARE], [many]) == distance_squared([SQUARE], [SQUARE])
+    assert bound_distance([SQUARE], [many]) == bound_distance([SQUARE], [SQUARE])
     tiny = Fraction(1, 2**60)
     many[50] = Point(many[50].x, tiny)
-    low, high = distance_squared([SQUARE], [many])
+    low, high = bound_distance([SQUARE], [many])
     assert low <= tiny**2 <= high <= low * (1 + Fraction(1, 2**32))
 
 
@@ -196,7 +196,7 @@ def test_an_irrational_distance_is_bounded() -> None:
     # The parabola of points as far from (2, 3) as from the line y = 0 meets the top, y = 4,
     # where x - 2 is the root of 7.
     tooth = points((0, 0), (4, 0), (4, 1), (2, 3), (0, 1))
-    low, high = distance_squared([SQUARE], [tooth])
+    low, high = bound_distance([SQUARE], [tooth])
     assert low <= high <= low * (1 + Fraction(1, 2**32))
 
 

@@ -24,10 +24,10 @@ def test_a_table_and_a_last_line_sum_up(two: str) -> None:
     assert done.exit_code == 1
     table, _, rest = done.stdout.partition("\n\n")
     rows = [re.split(r"\s{2,}", line.strip()) for line in table.splitlines()]
-    assert rows[0] == ["cases", "exact", "equivalent but for exact fits"]
+    assert rows[0] == ["cases", "exact", "equivalent except for exact fits"]
     assert rows[1:4] == [["all", "2", "1", "1"], ["CC", "1", "1"], ["CM", "1", "1"]]
     failure, ending = rest.splitlines()
-    assert failure.startswith("equivalent but for exact fits  mine-slot  ")
+    assert failure.startswith("equivalent except for exact fits  mine-slot  ")
     assert ending == "faulty: fit-dropped: failed, 2 of 2 cases judged, 1 worse than equivalent"
 
 

@@ -12,7 +12,7 @@ from judged import CONVEX, EXAMPLES
 
 from exactsweep.conform.run.outcome import judge_answer
 from exactsweep.conform.run.peer import read_answer
-from exactsweep.conform.run.protocol import case_line, read_hello, read_object
+from exactsweep.conform.run.protocol import read_hello, read_object, write_case_line
 from exactsweep.corpus import Case
 
 
@@ -24,7 +24,7 @@ def test_the_protocol_is_as_the_readme_says(tmp_path: Path) -> None:
     given = json.loads(line[0])
     names = ("directrix", "generatrix", "reference")
     case = Case.of(given["id"], "", *(given[name] for name in names))
-    assert line == [case_line(case, said)]
+    assert line == [write_case_line(case, said)]
     verdicts = ["exact", "unsupported", "crash"]
     for text, verdict in zip(answers, verdicts, strict=True):
         answer = read_answer(read_object(text))

@@ -69,7 +69,7 @@ EXPECTED = {
     "list": "malformed",
     "huge": "malformed",
 }
-AT_THE_SLOT = {"fit-dropped": "equivalent but for exact fits", "outer-hull": "conservative"}
+AT_THE_SLOT = {"fit-dropped": "equivalent except for exact fits", "outer-hull": "conservative"}
 OF_MORE_THAN_ONE_CASE = {"twice"}
 ALL = [(fault, "notch", EXPECTED[fault]) for fault in EXPECTED] + [
     (fault, "slot", AT_THE_SLOT[fault]) for fault in AT_THE_SLOT

@@ -9,7 +9,7 @@ import pytest
 
 from exactsweep import Point, Polygon
 from exactsweep.conform import compare
-from exactsweep.conform.judge.witness import exact_rings
+from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import cases
 
 Rings = list[Any]
@@ -48,7 +48,7 @@ def test_a_mistake_in_a_hole_is_convicted(
 ) -> None:
     assert len(HOLED) == 4
     for case in HOLED:
-        rings = list(exact_rings(case, "no_fit"))
+        rings = list(list_exact_rings(case, "no_fit"))
         assert compare(case, {"no_fit": rings, "exact_fits": case.exact_fits}).verdict == "exact"
         found = compare(case, {"no_fit": change(rings), "exact_fits": case.exact_fits})
         assert found.verdict in verdicts, (case.id, found.reason)
@@ -58,7 +58,7 @@ def test_a_mistake_in_a_hole_is_convicted(
 def test_the_smallest_of_several_holes_cannot_be_dropped() -> None:
     assert len(MANY) == 3
     for case in MANY:
-        rings = drop_smallest(list(exact_rings(case, "no_fit")))
+        rings = drop_smallest(list(list_exact_rings(case, "no_fit")))
         found = compare(case, {"no_fit": rings, "exact_fits": case.exact_fits})
         assert found.verdict == "conservative", (case.id, found.reason)
 
@@ -67,7 +67,7 @@ def test_a_region_of_an_inner_fit_cannot_be_dropped_moved_or_invented() -> None:
     assert len(CONTAINERS) == 4
     for case in CONTAINERS:
         fits = {"inner_exact_fits": case.inner_exact_fits}
-        rings = list(exact_rings(case, "inner_fit"))
+        rings = list(list_exact_rings(case, "inner_fit"))
         assert compare(case, {"inner_fit": rings, **fits}).verdict == "exact", case.id
         moved = [shift(rings[0], Fraction(1, 10**9)), *rings[1:]]
         assert compare(case, {"inner_fit": rings[:-1], **fits}).verdict != "exact"

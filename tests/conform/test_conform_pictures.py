@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from exactsweep.conform import Verdict
-from exactsweep.conform.report.html import SIDE, Panel, panels
-from exactsweep.conform.report.text import root
+from exactsweep.conform.report.html import SIDE, Panel, draw_panels
+from exactsweep.conform.report.text import take_root
 from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
@@ -36,7 +36,7 @@ def test_a_picture_does_not_depend_on_the_scale(scale: Fraction) -> None:
     ring = [(x * scale, y * scale) for x, y in SQUARE]
     case = Case.of("a", "", ring, ring)
     theirs = [(x * scale, y * scale) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 2))]
-    (panel,) = panels(outcome_of(case, theirs))
+    (panel,) = draw_panels(outcome_of(case, theirs))
     assert all(in_sight(panel, name) for name in ("directrix", "generatrix", "exact", "theirs"))
     xs, ys = zip(*places(panel, "exact"), strict=True)
     assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys), abs=0.05)
@@ -46,7 +46,7 @@ def test_a_picture_does_not_depend_on_the_scale(scale: Fraction) -> None:
 def test_a_small_error_is_shown_again_enlarged() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     low = -1 - Fraction(1, 10**20)
-    whole, enlarged = panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
+    whole, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
     assert in_sight(whole, "theirs")
     assert re.fullmatch(r"2\.9\d*E\+19 times larger, at the witness", enlarged.caption)
     assert not in_sight(enlarged, "exact")
@@ -57,14 +57,14 @@ def test_a_small_error_is_shown_again_enlarged() -> None:
 def test_an_error_beyond_floats_is_enlarged_too(error: str) -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
     low = -1 - Fraction(error)
-    _, enlarged = panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
+    _, enlarged = draw_panels(outcome_of(case, [(-1, low), (1, -1), (1, 1), (-1, 1)]))
     assert "times larger, at the witness" in enlarged.caption
 
 
 def test_what_is_thin_is_not_a_line() -> None:
     needle = [(0, 0), (10**9, 0), (10**9, 1)]
     case = Case.of("a", "", needle, needle)
-    (panel, *_) = panels(outcome_of(case, [(0, 0), (1, 0), (0, 1)]))
+    (panel, *_) = draw_panels(outcome_of(case, [(0, 0), (1, 0), (0, 1)]))
     assert panel.caption == "trajectory; not to scale: each axis has a unit of its own"
     _, ys = zip(*places(panel, "exact"), strict=True)
     assert max(ys) - min(ys) > SIDE / 2
@@ -72,7 +72,7 @@ def test_what_is_thin_is_not_a_line() -> None:
 
 def test_what_is_far_off_does_not_hide_the_rest() -> None:
     case = Case.of("a", "", SQUARE, SQUARE)
-    whole, near = panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
+    whole, near = draw_panels(outcome_of(case, [(-1, -1), (10**9, -1), (1, 1), (-1, 1)]))
     assert in_sight(near, "exact")
     assert near.caption.endswith("larger, at D")
     xs, _ = zip(*places(near, "exact"), strict=True)
@@ -87,14 +87,14 @@ def test_what_is_far_off_does_not_hide_the_rest() -> None:
 def test_what_cannot_be_read_is_left_out(theirs: Any) -> None:
     outcome = outcome_of(Case.of("a", "", SQUARE, SQUARE), theirs)
     assert outcome.verdict is Verdict.MALFORMED
-    (panel,) = panels(outcome)
+    (panel,) = draw_panels(outcome)
     assert {shape.name for shape in panel.shapes} == {"directrix", "generatrix", "exact"}
 
 
 def test_a_lost_fit_is_shown_as_a_segment() -> None:
     slot = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
     case = Case.of("a", "", slot, SQUARE)
-    (panel,) = panels(outcome_of(case, case.trajectory.vertices))
+    (panel,) = draw_panels(outcome_of(case, case.trajectory.vertices))
     assert panel.caption == "exact fits"
     assert len(places(panel, "exact")) == 2
     assert len(places(panel, "faint")) == len(case.trajectory)
@@ -103,7 +103,7 @@ def test_a_lost_fit_is_shown_as_a_segment() -> None:
 @pytest.mark.parametrize("number", [0, 2, Fraction(1, 10**500), 10**500, Fraction(7, 3)])
 def test_roots_are_near(number: Fraction) -> None:
     square = Fraction(number)
-    assert abs(root(square) ** 2 - square) <= square / 2**50
+    assert abs(take_root(square) ** 2 - square) <= square / 2**50
 
 
 def test_a_smaller_case_with_another_fault_is_dropped() -> None:

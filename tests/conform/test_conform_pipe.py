@@ -22,7 +22,7 @@ def test_generated_cases_are_judged_in_a_pipe() -> None:
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert (
-        "convex.py: passed, 5 of 5 cases judged, 0 worse than equivalent but for exact fits"
+        "convex.py: passed, 5 of 5 cases judged, 0 worse than equivalent except for exact fits"
         in done.stdout
     )
 

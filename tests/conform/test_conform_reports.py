@@ -12,7 +12,7 @@ from judged import FAULTY, TWO, write_cases
 
 from exactsweep.check import classify
 from exactsweep.conform import Verdict
-from exactsweep.conform.report.junit import junit
+from exactsweep.conform.report.junit import write_junit
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
@@ -33,7 +33,7 @@ def test_junit_tells_failures_from_errors_and_skips() -> None:
     run = Run(Hello("mine & others"))
     for outcome in outcomes:
         run.add(outcome)
-    (suite,) = ElementTree.fromstring(junit(run))
+    (suite,) = ElementTree.fromstring(write_junit(run))
     counts = {"tests": "4", "failures": "1", "errors": "1", "skipped": "1", "time": "0.500"}
     assert suite.attrib == {"name": "mine & others", **counts}
     assert [(p.get("name"), p.get("value")) for p in suite[0]] == [("judged", "3")]
@@ -42,7 +42,7 @@ def test_junit_tells_failures_from_errors_and_skips() -> None:
     assert tags == [[], ["failure"], ["error", "system-err"], ["skipped"]]
     assert tested[1][0].attrib == {"type": "wrong", "message": "neither \ufffd nor <"}
     run.complaints, run.interrupted = ["exited with code 1"], True
-    assert ElementTree.fromstring(junit(run))[0][-1].text == "exited with code 1\ninterrupted"
+    assert ElementTree.fromstring(write_junit(run))[0][-1].text == "exited with code 1\ninterrupted"
 
 
 def test_every_report_has_the_witness_in_full(two: str, tmp_path: Path) -> None:

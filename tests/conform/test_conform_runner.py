@@ -29,7 +29,7 @@ from exactsweep.conform.run.protocol import (
     read_hello,
 )
 from exactsweep.conform.run.run import SHOWN, Run
-from exactsweep.conform.run.runner import conduct, conform
+from exactsweep.conform.run.runner import conform, judge_cases
 from exactsweep.corpus import Case, cases
 from exactsweep.processes import lock
 
@@ -181,7 +181,7 @@ def test_a_case_that_contradicts_itself_ends_the_run() -> None:
     wrong = replace(FEW[0], trajectory=FEW[1].trajectory, id="wrong")
     run = Run(Hello("mine"))
     with Judges(CORRECT) as judges:
-        conduct(run, judges, [FEW[2], wrong, *FEW[3:]])
+        judge_cases(run, judges, [FEW[2], wrong, *FEW[3:]])
     assert run.interrupted
     assert run.complaints[0].startswith("case 'wrong': ")
     assert [outcome.id for outcome in run.outcomes] == [FEW[2].id]
@@ -240,7 +240,7 @@ def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -
     again = run("conform", "--resume", *command[1:])
     assert again.exit_code == 0
     assert (
-        "watched: passed, 20 of 20 cases judged, 0 worse than equivalent but for exact fits"
+        "watched: passed, 20 of 20 cases judged, 0 worse than equivalent except for exact fits"
         in again.stdout
     )
     kept = [json.loads(line)["id"] for line in journal.read_text().splitlines()[1:]]

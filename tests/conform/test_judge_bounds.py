@@ -22,7 +22,7 @@ from exactsweep.check import classify
 from exactsweep.conform import Outcome, Run, Verdict
 from exactsweep.conform.judge import hausdorff, loops, region
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.region import differences, find_overlap
+from exactsweep.conform.judge.region import find_differences, find_overlap
 from exactsweep.conform.judge.verdict import PartComparison
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.spool import SpoolError
@@ -102,7 +102,7 @@ def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> Non
         for k, one in enumerate(polygons)
         for j, other in enumerate(polygons[:k])
         if classify(one, other, ORIGIN).verdict == "OVERLAP"
-        and len({c.first for c in differences([one.vertices], [other.vertices])}) != 1
+        and len({c.first for c in find_differences([one.vertices], [other.vertices])}) != 1
     }
     assert (found in pairs) if pairs else found is None
 
@@ -120,7 +120,7 @@ def test_the_distance_of_large_loops_takes_bounded_work(monkeypatch: pytest.Monk
     rim = [Point(Fraction(k), Fraction(k * k % 7, 50)) for k in range(3000)]
     noisy = [*rim, Point(Fraction(3000), Fraction(900)), Point(Fraction(-1), Fraction(900))]
     box = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (3000, 0), (3000, 900), (0, 900)]]
-    low, high = hausdorff.distance_squared([box], [noisy])
+    low, high = hausdorff.bound_distance([box], [noisy])
     assert low <= high
     assert looked_at < 2_000_000
 

@@ -17,7 +17,7 @@ FIT = Case.of("fit", "", BLOCK, WIDE)
 THIRDS = Case.of(
     "thirds", "", [(Fraction(x) + Fraction(1, 3), Fraction(y) / 3) for x, y in BLOCK], WIDE
 )
-BUT = "equivalent but for exact fits"
+BUT = "equivalent except for exact fits"
 
 
 @pytest.mark.parametrize(

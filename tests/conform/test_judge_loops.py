@@ -14,9 +14,9 @@ from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.loops import find_fault
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.witness import exact_rings
+from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case, cases
-from exactsweep.corpus.generator.shapes import hull
+from exactsweep.corpus.generator.shapes import take_hull
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -65,7 +65,7 @@ def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
     far = 2**31
     ring = [(x + far, y + far) for x, y in BLOCK]
     case = Case.of("far", "", ring, SQUARE)
-    loop = [[float(x), float(y)] for x, y in hull(case.trajectory.vertices)]
+    loop = [[float(x), float(y)] for x, y in take_hull(case.trajectory.vertices)]
     found = judge(case, loop)
     assert found.verdict is Verdict.CONSERVATIVE
     assert found.granted is not None
@@ -78,7 +78,7 @@ def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
     """Two notches at thirds are lost: by less than one each, which integers may be off."""
     notched = [(0, 0), (3, 0), (3, 3), (2, 3), ("5/3", "8/3"), ("4/3", 3), (0, 3)]
     case = Case.of("notched", "", notched, [(0, 0), ("1/9", 0), (0, "1/9")])
-    box = [[round(x), round(y)] for x, y in hull(case.trajectory.vertices)]
+    box = [[round(x), round(y)] for x, y in take_hull(case.trajectory.vertices)]
     assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
 
 
@@ -103,7 +103,7 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
     good = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.WITHIN}
     broken = 0
     for case in ALL_CASES:
-        exact = exact_rings(case, name)
+        exact = list_exact_rings(case, name)
         if case.size > 60 or not all(holds(c) for ring in exact for p in ring for c in p):
             continue
         for to in (float, round):
@@ -179,7 +179,7 @@ def answers() -> dict[str, list[Any]]:
         "exact for another scale: it is 10 times as large": [(10 * x, 10 * y) for x, y in t],
         "exact for the inner loop instead": list(CASE.inner.vertices),
         "exact for the outer loop instead": list(CASE.outer.vertices),
-        "the convex hull of the exact one": hull(t),
+        "the convex hull of the exact one": take_hull(t),
         "D itself": D,
         "G itself": G,
     }
@@ -199,6 +199,33 @@ def test_no_mistake_is_named_that_is_none() -> None:
     assert judge(CASE, [[0, 0], [1, 0], [0, 1]]).diagnosis == ()
     moved = [*CASE.trajectory.vertices[1:], Point(Fraction(-9), Fraction(5))]
     assert judge(CASE, moved).diagnosis == ("one vertex is off, the others are exact",)
+
+
+def test_a_little_more_than_rounding_is_no_other_scale_and_no_other_point() -> None:
+    ring = [[float(x), float(y)] for x, y in CASE.trajectory.vertices]
+    (a, b), *others = ring
+    for spoilt in ([[x * (1 + 1e-10), y * (1 + 1e-10)] for x, y in ring], [[a - 1e-9, b], *others]):
+        found = judge(CASE, spoilt)
+        assert found.diagnosis == ("exact except for 4 times the rounding granted",)
+
+
+@pytest.mark.parametrize(
+    ("words", "x", "change"),
+    [
+        ("rounded down to integers", "1/7", lambda c: c // 1),
+        ("rounded to integers", "1/7", round),
+        ("rounded to 1 decimal", "1/7", lambda c: float(f"{float(c):.1f}")),
+        ("rounded to 3 digits", "1/7", lambda c: f"{float(c):.3g}"),
+        ("wraps around at 8 bits", 1, lambda c: (c + 128) % 256 - 128 if c == int(c) else c),
+    ],
+)
+def test_what_numbers_do_to_all_coordinates_is_named(words: str, x: Any, change: Any) -> None:
+    case = Case.of("far", "", [(3 * x + 117, 70 * y) for x, y in D], G, (x, 5))
+    ring = [[change(x), change(y)] for x, y in case.trajectory.vertices]
+    assert words in judge(case, ring, numbers="rational").diagnosis
+    # With one coordinate otherwise it would be a guess.
+    other = [[ring[0][0], "999"], *ring[1:]]
+    assert words not in judge(case, other, numbers="rational").diagnosis
 
 
 @pytest.mark.parametrize(("numbers", "verdict"), [("rational", "unsound"), ("integer", "within")])

@@ -10,7 +10,7 @@ import pytest
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify
 from exactsweep.conform import Verdict, compare, conform, shrink
-from exactsweep.conform.run.protocol import Hello, ProtocolError, adapt, case_line, read_hello
+from exactsweep.conform.run.protocol import Hello, ProtocolError, adapt, read_hello, write_case_line
 from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case, cases, find_case, generate
 from exactsweep.corpus.generator.any_shape import SHAPES
@@ -74,19 +74,19 @@ def test_right_answers_of_any_shape_are_exact() -> None:
             "exact_fits",
             lambda fits: [],
             lambda case: case.exact_fits,
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
         (
             "inner_exact_fits",
             lambda fits: [],
             lambda case: case.inner_exact_fits,
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
         (
             "exact_fits",
             lambda fits: [fit for fit in fits if fit[0] != fit[1]],
             lambda case: any(p == q for p, q in case.exact_fits),
-            Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+            Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         ),
     ],
 )
@@ -141,7 +141,7 @@ def test_the_old_hello_is_asked_what_it_was_asked() -> None:
     assert said == Hello("old")
     assert said.to_json() == OLD
     plate, notch = find_case("holes-room"), find_case("worked-roof")
-    line = json.loads(case_line(notch, said))
+    line = json.loads(write_case_line(notch, said))
     assert list(line) == ["id", "class", "directrix", "generatrix", "reference"]
     with pytest.raises(ValueError, match=r"^not asked: it takes monotone pairs, not any ones$"):
         adapt(plate, said)
@@ -153,11 +153,11 @@ def test_the_new_hello_says_shapes_and_questions() -> None:
     assert (said.loops, said.shapes) == ((), "any")
     assert read_hello(json.dumps(said.to_json())) == said
     plate = find_case("holes-room")
-    line = json.loads(case_line(plate, said))
+    line = json.loads(write_case_line(plate, said))
     assert line["directrix_holes"] == [[["1", "1"], ["4", "1"], ["4", "3"], ["1", "3"]]]
     assert "generatrix_holes" not in line
     assert line["ask"] == ["no_fit", "inner_fit"]
-    assert json.loads(case_line(find_case("worked-roof"), said))["ask"] == ["no_fit"]
+    assert json.loads(write_case_line(find_case("worked-roof"), said))["ask"] == ["no_fit"]
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ def test_a_lost_fit_is_shrunk_to_a_slot() -> None:
         return compare(case, {"trajectory": case.trajectory.vertices}).verdict
 
     case = find_case("gen-fits-1-2")
-    assert loses_fits(case) is Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+    assert loses_fits(case) is Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
     small = shrink(case, loses_fits)
     assert len(small.exact_fits) == 1
     assert small.size <= 12

@@ -15,12 +15,12 @@ from jsonschema import Draft202012Validator
 from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
 from exactsweep.corpus.case import KINDS
 from exactsweep.corpus.generator.growing import bumps
-from exactsweep.corpus.representable import types_holding
-from exactsweep.corpus.shipped import schema_text, theme_text
+from exactsweep.corpus.representable import find_types
+from exactsweep.corpus.shipped import read_schema, read_theme
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 
-SCHEMA = json.loads(schema_text())
+SCHEMA = json.loads(read_schema())
 A_CASE = Draft202012Validator(SCHEMA)
 A_THEME = A_CASE.evolve(schema=SCHEMA["$defs"]["theme"])
 
@@ -31,7 +31,7 @@ def shipped() -> list[Case]:
 
 
 def theme_file(name: str) -> Any:
-    return json.loads(theme_text(files("exactsweep.corpus").joinpath("data"), name))
+    return json.loads(read_theme(files("exactsweep.corpus").joinpath("data"), name))
 
 
 def test_there_are_enough_cases_of_each_class(shipped: list[Case]) -> None:
@@ -187,7 +187,7 @@ def test_where_int32_holds_the_input_binary64_holds_it_scaled(shipped: list[Case
     | st.fractions()
 )
 def test_binary64_is_told_by_its_definition(value: Fraction) -> None:
-    assert ("binary64" in types_holding([value], 1)) == fits_binary64(value)
+    assert ("binary64" in find_types([value], 1)) == fits_binary64(value)
 
 
 def test_filters_select(shipped: list[Case]) -> None:

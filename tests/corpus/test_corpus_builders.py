@@ -11,11 +11,11 @@ from builders.theme import THEMES, BuilderError, built, digest, with_answers, wr
 from click.testing import CliRunner
 
 from exactsweep.corpus import cases, themes
-from exactsweep.corpus.shipped import theme_text
+from exactsweep.corpus.shipped import read_theme
 
 
 def text_of(theme: str) -> str:
-    return theme_text(command.DATA, theme)
+    return read_theme(command.DATA, theme)
 
 
 def test_there_is_a_builder_for_every_theme() -> None:

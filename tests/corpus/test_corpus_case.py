@@ -13,9 +13,9 @@ from jsonschema import Draft202012Validator
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus import Case, CaseError, case_from_json, case_to_json
-from exactsweep.corpus.shipped import schema_text
+from exactsweep.corpus.shipped import read_schema
 
-A_CASE = Draft202012Validator(json.loads(schema_text()))
+A_CASE = Draft202012Validator(json.loads(read_schema()))
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 SLOT = [(0, 0), (3, 0), (3, "5/2"), (2, "5/2"), (2, 1), (1, 1), (1, "5/2"), (0, "5/2")]
 DATA = case_to_json(Case.of("mine-1", "a slot", SLOT, SQUARE, (0, "1/3"), ["part"]))

@@ -20,7 +20,7 @@ from exactsweep.corpus import (
     notes,
     themes,
 )
-from exactsweep.corpus.shipped import schema_text
+from exactsweep.corpus.shipped import read_schema
 from exactsweep.formats import parse_polygon
 
 CORPUS = f"{EXACTSWEEP} corpus"
@@ -188,7 +188,7 @@ def test_generate_of_nothing_writes_nothing() -> None:
 
 
 def test_schema_is_that_of_the_package() -> None:
-    assert run("corpus", "schema").stdout == schema_text()
+    assert run("corpus", "schema").stdout == read_schema()
 
 
 @pytest.mark.parametrize(

@@ -1,20 +1,17 @@
 """Every shipped case is proved again: by a new sweep, by its certificate, by another program."""
 
 import importlib.util
-import subprocess
-import sys
+from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from builders.theme import unproved
-from command import PATIENCE
+from sfcgal_campaign import ask
 
-from exactsweep import Point
+from exactsweep import Point, Polygon
 from exactsweep.check import reference_inner_fit, reference_no_fit
 from exactsweep.corpus import Case, cases, themes
-from exactsweep.corpus.case import Fit
-from exactsweep.corpus.case_json import case_to_line
+from exactsweep.geometry.point import Fit
 
 # Flags that cannot be seen from a pair.
 TOLD = {
@@ -53,6 +50,11 @@ CRASHING = {
 }
 
 
+needs_sfcgal = pytest.mark.skipif(
+    importlib.util.find_spec("pysfcgal") is None, reason="pysfcgal is not installed"
+)
+
+
 @pytest.mark.parametrize("theme", themes())
 def test_answers_and_flags_are_those_of_a_sweep_whose_certificate_is_proved(theme: str) -> None:
     for case in cases(prefix=f"{theme}-"):
@@ -73,20 +75,30 @@ def test_answers_and_flags_are_those_of_a_sweep_whose_certificate_is_proved(them
             assert list(unproved(case)) == [], case.id
 
 
-@pytest.mark.skipif(
-    importlib.util.find_spec("pysfcgal") is None, reason="pysfcgal is not installed"
-)
+@needs_sfcgal
 def test_answers_are_those_of_another_exact_program() -> None:
     asked = [case for case in cases(max_size=SUMMED_QUICKLY) if case.id not in CRASHING]
-    done = subprocess.run(
-        [sys.executable, Path(__file__).parents[1] / "support" / "sfcgal_sweep.py"],
-        input="".join(map(case_to_line, asked)),
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-    )
-    assert done.stdout.splitlines() == [case.id for case in asked], done.stderr
-    assert done.returncode == 0
+    assert {c.id: said for c, said in zip(asked, ask(asked), strict=True) if said} == {}
+
+
+@needs_sfcgal
+def test_the_other_program_notices_what_is_wrong_and_goes_on_after_a_crash() -> None:
+    (case,) = cases(prefix="caves-two-rooms-thirds")
+    (crashing,) = cases(prefix="spirals-two-thirds")
+    square = Polygon([(0, 0), (1, 0), (1, 1)])
+    wrong = [
+        replace(case, trajectory=Polygon(case.trajectory.vertices[1:])),
+        replace(case, holes=case.holes[1:]),
+        replace(case, holes=(*case.holes, square)),
+        crashing,
+        replace(case, outer=case.trajectory),
+        replace(case, inner=square),
+        replace(case, unswept=(*case.unswept, square)),
+        case,
+    ]
+    parts = ("trajectory", "holes", "holes", "", "outer", "unswept", "unswept")
+    said = [f"differs: {part}" if part else "crashes: signal 11" for part in parts]
+    assert list(ask(wrong)) == [*said, ""]
 
 
 @pytest.mark.parametrize("theme", themes())

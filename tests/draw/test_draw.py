@@ -19,17 +19,17 @@ from exactsweep.draw import (
     DrawError,
     Picture,
     Scale,
+    choose_telling_positions,
     draw_chains,
     draw_sub_trajectories,
-    new_figure,
+    make_figure,
     plot_sweep,
     save,
-    telling_positions,
 )
-from exactsweep.draw.sweeps import anchor
+from exactsweep.draw.sweeps import find_anchor
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -46,7 +46,7 @@ def no_windows() -> Iterator[None]:
 
 
 def picture_of(s: Sweep, **options: Any) -> Axes:
-    return plot_sweep(s, new_figure().axes[0], **options)
+    return plot_sweep(s, make_figure().axes[0], **options)
 
 
 def labels(axes: Axes) -> list[str]:
@@ -111,7 +111,7 @@ def test_the_generatrix_is_drawn_at_the_positions() -> None:
     axes = picture_of(EXAMPLE, positions=[(3, -2), ("-2", "1/2")])
     found: list[Any] = [p for p in axes.patches if p.get_zorder() == style.GENERATRIX.order]
     assert [tuple(patch.get_xy()[0]) for patch in found] == [(3.0, -2.0), (-2.0, 0.5)]
-    assert telling_positions(FIT) == list(points((1, 3), (1, 1), (-1, -1)))
+    assert choose_telling_positions(FIT) == list(points((1, 3), (1, 1), (-1, -1)))
 
 
 def test_positions_are_read_as_all_numbers_are() -> None:
@@ -123,7 +123,7 @@ def test_positions_are_read_as_all_numbers_are() -> None:
 
 def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
-    assert anchor(far) == EXAMPLE.reference
+    assert find_anchor(far) == EXAMPLE.reference
     axes = picture_of(far)
     assert "path of vertex 0 of G, VE" in labels(axes)
     assert corners(axes, "path of vertex 0 of G, VE") == corners(
@@ -154,17 +154,17 @@ def test_no_two_things_differ_by_colour_alone() -> None:
     areas = [style.DIRECTRIX, style.GENERATRIX, style.UNDERCUT]
     assert len({(look.width, look.hatch) for look in areas}) == len(areas)
     assert len({look.marker for look in style.CONTACTS.values()}) == len(style.CONTACTS)
-    chains = [style.chain_look(k) for k in range(7)]
+    chains = [style.choose_chain_look(k) for k in range(7)]
     assert len({(look.marker, str(look.dash)) for look in chains}) == len(chains)
 
 
 def test_chains_sub_trajectories_and_their_envelope_are_drawn() -> None:
     _, top = split(EXAMPLE.generatrix.vertices)
     directrix: list[Vertex] = [(0, 0), (3, 3), (5, 0), (8, 2)]
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     chains = [trajectory_cc(top, part) for part in parts]
     envelope = list(trajectory_cm(top, directrix))
-    (axes,) = new_figure().axes
+    (axes,) = make_figure().axes
     picture = Picture(axes, Scale.of(directrix, *chains))
     draw_chains(picture, {f"D_{k}": part for k, part in enumerate(parts, 1)})
     draw_sub_trajectories(picture, chains, envelope)
@@ -178,7 +178,7 @@ def test_chains_sub_trajectories_and_their_envelope_are_drawn() -> None:
 def test_files_are_the_same_byte_by_byte(tmp_path: Path, suffix: str) -> None:
     paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]
     for path in paths:
-        figure = new_figure()
+        figure = make_figure()
         plot_sweep(EXAMPLE, figure.axes[0])
         save(figure, str(path))
     first, second = (path.read_bytes() for path in paths)
@@ -195,4 +195,4 @@ def test_without_matplotlib_the_refusal_says_how_to_get_it(
     with pytest.raises(DrawError, match=r"pip install 'exactsweep\[plot\]'"):
         EXAMPLE.plot()
     with pytest.raises(DrawError, match="pictures need matplotlib"):
-        new_figure()
+        make_figure()

@@ -18,7 +18,12 @@ from matplotlib.figure import Figure
 
 from exactsweep import Polygon, Sweep, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.canvas import style
-from exactsweep.draw import new_figure, plot_inner_fit, plot_no_fit, plot_sweep, telling_positions
+from exactsweep.draw import (
+    choose_telling_positions,
+    make_figure,
+    plot_positions,
+    plot_sweep,
+)
 from exactsweep.draw.insets import find_details
 
 # How colours look, in linear light, to all, and to those whose green or red cones do not work:
@@ -105,7 +110,7 @@ def test_every_look_takes_the_colour_of_its_meaning() -> None:
 
 
 def drawn(s: Sweep, **options: Any) -> Axes:
-    return plot_sweep(s, new_figure().axes[0], **options)
+    return plot_sweep(s, make_figure().axes[0], **options)
 
 
 def details(axes: Axes) -> list[Axes]:
@@ -154,8 +159,8 @@ def test_no_ratio_is_too_large(exponent: int) -> None:
 
 def test_no_fits_and_inner_fits_have_details_too() -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    n = plot_no_fit(no_fit_polygon(stationary=PLATE, orbiting=square), new_figure().axes[0])
-    f = plot_inner_fit(inner_fit_polygon(container=PLATE, part=square), new_figure().axes[0])
+    n = plot_positions(no_fit_polygon(stationary=PLATE, orbiting=square), make_figure().axes[0])
+    f = plot_positions(inner_fit_polygon(container=PLATE, part=square), make_figure().axes[0])
     assert details(n)
     assert details(f)
 
@@ -163,7 +168,7 @@ def test_no_fits_and_inner_fits_have_details_too() -> None:
 def test_undercuts_that_are_shown_are_far_apart() -> None:
     s = sweep([(0, 0), (1, "-1/2"), (2, 0), (2, 3), (1, "7/2"), (0, 3)], COMB)
     assert len(s.undercuts) > 15
-    *shown, corner = telling_positions(s)
+    *shown, corner = choose_telling_positions(s)
     assert corner == s.trajectory.vertices[0]
     first, second = shown
     closing = {undercut.positions[0] for undercut in s.undercuts}
@@ -182,7 +187,7 @@ def test_undercuts_that_are_shown_are_far_apart() -> None:
 def test_the_legend_is_never_higher_than_the_picture(
     s: Sweep, size: tuple[float, float] | None
 ) -> None:
-    figure = new_figure(size=size)
+    figure = make_figure(size=size)
     axes = plot_sweep(s, figure.axes[0])
     require_lower_legend(axes)
 
@@ -242,7 +247,7 @@ def test_svg_input_is_drawn_the_way_its_viewers_show_it(tmp_path: Path) -> None:
 
 
 def test_figures_of_others_are_laid_out_by_others() -> None:
-    left, right = new_figure(columns=2).axes
+    left, right = make_figure(columns=2).axes
     places = [tuple(axes.get_position(original=True).bounds) for axes in (left, right)]
     plot_sweep(UNEQUAL, left)
     assert [tuple(a.get_position(original=True).bounds) for a in (left, right)] == places

@@ -22,7 +22,7 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.canvas import style
-from exactsweep.draw import DrawError, new_figure, plot_inner_fit, plot_no_fit, save
+from exactsweep.draw import DrawError, make_figure, plot_positions, save
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
 
@@ -40,7 +40,7 @@ CHANNEL = [(0, 0), (5, 0), (5, 1), (0, 1)]
 
 
 def picture_of(found: NoFitPolygon | InnerFit, **options: Any) -> Axes:
-    return found.plot(new_figure().axes[0], **options)
+    return found.plot(make_figure().axes[0], **options)
 
 
 def labels(axes: Axes) -> list[str]:
@@ -158,8 +158,8 @@ def test_size_changes_labels_only(scale: str) -> None:
 def test_files_are_the_same_each_time(tmp_path: Path, suffix: str) -> None:
     files = [tmp_path / f"{name}{suffix}" for name in "ab"]
     for file in files:
-        figure = new_figure()
-        plot_no_fit(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
+        figure = make_figure()
+        plot_positions(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
         save(figure, str(file))
     one, other = (file.read_bytes() for file in files)
     assert one == other
@@ -214,7 +214,7 @@ def test_a_point_is_on_a_loop_or_not() -> None:
 
 
 def test_a_sweep_of_any_shape_is_drawn(tmp_path: Path) -> None:
-    axes = sweep(SQUARE, PLATE).plot(new_figure().axes[0])
+    axes = sweep(SQUARE, PLATE).plot(make_figure().axes[0])
     assert labels(axes) == [
         "swept area",
         "directrix D",
@@ -243,7 +243,7 @@ def test_what_is_not_swept_is_cut_out() -> None:
     cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
     cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
     s = sweep(SQUARE, cave)
-    *_, hole = rings(s.plot(new_figure().axes[0]), style.SWEPT.order)
+    *_, hole = rings(s.plot(make_figure().axes[0]), style.SWEPT.order)
     assert hole[::-1] == [(3, 3), (7, 3), (7, 7), (3, 7)]
     assert inside(ElementTree.fromstring(s._repr_svg_()))
     texts = Balanced(s._repr_html_()).texts
@@ -252,6 +252,6 @@ def test_what_is_not_swept_is_cut_out() -> None:
 
 
 def test_plots_take_what_is_found() -> None:
-    assert labels(plot_inner_fit(inner_fit_polygon(CHANNEL, SQUARE), new_figure().axes[0])) == (
+    assert labels(plot_positions(inner_fit_polygon(CHANNEL, SQUARE), make_figure().axes[0])) == (
         labels(picture_of(inner_fit_polygon(CHANNEL, SQUARE)))
     )

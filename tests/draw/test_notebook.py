@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from strategies import pairs, simple_polygons
 
 from exactsweep import Polygon, sweep
-from exactsweep.view import page
+from exactsweep.view import make_page
 
 SVG = "{http://www.w3.org/2000/svg}"
 VOID = {"meta", "link", "input"}
@@ -113,7 +113,7 @@ def test_the_page_stands_in_a_frame_of_its_own() -> None:
     view = EXAMPLE.view(height=300)
     Balanced(view._repr_html_())
     (frame,) = re.findall(r"<iframe .*</iframe>", view._repr_html_(), re.S)
-    assert unescape(re.findall(r'srcdoc="([^"]*)"', frame)[0]) == view.html == page(EXAMPLE)
+    assert unescape(re.findall(r'srcdoc="([^"]*)"', frame)[0]) == view.html == make_page(EXAMPLE)
     assert 'sandbox="allow-scripts"' in frame
     assert "height:300px" in frame
     assert repr(view) == "<InlinePage: Sweep of 5 around 7 vertices>"

@@ -1,11 +1,12 @@
 """Certificates of pairs with many convex parts, which small random polygons hardly ever have."""
 
 import json
+from fractions import Fraction
 from random import Random
 
 import pytest
 
-from exactsweep import sweep
+from exactsweep import Polygon, sweep
 from exactsweep.check import verify
 
 
@@ -31,3 +32,26 @@ def test_sweeps_of_many_parts_are_proved(n: int, m: int, size: int) -> None:
         found = verify(json.loads(json.dumps(s.certificate())))
         assert found.proved, (s.generatrix.vertices, s.directrix.vertices, found)
         proved += 1
+
+
+@pytest.mark.parametrize("is_convex", [True, False])
+def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) -> None:
+    """Once drawings were looked for on lines whole units apart, as if all were on a lattice."""
+    rng = Random(1)
+
+    def shift() -> Fraction:
+        return Fraction(1, rng.getrandbits(900 if is_convex else 450) | 1)
+
+    def draw() -> Polygon:
+        if is_convex:
+            return Polygon([(x + shift(), x * x + shift()) for x in range(5)])
+        low, high = (
+            [(x + shift(), y + rng.randrange(5) + shift()) for x in range(5)] for y in (0, 20)
+        )
+        return Polygon(low + high[::-1])
+
+    s = sweep(draw(), draw())
+    assert s.directrix.lattice()[0] == 1
+    assert not all(type(c) is int for point in s.directrix.lattice()[1] for c in point)
+    assert s.kind == ("CC" if is_convex else "MM")
+    assert verify(s.certificate()).proved

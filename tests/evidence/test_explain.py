@@ -7,7 +7,7 @@ import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactsweep import Point, Polygon, Sweep, sweep
+from exactsweep import Point, Polygon, Region, Sweep, sweep
 from exactsweep.check import classify
 from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
@@ -268,3 +268,10 @@ def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
     told = [line.split(":")[0].strip() for line in lines if line.startswith("  ")]
     assert told.count("Stop") == sum(step.ending == "stop" for step in explain(s))
     assert told.count("Corner") == sum(step.ending == "corner" for step in explain(s))
+
+
+def test_an_exact_fit_in_a_hole_is_not_passed() -> None:
+    box, hole = [(0, 0), (3, 0), (3, 3), (0, 3)], [(1, 1), (2, 1), (2, 2), (1, 2)]
+    s = sweep(SQUARE, Region(box, [hole]))
+    assert s.exact_fits == ((Point(Fraction(1), Fraction(1)),) * 2,)
+    assert [step.landmarks for step in explain(s)] == [()] * 4

@@ -23,8 +23,8 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import classify, point_in_polygon, reference_loops
-from exactsweep.geometry.direction import monotone_directions
-from exactsweep.procedures.chain import convex_parts, graph_edges, inverse, split
+from exactsweep.geometry.direction import find_monotone_directions
+from exactsweep.procedures.chain import find_convex_parts, inverse, list_graph_edges, split
 
 Pair = tuple[Polygon, Polygon]
 Loops = tuple[Polygon, Polygon, Polygon]
@@ -157,7 +157,7 @@ def test_exchanging_the_roles_inverts_the_trajectory(pair: Pair) -> None:
 @often
 def test_direction_does_not_matter(pair: Pair) -> None:
     generatrix, directrix = pair
-    shared = monotone_directions(generatrix) & monotone_directions(directrix)
+    shared = find_monotone_directions(generatrix) & find_monotone_directions(directrix)
     s = sweep(generatrix, directrix)
     candidates = {u for arc in shared.arcs() for u in arc} | {shared.simplest()}
     candidates |= {u for u in product((0, 1, 2), (-2, -1, 1, 3)) if u in shared}
@@ -210,7 +210,7 @@ def test_every_difference_of_vertices_is_in_the_closed_trajectory(pair: Pair) ->
 @given(any_pair, st.data())
 @often
 def test_side_of_the_trajectory_is_the_verdict(pair: Pair, data: st.DataObject) -> None:
-    """Inside there is overlap, but for exact fits; on it contact; outside nothing."""
+    """Inside there is overlap, except for exact fits; on it contact; outside nothing."""
     generatrix, directrix = pair
     s = sweep(generatrix, directrix)
     p, q = data.draw(st.sampled_from(edges(s.trajectory)))
@@ -284,8 +284,8 @@ def test_sizes_of_sweeps_with_a_convex_generatrix(pair: Pair) -> None:
     for of_g, of_d, of_t, of_inner, of_outer in zip(
         *map(chains, (g, d, s.trajectory, s.inner, s.outer)), strict=True
     ):
-        m, n, other = len(graph_edges(of_d[0])), len(of_g[1]) - 1, len(of_g[0]) - 1
-        k = len(convex_parts(of_d[0]))
+        m, n, other = len(list_graph_edges(of_d[0])), len(of_g[1]) - 1, len(of_g[0]) - 1
+        k = len(find_convex_parts(of_d[0]))
         assert len(of_t[0]) - 1 <= m + k * n + k - 1
         assert len(of_outer[0]) - 1 <= m + k * (n + other) + k - 1
         assert len(of_inner[0]) - 1 <= len(of_d[0]) - 1 + (k - 1) * n

@@ -9,6 +9,7 @@ from polyominoes import Cells, frame, polyominoes, region
 
 from exactsweep import Point, Polygon, Region, sweep
 from exactsweep.check import classify, verify
+from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.steps import explain
 from exactsweep.evidence.swept_shape import SweptShape
 from exactsweep.geometry.point import ORIGIN
@@ -169,3 +170,10 @@ def test_a_mould_around_its_part(g: Cells) -> None:
     assert s.kind == "SS"
     assert (ORIGIN, ORIGIN) in s.exact_fits
     assert verify(s.certificate()).proved
+
+
+def test_a_bottom_chain_with_a_corner_is_one_mouth() -> None:
+    roof = [(0, 0), (6, 0), (6, 6), (4, 6), (3, 2), (2, 6), (0, 6)]
+    (mouth,) = find_mouths([p if p != (3, 2) else (3, 5) for p in roof], roof)
+    assert mouth.bottom == [(4, 6), (3, 5), (2, 6)]
+    assert mouth.top == [(2, 6), (3, 2), (4, 6)]

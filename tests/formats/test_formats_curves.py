@@ -15,14 +15,14 @@ from mpmath import mp
 
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.arc import unit_point
+from exactsweep.formats.curved.arc import find_unit_point
 from exactsweep.formats.curved.curves import (
-    chord_arc_center,
+    bound_root,
+    find_arc_center,
     flatten_arc,
     flatten_bezier,
-    root_above,
 )
-from exactsweep.formats.curved.svg_path import elliptic_arc
+from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
 
@@ -51,7 +51,7 @@ def assert_close_to_circle(
 ) -> None:
     """All of the line is in the ring of points within the tolerance of a circle."""
     # r lies between these two.
-    above = root_above(square)
+    above = bound_root(square)
     below = square / above if above else Fraction(0)
     for a, b in pairwise(line):
         assert (a.x - center.x) ** 2 + (a.y - center.y) ** 2 <= (below + tolerance) ** 2
@@ -61,14 +61,14 @@ def assert_close_to_circle(
 
 @given(st.fractions(0, 10**40))
 def test_a_root_is_enclosed(square: Fraction) -> None:
-    above = root_above(square)
+    above = bound_root(square)
     assert above * above >= square
     assert (above * (1 - Fraction(1, 2**28))) ** 2 <= square
 
 
 @given(st.integers(0, 10**12), st.sampled_from([1, 10**6, 10**60]))
 def test_a_root_is_as_fine_as_asked_for(square: int, scale: int) -> None:
-    above = root_above(Fraction(square), scale)
+    above = bound_root(Fraction(square), scale)
     assert max(above - Fraction(1, scale), Fraction(0)) ** 2 <= square <= above * above
 
 
@@ -82,7 +82,7 @@ def test_circles_stay_within_the_tolerance(
     line = flatten_arc(center, start, start, True, IDENTITY, Reading(tolerance))
     assert line[0] == line[-1] == start
     assert_close_to_circle(line, center, radius * radius, tolerance)
-    assert len(line) <= 16 + 8 * root_above(radius / tolerance)
+    assert len(line) <= 16 + 8 * bound_root(radius / tolerance)
 
 
 @given(points, points, st.fractions(-9, 9, max_denominator=9), tolerances)
@@ -92,7 +92,7 @@ def test_arcs_over_a_chord_stay_within_the_tolerance(
 ) -> None:
     if first == last or bulge == 0:
         return
-    center = chord_arc_center(first, last, (1 - bulge**2) / (2 * bulge))
+    center = find_arc_center(first, last, (1 - bulge**2) / (2 * bulge))
     line = flatten_arc(center, first, last, bulge > 0, IDENTITY, Reading(tolerance))
     assert (line[0], line[-1]) == (first, last)
     square = (first.x - center.x) ** 2 + (first.y - center.y) ** 2
@@ -143,7 +143,9 @@ def test_elliptic_arcs_stay_within_the_tolerance(
     (first, last), (rx, ry), (large, left) = ends, both, flags
     if first == last:
         return
-    line = elliptic_arc((first, last), (rx, ry), degrees, (large, left), IDENTITY, Reading(tol))
+    line = flatten_elliptic_arc(
+        (first, last), (rx, ry), degrees, (large, left), IDENTITY, Reading(tol)
+    )
     assert (line[0], line[-1]) == (first, last)
     # The center, found again in floats; it is as good as it needs to be.
     cosine, sine = cos(float(degrees) * pi / 180), sin(float(degrees) * pi / 180)
@@ -172,7 +174,7 @@ def test_elliptic_arcs_stay_within_the_tolerance(
 @given(st.fractions(-720, 720, max_denominator=1000), st.integers(3, 60))
 @fewer
 def test_points_of_the_unit_circle_are_close_to_their_angle(degrees: Fraction, digits: int) -> None:
-    x, y = unit_point(degrees, Fraction(1, 10**digits))
+    x, y = find_unit_point(degrees, Fraction(1, 10**digits))
     assert x * x + y * y == 1
     with mp.workdps(digits + 20):
         angle = mp.mpf(degrees.numerator) * mp.pi / (180 * degrees.denominator)
@@ -183,7 +185,7 @@ def test_points_of_the_unit_circle_are_close_to_their_angle(degrees: Fraction, d
 
 @pytest.mark.parametrize("degrees", [0, 90, 180, 270, 360, -90])
 def test_quarters_are_exact(degrees: int) -> None:
-    assert {abs(c) for c in unit_point(Fraction(degrees), Fraction(1))} == {0, 1}
+    assert {abs(c) for c in find_unit_point(Fraction(degrees), Fraction(1))} == {0, 1}
 
 
 SHAPES = {

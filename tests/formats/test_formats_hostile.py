@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from linear import require_linear
 
+from exactsweep import Polygon
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons, read_polygon
 from exactsweep.formats.candidate import MAX_FAULTS, Candidate
 from exactsweep.formats.reading import MAX_VERTICES
@@ -27,7 +28,6 @@ TEXTS: dict[str, Callable[[int], str]] = {
 }
 SHAPES: dict[str, Callable[[int], str]] = {
     "path edges": lambda n: f'<path d="M0 0{"L1 1" * (n // 20)}"/>',
-    "subpaths": lambda n: f'<path fill-rule="evenodd" d="{"M0 0h1v1z" * (n // 20)}"/>',
     "path digits": lambda n: f'<path d="M{"1" * n}x"/>',
     "path gaps": lambda n: f'<path d="{" ," * n}x"/>',
     "points": lambda n: f'<polygon points="{"1" * n}x"/>',
@@ -53,6 +53,14 @@ def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> No
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
+
+
+def test_equal_rings_are_one_ring_in_linear_time() -> None:
+    def read(n: int) -> None:
+        text = f'<svg><path d="{"M0 0h1v1z" * (n // 20)}"/></svg>'
+        assert parse_polygon(text) == Polygon([(0, 0), (1, 0), (1, 1)])
+
+    require_linear(read)
 
 
 MANY = MAX_VERTICES + 1

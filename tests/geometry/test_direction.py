@@ -13,10 +13,10 @@ from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
     X_AXIS,
     Directions,
-    monotone_directions,
-    primitive,
+    choose_direction,
+    find_monotone_directions,
     read_direction,
-    shared_direction,
+    reduce_direction,
 )
 
 Vector = tuple[int, int]
@@ -60,18 +60,18 @@ def trials(*polygons: Polygon) -> list[Vector]:
     for polygon in polygons:
         v = polygon.lattice()[1]
         for (ax, ay), (bx, by) in zip(v, (*v[1:], v[0]), strict=True):
-            critical |= {primitive((ay - by, bx - ax))}
+            critical |= {reduce_direction((ay - by, bx - ax))}
     turned = sorted(critical, key=lambda u: (u[0] == 0, u[1] * 10**40 // u[0] if u[0] else 0))
     between = [(a + c, b + d) for (a, b), (c, d) in pairwise(turned)]
     (a, b), (c, d) = turned[0], turned[-1]
     small = [(p, q) for p in range(3) for q in range(-2, 3) if gcd(p, q) == 1]
-    return [*turned, *between, primitive((c - a, d - b)), *map(primitive, small)]
+    return [*turned, *between, reduce_direction((c - a, d - b)), *map(reduce_direction, small)]
 
 
 @given(own.simple_polygons())
 @often
 def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
-    found = monotone_directions(polygon)
+    found = find_monotone_directions(polygon)
     for u in trials(polygon):
         assert (u in found) == is_weakly_monotone(polygon, u), u
         assert found.strict(u) == is_strictly_monotone(polygon, u), u
@@ -79,10 +79,19 @@ def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
     assert bool(found) == any(is_weakly_monotone(polygon, u) for u in trials(polygon))
 
 
+@given(own.simple_polygons())
+@often
+def test_to_the_x_axis_it_is_known_however_the_polygon_was_made(polygon: Polygon) -> None:
+    expected = is_weakly_monotone(polygon, (1, 0))
+    turned = polygon.reflected()
+    made = [polygon, Polygon(polygon), Polygon(polygon.vertices), turned, Polygon(turned.vertices)]
+    assert [shape.is_x_monotone for shape in made] == [expected] * 5
+
+
 @given(own.simple_polygons(), own.simple_polygons())
 @often
 def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> None:
-    shared = monotone_directions(one) & monotone_directions(other)
+    shared = find_monotone_directions(one) & find_monotone_directions(other)
     for u in trials(one, other):
         assert (u in shared) == (is_weakly_monotone(one, u) and is_weakly_monotone(other, u)), u
         strictly = is_strictly_monotone(one, u) and is_strictly_monotone(other, u)
@@ -92,7 +101,7 @@ def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> No
 @given(own.simple_polygons())
 @often
 def test_arcs_hold_the_directions_and_no_others(polygon: Polygon) -> None:
-    found = monotone_directions(polygon)
+    found = find_monotone_directions(polygon)
     if polygon.is_convex:
         first = found.critical[0]
         assert found.arcs() == ((first, first),)
@@ -111,14 +120,14 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
         return a[0] * b[1] - a[1] * b[0]
 
     if first == last:
-        return primitive(u) == first
+        return reduce_direction(u) == first
     return any(cross(first, v) >= 0 and cross(v, last) >= 0 for v in (u, (-u[0], -u[1])))
 
 
 @given(own.convex_polygons())
 @settings(max_examples=30)
 def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
-    found = monotone_directions(polygon)
+    found = find_monotone_directions(polygon)
     assert str(found) == "all directions"
     assert all(u in found for u in trials(polygon))
 
@@ -127,16 +136,17 @@ def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
 @often
 def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
     """The x-axis, else strict, else any; then the least squared length."""
-    tried = [primitive(u) for u in trials(one, other)]
+    tried = [reduce_direction(u) for u in trials(one, other)]
     tried += [(p, q) for p in range(12) for q in range(-11, 12) if gcd(p, q) == 1]
     shared = {u for u in tried if is_weakly_monotone(one, u) and is_weakly_monotone(other, u)}
     if not shared:
         with pytest.raises(DirectionError):
-            shared_direction(one, other)
+            choose_direction(one, other)
         return
     strict = {u for u in shared if is_strictly_monotone(one, u) and is_strictly_monotone(other, u)}
-    chosen = shared_direction(one, other)
-    assert chosen == primitive(chosen)
+    chosen = choose_direction(one, other)
+    assert chosen == (find_monotone_directions(one) & find_monotone_directions(other)).simplest()
+    assert chosen == reduce_direction(chosen)
     if X_AXIS in shared:
         assert chosen == X_AXIS
     else:
@@ -156,7 +166,7 @@ def test_choice_serves_every_pair_with_a_shared_direction(
 ) -> None:
     one, other, direction = pair
     assert is_weakly_monotone(one, direction)
-    chosen = shared_direction(one, other)
+    chosen = choose_direction(one, other)
     assert is_weakly_monotone(one, chosen)
     assert is_weakly_monotone(other, chosen)
 
@@ -174,23 +184,30 @@ def test_choice_serves_every_pair_with_a_shared_direction(
     ],
 )
 def test_ranges_worked_by_hand(vertices: Any, text: str) -> None:
-    assert str(monotone_directions(Polygon(vertices))) == text
+    assert str(find_monotone_directions(Polygon(vertices))) == text
 
 
 def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
     # (0, 1) is shared, but perpendicular to edges. Of the slopes beyond 2, (1, 3) and (1, -3)
     # are the simplest.
-    assert shared_direction(Polygon(NOTCHED), Polygon(UNIT)) == (1, -3)
+    assert choose_direction(Polygon(NOTCHED), Polygon(UNIT)) == (1, -3)
+    # Beyond 2/3; (1, -1) comes before (1, 1).
+    shallow = Polygon([(0, 0), (6, 0), (4, 3), (6, 6), (0, 6)])
+    assert choose_direction(shallow, Polygon(UNIT)) == (1, -1)
+    # Four points, along X and Y, that go to (2, 1) and (2, -1).
+    points = [(1, -1), (5, 0), (1, 1), (0, 5), (-1, 1), (-5, 0), (-1, -1), (0, -5)]
+    star = Polygon([(x + y, 2 * x - 2 * y) for x, y in points])
+    assert choose_direction(star, Polygon(UNIT)) == (2, -1)
 
 
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
     lying, standing = Polygon(NOTCHED), Polygon([(y, x) for x, y in NOTCHED])
     with pytest.raises(DirectionError) as caught:
-        shared_direction(lying, standing)
+        choose_direction(lying, standing)
     message = str(caught.value)
     assert message.startswith("the polygons share no direction of monotonicity: ")
     one, other = (
-        f"{name}: {monotone_directions(p)}"
+        f"{name}: {find_monotone_directions(p)}"
         for name, p in (("generatrix", lying), ("directrix", standing))
     )
     assert one in message
@@ -199,14 +216,14 @@ def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
 
 def test_not_monotone_at_all_is_said() -> None:
     with pytest.raises(DirectionError, match="the directrix: no direction"):
-        shared_direction(Polygon(UNIT), Polygon(STAR))
+        choose_direction(Polygon(UNIT), Polygon(STAR))
 
 
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
     with pytest.raises(DirectionError) as caught:
         sweep(UNIT, NOTCHED, direction=("1/2", 0))
     assert str(caught.value).startswith("the directrix is not monotone to (1, 0), 0 degrees; ")
-    assert str(caught.value).endswith(str(monotone_directions(Polygon(NOTCHED))))
+    assert str(caught.value).endswith(str(find_monotone_directions(Polygon(NOTCHED))))
 
 
 @pytest.mark.parametrize(
@@ -226,7 +243,7 @@ def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector)
 @given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
 @settings(max_examples=30)
 def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
-    a, b, c = map(monotone_directions, polygons)
+    a, b, c = map(find_monotone_directions, polygons)
 
     def members(directions: Directions) -> list[bool]:
         return [u in directions for u in trials(*polygons)]

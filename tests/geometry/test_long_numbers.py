@@ -15,16 +15,16 @@ from exactsweep import Polygon, PolygonError, Region, sweep
 from exactsweep.check import verify
 from exactsweep.geometry import lazy_number
 from exactsweep.geometry.addition import add_ratios, add_up
-from exactsweep.geometry.canonical import Ring, canonical_ring, doubled_area
+from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find_doubled_area
 from exactsweep.geometry.digits import read_int, write_int
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
 MINUTE = Fraction(1, 10**400)
 
 
-def outcome(points: list[tuple[int | Fraction, int | Fraction]]) -> Ring | str:
+def outcome(points: list[tuple[int | Fraction, int | Fraction]]) -> CanonicalRing | str:
     try:
-        return canonical_ring(points)
+        return canonicalize_ring(points)
     except PolygonError as error:
         return str(error)
 
@@ -108,7 +108,7 @@ def test_an_area_takes_no_more_than_to_reduce_it(monkeypatch: pytest.MonkeyPatch
     and 200 of them 67 for that of a swept area."""
     points = long_star(60, 500)
     polygon = Polygon(points)
-    expected = doubled_area(polygon.vertices) / 2
+    expected = find_doubled_area(polygon.vertices) / 2
     assert polygon.area == expected > 0
     assert divisor_work(monkeypatch, lambda: polygon.area) < 2
     # As it was: all over one denominator, reduced at the end.

@@ -122,6 +122,11 @@ def test_turns_and_mirror_images_undo_each_other(
     assert shape.mirrored((1, 0)).mirrored((0, 1)) == shape.reflected()
 
 
+def test_mirror_image_in_a_slanted_line_by_hand() -> None:
+    triangle = Polygon([(0, 0), (5, 0), (1, 2)])
+    assert triangle.mirrored((1, 2)) == Polygon([(0, 0), (1, 2), (-3, 4)])
+
+
 def test_unrelated_denominators_are_mapped_exactly() -> None:
     long = [Fraction(1, 10**3000 + k) for k in (7, 9, 33)]
     zero = Fraction(0)

@@ -276,8 +276,8 @@ def test_ints_stay_ints(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError
 
     monkeypatch.setattr("exactsweep.geometry.lattice.to_fraction", refuse)
-    monkeypatch.setattr("exactsweep.geometry.lattice.ratios", refuse)
-    monkeypatch.setattr("exactsweep.geometry.polygon.quotients", refuse)
+    monkeypatch.setattr("exactsweep.geometry.lattice.split_ratios", refuse)
+    monkeypatch.setattr("exactsweep.geometry.polygon.divide_all", refuse)
     zigzag = [(x, x % 2) for x in range(100)] + [(x, x % 2 + 2) for x in reversed(range(100))]
     polygon = Polygon(zigzag)
     assert polygon.lattice()[0] == 1

@@ -67,6 +67,7 @@ def test_indices_count_through_the_rings_as_given() -> None:
         ([[(0, 1), (2, 1), (2, 2), (0, 2)]], "edge 3.*the exterior, edge 3 run along each other$"),
         ([SMALL, [(2, 2), (4, 2), (4, 4), (2, 4)]], "^hole [01], edge .*, and hole [01],.* cross$"),
         ([SMALL, [(3, 1), (4, 1), (4, 3), (3, 3)]], "run along each other$"),
+        ([[(2, 1), (6, 3), (4, 4)], [(4, 2), (5, 1), (8, 4)]], "run along each other$"),
         ([SMALL, SMALL], "run along each other$"),
         ([[(1, 1), (5, 1), (5, 5), (1, 5)], [(2, 2), (3, 2), (2, 3)]], "^hole 1 is inside hole 0$"),
         ([[(2, 2), (3, 2), (2, 3)], [(1, 1), (5, 1), (5, 5), (1, 5)]], "^hole 0 is inside hole 1$"),
@@ -139,3 +140,10 @@ def test_two_holes_that_share_a_square_are_refused(x: int, y: int, cells: Cells)
     if shares:
         with pytest.raises(PolygonError):
             Region(frame, [loops[0], moved])
+
+
+def test_only_a_region_without_holes_may_be_convex() -> None:
+    box = [(0, 0), (9, 0), (9, 9), (0, 9)]
+    assert Region(box).is_convex
+    assert not Region(box, [[(1, 1), (2, 1), (1, 2)]]).is_convex
+    assert not Region([*box, (1, 5)]).is_convex

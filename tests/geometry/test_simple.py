@@ -1,6 +1,7 @@
 """The sweep of `find_conflict` against all pairs of edges, on grids where most rings fail."""
 
 import random
+from fractions import Fraction
 from itertools import combinations
 
 import pytest
@@ -8,27 +9,27 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError
-from exactsweep.geometry.canonical import canonical_ring
-from exactsweep.geometry.point import LatticePoint
+from exactsweep.geometry.canonical import canonicalize_ring
+from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.simplicity import Conflict, find_conflict
 
 
-def turn(a: LatticePoint, b: LatticePoint, c: LatticePoint) -> int:
+def turn(a: Vertex, b: Vertex, c: Vertex) -> int:
     product = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (product > 0) - (product < 0)
 
 
-def on_segment(p: LatticePoint, a: LatticePoint, b: LatticePoint) -> bool:
+def on_segment(p: Vertex, a: Vertex, b: Vertex) -> bool:
     return turn(a, b, p) == 0 and min(a, b) <= p <= max(a, b)
 
 
-def segments_meet(a: LatticePoint, b: LatticePoint, c: LatticePoint, d: LatticePoint) -> bool:
+def segments_meet(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> bool:
     if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
         return True
     return on_segment(c, a, b) or on_segment(d, a, b) or on_segment(a, c, d) or on_segment(b, c, d)
 
 
-def is_simple(points: list[LatticePoint]) -> bool:
+def is_simple(points: list[Vertex]) -> bool:
     """From the definition: neighbours meet in their common vertex alone, others nowhere."""
     ring = [p for i, p in enumerate(points) if p != points[i - 1]]
     n = len(ring)
@@ -47,7 +48,7 @@ def is_simple(points: list[LatticePoint]) -> bool:
     return True
 
 
-def holds(conflict: Conflict, ring: list[LatticePoint]) -> bool:
+def holds(conflict: Conflict, ring: list[Vertex]) -> bool:
     """Whether the features named really meet in the way named."""
     kind, i, j = conflict
     p, q = ring[i], ring[j]
@@ -65,11 +66,11 @@ def holds(conflict: Conflict, ring: list[LatticePoint]) -> bool:
     return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0
 
 
-def agrees(points: list[LatticePoint]) -> bool:
+def agrees(points: list[Vertex]) -> bool:
     """Compare with the definition; tell whether the ring is simple."""
     expected = is_simple(points)
     try:
-        canonical_ring(points)
+        canonicalize_ring(points)
     except PolygonError:
         assert not expected, points
     else:
@@ -92,9 +93,7 @@ def test_sweep_agrees_with_all_pairs_on_random_rings(side: int) -> None:
     simple = 0
     for _ in range(4000):
         count = rng.randint(3, 9)
-        points: list[LatticePoint] = [
-            (rng.randrange(side), rng.randrange(side)) for _ in range(count)
-        ]
+        points: list[Vertex] = [(rng.randrange(side), rng.randrange(side)) for _ in range(count)]
         simple += agrees(points)
     assert simple > 50
 
@@ -113,7 +112,7 @@ def test_sweep_agrees_with_all_pairs_on_nearly_simple_rings(side: int) -> None:
     assert simple > 100
 
 
-def untangled(ring: list[LatticePoint]) -> list[LatticePoint]:
+def untangled(ring: list[Vertex]) -> list[Vertex]:
     n = len(ring)
     for _ in range(4 * n):
         for i, j in combinations(range(n), 2):
@@ -127,7 +126,7 @@ def untangled(ring: list[LatticePoint]) -> list[LatticePoint]:
 
 
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=8))
-def test_sweep_agrees_with_all_pairs(points: list[LatticePoint]) -> None:
+def test_sweep_agrees_with_all_pairs(points: list[Vertex]) -> None:
     agrees(points)
 
 
@@ -146,10 +145,10 @@ def test_many_vertices_are_checked_by_a_sweep() -> None:
         Polygon(ring)
 
 
-def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[LatticePoint]:
+def random_monotone_ring(rng: random.Random, width: int, height: int) -> list[Vertex]:
     """Two chains from left to right on a small grid, walls among them, that may touch or cross."""
 
-    def chain() -> list[LatticePoint]:
+    def chain() -> list[Vertex]:
         xs = sorted(rng.randrange(width) for _ in range(rng.randint(1, 5)))
         return [(x, rng.randrange(height)) for x in xs]
 
@@ -167,7 +166,7 @@ def test_monotone_rings_are_told_without_a_sweep(
     rng = random.Random(width)
     swept = []
 
-    def sweep(ring: list[LatticePoint]) -> Conflict | None:
+    def sweep(ring: list[Vertex]) -> Conflict | None:
         conflict = find_conflict(ring)
         swept.append(conflict)
         return conflict
@@ -189,7 +188,13 @@ def test_monotone_rings_are_told_without_a_sweep(
         [(0, 0), (1, 1), (1, 0), (4, 0), (1, 1), (0, 1)],
     ],
 )
-def test_chains_that_meet_at_walls_are_refused(ring: list[LatticePoint]) -> None:
+def test_chains_that_meet_at_walls_are_refused(ring: list[Vertex]) -> None:
     assert not agrees(ring)
     assert not agrees(ring[::-1])
     assert not agrees([(-x, -y) for x, y in ring])
+
+
+def test_one_slight_turn_to_the_other_side_is_no_convex_ring() -> None:
+    ring = canonicalize_ring([(0, 0), (0, 4), (4, 4), (4, 0), (2, Fraction(1, 10))])
+    assert ring.points == ((0, 0), (2, Fraction(1, 10)), (4, 0), (4, 4), (0, 4))
+    assert not ring.convex

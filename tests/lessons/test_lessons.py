@@ -11,9 +11,9 @@ import pytest
 
 from exactsweep.lessons.notebook import (
     FOLDER,
+    list_titles,
     read_notebook,
     run_notebook,
-    titles,
     write_notebook,
 )
 
@@ -45,7 +45,7 @@ def code(notebook: dict[str, Any]) -> list[str]:
     return ["".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "code"]
 
 
-@pytest.mark.parametrize("name", titles())
+@pytest.mark.parametrize("name", list_titles())
 def test_a_lesson_runs_and_shows_what_is_stored(name: str) -> None:
     stored = read_notebook(name)
     made = run_notebook(copy.deepcopy(stored))
@@ -61,12 +61,12 @@ def test_a_lesson_runs_and_shows_what_is_stored(name: str) -> None:
 
 
 def test_all_lessons_are_listed() -> None:
-    assert sorted(titles()) == sorted(path.stem for path in FOLDER.glob("*.ipynb"))
-    assert all(titles().values())
+    assert sorted(list_titles()) == sorted(path.stem for path in FOLDER.glob("*.ipynb"))
+    assert all(list_titles().values())
 
 
 def test_nothing_of_a_machine_is_stored() -> None:
-    for name in titles():
+    for name in list_titles():
         text = (FOLDER / f"{name}.ipynb").read_text(encoding="utf-8")
         assert not re.search(r"0x[0-9a-f]{6,}|/(?:tmp|home|root|work|usr)/", text)
         assert json.loads(text)["nbformat"] == 4

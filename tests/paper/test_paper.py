@@ -26,8 +26,8 @@ from exactsweep.paper.data import write_data
 from exactsweep.paper.growth import Growth, Size, double
 from exactsweep.paper.laws import Trial, break_law, shrink
 from exactsweep.paper.ledger import CHECKS, CLAIMS, UnknownClaimError, find, read_rows
-from exactsweep.paper.pairs import SweepPair, draw_pair, random_pairs
-from exactsweep.paper.tiny import is_any, is_convex, polygons, search_grid
+from exactsweep.paper.pairs import SweepPair, draw_pair, draw_pairs
+from exactsweep.paper.tiny import is_any, is_convex, list_polygons, search_grid
 from exactsweep.procedures.chain import split
 
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]
@@ -154,9 +154,9 @@ def test_names_are_found_in_any_spelling() -> None:
 
 
 def test_pairs_depend_on_seed_class_and_number_alone() -> None:
-    few, many = (list(random_pairs(Effort(3), "MM", count)) for count in (4, 9))
+    few, many = (list(draw_pairs(Effort(3), "MM", count)) for count in (4, 9))
     assert many[:4] == few
-    assert list(random_pairs(Effort(4), "MM", 4)) != few
+    assert list(draw_pairs(Effort(4), "MM", 4)) != few
 
 
 @pytest.mark.parametrize("strict", [True, False])
@@ -173,7 +173,7 @@ def test_random_pairs_are_of_their_class(strict: bool) -> None:
 
 def test_all_polygons_of_a_tiny_grid_are_there() -> None:
     # Heights over x = 0, 1, 2: 27, of which 5 are on a line; and 8, of which 2, do not touch y = 0.
-    assert len(polygons(2, 3)) == 27 - 5 - (8 - 2)
+    assert len(list_polygons(2, 3)) == 27 - 5 - (8 - 2)
     # Over x = 0, 1, 2 again, two heights over 1: no three on a line, at least one is zero.
     quadrilaterals = [
         heights
@@ -186,8 +186,8 @@ def test_all_polygons_of_a_tiny_grid_are_there() -> None:
     for a, low, high, b in product(range(3), repeat=4):
         apart = (2 * low - a - b) * (2 * high - a - b) > 0
         bent += low < high and min(a, low, high, b) == 0 and apart
-    assert len(polygons(2, 4)) == len(quadrilaterals) + bent
-    assert all(min(x for x, _ in ring) == 0 for ring in polygons(2, 5))
+    assert len(list_polygons(2, 4)) == len(quadrilaterals) + bent
+    assert all(min(x for x, _ in ring) == 0 for ring in list_polygons(2, 5))
 
 
 def test_the_smallest_pair_comes_first() -> None:

@@ -23,8 +23,8 @@ from exactsweep.paper.claim import Effort, reproduce
 from exactsweep.paper.figures import procedures, sheet
 from exactsweep.paper.figures.contact_motion import motion
 from exactsweep.paper.figures.figure import PaperFigure, load
-from exactsweep.paper.figures.local_width import narrow_widths, widths
-from exactsweep.paper.figures.undercuts import examples
+from exactsweep.paper.figures.local_width import measure_widths, narrow_widths
+from exactsweep.paper.figures.undercuts import sweep_examples
 from exactsweep.paper.ledger import CLAIMS, find
 from exactsweep.paper.pairs import draw_pair
 from exactsweep.paper.report import write_figures
@@ -94,11 +94,11 @@ def test_figure_6_has_two_convex_chains_and_one_undercut() -> None:
 
 
 def test_figure_7_shows_one_undercut_of_each_kind() -> None:
-    found = [[undercut.intersection for undercut in s.undercuts] for s in examples()]
+    found = [[undercut.intersection for undercut in s.undercuts] for s in sweep_examples()]
     assert found == [["point"], ["segment"]]
     hollow = [
         sum(line.get_markerfacecolor() == "white" for line in axes.lines) and len(s.undercuts[0][4])
-        for axes, s in zip(FIGURES[6].draw().axes, examples(), strict=True)
+        for axes, s in zip(FIGURES[6].draw().axes, sweep_examples(), strict=True)
     ]
     assert hollow == [1, 2]
 
@@ -106,7 +106,7 @@ def test_figure_7_shows_one_undercut_of_each_kind() -> None:
 def test_figure_9_adds_up_on_one_side_only() -> None:
     near = narrow_widths()
     assert near.inner + near.outer < near.width
-    found = widths()
+    found = measure_widths()
     assert found.inner > 0 < found.outer
     assert found.inner + found.outer == found.width
     texts = words(FIGURES[8].draw())

@@ -20,15 +20,21 @@ from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.checks.planar import (
     Groups,
-    contact_pieces,
-    convex_cells,
-    free_parts,
-    swept_polygons,
+    count_free_parts,
+    cut_to_cells,
+    find_contact_pieces,
+    list_swept_polygons,
 )
 from exactsweep.paper.checks.section2 import CAVE, sweep_pieces
 from exactsweep.paper.checks.section4 import labels_name_the_extremes
 from exactsweep.paper.checks.section5 import kernel_is_literal
-from exactsweep.paper.checks.segments import BEST, pieces, pieces_in, windows, windows_of_windows
+from exactsweep.paper.checks.segments import (
+    BEST,
+    build_windows,
+    build_windows_of_windows,
+    count_pieces,
+    pieces_in,
+)
 from exactsweep.paper.checks.undercuts import lower_undercuts
 from exactsweep.paper.functions import clip, evaluate, find_common_points, sample_between
 from exactsweep.paper.pairs import SweepPair, draw_pair
@@ -57,7 +63,7 @@ def box(left: int, low: int, right: int, high: int) -> list[Point]:
     ],
 )
 def test_free_parts_are_counted(boxes: list[tuple[int, int, int, int]], parts: int) -> None:
-    assert free_parts([box(*corners) for corners in boxes]) == parts
+    assert count_free_parts([box(*corners) for corners in boxes]) == parts
 
 
 def test_contact_pieces_are_the_trajectory_of_a_monotone_pair() -> None:
@@ -66,7 +72,7 @@ def test_contact_pieces_are_the_trajectory_of_a_monotone_pair() -> None:
         s = sweep(*pair)
         if s.exact_fits:
             continue
-        found = contact_pieces(*pair)
+        found = find_contact_pieces(*pair)
         length = sum(_squared(p, q) ** 0.5 for p, q in found)
         assert length == pytest.approx(sum(_squared(p, q) ** 0.5 for p, q in sweep_pieces(s)))
 
@@ -77,17 +83,22 @@ def _squared(p: Point, q: Point) -> Fraction:
 
 def test_a_closed_cave_is_not_entered_and_an_open_one_is_no_hole() -> None:
     for generatrix in (SQUARE, [(0, 0), (4, 0), (4, 1), (0, 1)]):
-        assert free_parts(swept_polygons(generatrix, contact_pieces(generatrix, U_SHAPE))) == 2
+        assert (
+            count_free_parts(
+                list_swept_polygons(generatrix, find_contact_pieces(generatrix, U_SHAPE))
+            )
+            == 2
+        )
 
 
 def test_the_cave_of_theorem_2_2_has_a_middle_that_is_passed_by() -> None:
-    assert free_parts(swept_polygons(CAVE.generatrix, contact_pieces(*CAVE))) == 3
+    assert count_free_parts(list_swept_polygons(CAVE.generatrix, find_contact_pieces(*CAVE))) == 3
 
 
 def test_convex_cells_cover_a_polygon() -> None:
     for number in range(20):
         ring = draw_pair(Prng(str(number)), "MM", strict=False).generatrix
-        cells = [Polygon(cell) for cell in convex_cells(ring)]
+        cells = [Polygon(cell) for cell in cut_to_cells(ring)]
         assert sum(cell.area for cell in cells) == Polygon(ring).area
         assert all(cell.is_convex for cell in cells)
 
@@ -104,24 +115,24 @@ def test_segments_have_about_as_many_pieces_as_there_can_be(
     segments: tuple[tuple[int, int, int, int], ...],
 ) -> None:
     most = LONGEST[len(segments)]
-    assert most - (len(segments) > 5) <= pieces(segments) <= most
+    assert most - (len(segments) > 5) <= count_pieces(segments) <= most
 
 
 def test_windows_lay_segments_over_one_another() -> None:
-    pair = windows(BEST[2])
+    pair = build_windows(BEST[2])
     assert len(sweep(*pair).directrix) == 27
     assert sweep(*pair).kind == "MM"
 
 
 def test_windows_of_windows_lay_segments_over_one_another_twice() -> None:
     segments = BEST[2]
-    s = sweep(*windows_of_windows(segments))
+    s = sweep(*build_windows_of_windows(segments))
     assert s.kind == "MM"
     assert len(s.generatrix) <= 7 * len(segments)
     assert len(s.directrix) <= 5 * len(segments)
     corners = s.outer.vertices
     lower = corners[: corners.index(max(corners)) + 1]
-    assert pieces_in(lower, segments) >= 7 * pieces(segments)
+    assert pieces_in(lower, segments) >= 7 * count_pieces(segments)
 
 
 def test_the_family_of_figure_10_agrees_with_the_formula_for_one_tooth_or_one_peak() -> None:

@@ -24,9 +24,9 @@ from exactsweep.paper.claim import (
     Table,
     reproduce,
 )
-from exactsweep.paper.data import slug, write_data
+from exactsweep.paper.data import make_slug, write_data
 from exactsweep.paper.ledger import CLAIMS, find
-from exactsweep.paper.report import bibtex, totals, write
+from exactsweep.paper.report import count_verdicts, read_bibtex, write
 
 FEW = ("Slope", "Corollary 3.4", "Lemma 5.3", "Lemma A.3")
 
@@ -84,7 +84,7 @@ def test_the_html_is_well_formed_and_needs_no_other_file(tmp_path: Path) -> None
     checker.feed(html.read_text(encoding="utf-8"))
     assert checker.open == []
     assert len(checker.ids) == len(set(checker.ids))
-    assert {slug(name) for name in FEW} <= set(checker.ids)
+    assert {make_slug(name) for name in FEW} <= set(checker.ids)
     assert all(r.startswith(("#", "data:image/svg+xml;base64,")) for r in checker.references)
     assert {r[1:] for r in checker.references if r[0] == "#"} == set(checker.ids)
     text = markdown.read_text(encoding="utf-8")
@@ -171,7 +171,7 @@ def test_the_citation_is_two_files_of_this_version(tmp_path: Path) -> None:
     assert result.output == f"{paths[0]} {paths[1]}\n"
     cff, bib = (path.read_text(encoding="utf-8") for path in paths)
     assert f"version: {__version__}\n" in cff
-    assert f"version = {{{__version__}}}" in bib == bibtex()
+    assert f"version = {{{__version__}}}" in bib == read_bibtex()
     assert bib.count("{") == bib.count("}")
     keys = re.findall(r"@\w+\{(\w+),", bib)
     assert len(keys) == len(set(keys)) >= 14
@@ -212,10 +212,10 @@ def test_every_counterexample_is_a_pair_that_can_be_swept(tmp_path: Path) -> Non
 
 def test_the_totals_are_told() -> None:
     rows = list(reproduce(map(find, ("Slope", "Lemma 3.1")), Effort(quick=True)))
-    assert totals(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
+    assert count_verdicts(rows).startswith("2 rows: 1 reproduced, 1 misprint; all borne out; ")
     with mutated(MUTATIONS[0]):
         red = list(reproduce([find("Trajectory_CC")], Effort(quick=True)))
-    assert "; evidence fails: Trajectory_CC; " in totals(red)
+    assert "; evidence fails: Trajectory_CC; " in count_verdicts(red)
 
 
 def test_errata_come_by_weight(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactsweep import Polygon, sweep
+from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
@@ -113,27 +113,6 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
     assert len(found.pieces) == len(again.pieces)
     if found.pieces:
         assert list(found) == list(again)
-
-
-@given(own.pairs("CC"))
-@usually
-def test_ints_and_fractions_give_the_same(pair: Pair) -> None:
-    g, d = (list(polygon.lattice()[1]) for polygon in pair)
-    (g_bottom, g_top), (bottom, _) = split(g), split(d)
-
-    def shrunk(chain: list[Vertex]) -> list[Vertex]:
-        return [(Fraction(x, 7), Fraction(y, 7)) for x, y in chain]
-
-    small = [shrunk(chain) for chain in (g_top, g_bottom, bottom)]
-    assert shrunk(trajectory_cc(g_top, bottom)) == trajectory_cc(small[0], small[2])
-    assert shrunk(sweep_outer_cc(g_top, g_bottom, bottom)) == sweep_outer_cc(*small)
-
-
-@given(own.pairs("CC"))
-@usually
-def test_lower_trajectory_is_the_bottom_of_the_loop(pair: Pair) -> None:
-    (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    assert trajectory_cc(top, bottom) == split(sweep(*pair).trajectory.vertices)[0]
 
 
 def test_parallel_edges_become_one() -> None:

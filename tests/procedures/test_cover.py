@@ -7,13 +7,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region
 
+from exactsweep import Polygon
+from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
-from exactsweep.procedures.cover import Cover
+from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
+from exactsweep.procedures.cover import Cover, find_points_in
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import free_positions
+from exactsweep.procedures.free_positions import find_free_positions
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
 
@@ -47,13 +49,13 @@ def test_what_is_covered_does_not_matter(
     stationary, orbiting = rings(d, matrix), rings(g, matrix)
     moving: Rings = [inverse(ring) for ring in orbiting]
     overlap = Overlap(stationary, orbiting)
-    whole = contact_stretches(stationary, moving)
+    whole = find_contact_stretches(stationary, moving)
     cover = Cover(stationary, moving, columns)
     left = [piece for stretch in whole for piece in cover.uncovered(stretch)]
     found = []
     for stretches in (whole, left):
         cut_at_crossings(stretches)
-        free = free_positions(stretches, overlap.at)
+        free = find_free_positions(stretches, overlap.at)
         found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
@@ -65,3 +67,26 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
     covered = sum(bits.bit_count() for bits in cover.columns)
     # Of 32 x 32 squares of O those that do not touch its boundary, less a row each way.
     assert 28 * 28 <= covered <= 30 * 30
+    for dx, dy in [(1, 0), (0, 1), (1, 1), (3, -2)]:
+        assert not [*cover.uncovered(Stretch((dx, dy, 1), -30, 30, True, True))]
+    (left,) = cover.uncovered(Stretch((1, 0, 0), -64, 30, True, True))
+    assert left.low[0] == -64
+    assert -60 <= left.high[0] <= -56
+
+
+@given(polyominoes(9, 4), MATRICES, st.integers(1, 8))
+@settings(max_examples=15)
+def test_points_are_all_of_the_interior(
+    cells: Cells, matrix: tuple[int, int, int, int], side: int
+) -> None:
+    """Those on the boundary are left out, on vertical edges, too."""
+    shape = rings(cells, matrix)
+    exterior, *holes = map(Polygon, shape)
+    left, low, columns = find_points_in(shape, side)
+    for k, bits in enumerate(columns):
+        for row in range(bits.bit_length() + 2):
+            point = Point(Fraction((left + k) * side), Fraction((low + row) * side))
+            is_inside = point_in_polygon(point, exterior) > 0 and all(
+                point_in_polygon(point, hole) < 0 for hole in holes
+            )
+            assert (bits >> row & 1) == is_inside

@@ -1,7 +1,6 @@
 """The MM procedures on chains: Lemmas 5.1 and 5.3."""
 
 import random
-from fractions import Fraction
 
 import families
 import pytest
@@ -12,9 +11,8 @@ from exactsweep import Polygon, sweep
 from exactsweep.check.definition import reference_loops
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures import part_pairs
-from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import complement, convex_parts, inverse, split
-from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.cc import trajectory_cc
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
@@ -22,26 +20,6 @@ from exactsweep.procedures.mm_inner import inner_mm
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(max_examples=100)
-
-
-@given(own.pairs("CC"))
-@usually
-def test_of_convex_polygons_it_is_the_cc_sweep(pair: Pair) -> None:
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    assert list(trajectory_mm(g_top, bottom)) == trajectory_cc(g_top, bottom)
-    inner, outer = sweep_mm(g_top, g_bottom, bottom)
-    assert inner == sweep_inner_cc(g_top, bottom)
-    assert outer == sweep_outer_cc(g_top, g_bottom, bottom)
-
-
-@given(own.pairs("CM"))
-@usually
-def test_of_a_convex_generatrix_it_is_the_cm_sweep(pair: Pair) -> None:
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    assert list(trajectory_mm(g_top, bottom)) == list(trajectory_cm(g_top, bottom))
-    inner, outer = sweep_mm(g_top, g_bottom, bottom)
-    assert inner == sweep_inner_cm(g_top, bottom)
-    assert outer == list(sweep_outer_cm(g_top, g_bottom, bottom))
 
 
 @given(own.pairs("MM"))
@@ -55,22 +33,12 @@ def test_pairs_under_a_ceiling_are_all_that_matters(pair: Pair) -> None:
         assert (list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)) == whole
 
 
-@given(own.pairs("MM"))
-@usually
-def test_halves_are_those_of_the_whole_sweep(pair: Pair) -> None:
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    s = sweep(*pair, direction=(1, 0))
-    found = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
-    for chain, loop in zip(found, (s.trajectory, s.inner, s.outer), strict=True):
-        assert chain == split(loop.vertices)[0]
-
-
 def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Vertex]:
     """Every convex part along every convex part, and nothing left out."""
     chains = [
         trajectory_cc(inverse(part), other)
-        for part in convex_parts(inverse(top))
-        for other in convex_parts(bottom)
+        for part in find_convex_parts(inverse(top))
+        for other in find_convex_parts(bottom)
     ]
     return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
 
@@ -129,30 +97,6 @@ def test_inner_boundary_is_a_trajectory_on_the_inside(pair: Pair) -> None:
     whole = inverse(complement(list(inside)))
     left, right = bottom[0][0], bottom[-1][0]
     assert [v for v in whole if left < v[0] < right] == [v for v in inner if left < v[0] < right]
-
-
-@given(own.pairs("MM"))
-@usually
-def test_inner_boundary_closes_and_never_opens(pair: Pair) -> None:
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    inner, outer = sweep_mm(g_top, g_bottom, bottom)
-    assert sweep_mm(g_top, g_bottom, inner) == (inner, outer)
-    assert list(trajectory_mm(g_top, inner)) == list(trajectory_mm(g_top, bottom))
-
-
-@given(own.pairs("MM"))
-@usually
-def test_ints_and_fractions_give_the_same(pair: Pair) -> None:
-    g, d = (list(polygon.lattice()[1]) for polygon in pair)
-    (g_bottom, g_top), (bottom, _) = split(g), split(d)
-
-    def shrunk(chain: list[Vertex]) -> list[Vertex]:
-        return [(Fraction(x) / 7, Fraction(y) / 7) for x, y in chain]
-
-    top, floor, wall = map(shrunk, (g_top, g_bottom, bottom))
-    assert shrunk(list(trajectory_mm(g_top, bottom))) == list(trajectory_mm(top, wall))
-    inner, outer = map(shrunk, sweep_mm(g_top, g_bottom, bottom))
-    assert (inner, outer) == sweep_mm(top, floor, wall)
 
 
 @given(own.pairs("MM"))

@@ -10,7 +10,7 @@ from strategies import pairs
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
-from exactsweep.evidence.no_fit import NoFitPolygon
+from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -27,9 +27,9 @@ def fits(*ends: tuple[int, int]) -> Fits:
     return tuple(zip(points[::2], points[1::2], strict=True))
 
 
-def computed(directrix: Region, generatrix: Region) -> NoFitPolygon:
+def computed(directrix: Region, generatrix: Region) -> NoFitPositions:
     """By the contact segments, whatever the shapes."""
-    return NoFitPolygon(directrix, generatrix, ORIGIN, None)
+    return NoFitPositions(directrix, generatrix, ORIGIN, None)
 
 
 UNIT = box(0, 0, 1, 1)
@@ -99,6 +99,13 @@ def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
     assert found.holes == (Polygon(box(2, 2, 4, 4)), Polygon(box(4, 4, 6, 6)))
 
 
+def test_three_loops_that_touch_in_two_points_stay_three_rings() -> None:
+    """One walk around them comes to each of the points twice."""
+    defects = [box(5, 7, 6, 8), box(7, 5, 8, 6), box(9, 7, 10, 8)]
+    (found,) = inner_fit_polygon(Region(box(0, 0, 13, 13), defects), UNIT).regions
+    assert found.holes == tuple(map(Polygon, [box(4, 6, 6, 8), box(6, 4, 8, 6), box(8, 6, 10, 8)]))
+
+
 def test_a_defect_whose_loop_touches_the_outer_one_in_a_point() -> None:
     diamond, part = [(2, 5), (3, 4), (4, 5), (3, 6)], [(0, 0), (2, 1), (0, 2)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 10, 10), [diamond]), part).regions
@@ -153,7 +160,7 @@ def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> 
 
 def test_it_gives_what_the_corpus_has() -> None:
     for case in cases(max_size=150):
-        n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), case.reference, None)
+        n = NoFitPositions(Region(case.directrix), Region(case.generatrix), case.reference, None)
         assert (n.exterior, n.holes, n.exact_fits) == (
             case.trajectory,
             case.holes,
@@ -218,3 +225,10 @@ def test_overlap_on_the_grid_is_a_shared_square(x: int, y: int, d: Cells, g: Cel
     overlap = Overlap(region(d).lattice()[1], region(g).lattice()[1])
     shared = any((u + x, v + y) in d for u, v in g)
     assert overlap.at(Point(Fraction(x), Fraction(y))) == shared
+
+
+def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
+    """3 / 2**40 and 1 / 2**41 are the same in units of 2**-32."""
+    d = [(0, 0), (2**41, 1), (2**41 + 2**40, 4), (0, 10)]
+    g = [(0, -10), (2**41, 3), (0, 0)]
+    assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory

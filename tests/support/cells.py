@@ -4,8 +4,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.corpus.generator.cells import Cell, Matrix, outline
+from exactsweep.corpus.generator.cells import Cell, Matrix, map_region, trace_outline
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
 
 
 class Holed(NamedTuple):
@@ -16,17 +17,8 @@ class Holed(NamedTuple):
 
     def mapped(self, matrix: Matrix, scale: Fraction = Fraction(1), by: Cell = (0, 0)) -> "Holed":
         """The image under a matrix, then moved, then scaled."""
-        (a, b), (c, d) = matrix
-        image = [
-            Polygon(
-                [
-                    ((a * x + b * y + by[0]) * scale, (c * x + d * y + by[1]) * scale)
-                    for x, y in polygon.vertices
-                ]
-            )
-            for polygon in (self.exterior, *self.holes)
-        ]
-        return Holed(image[0], tuple(sorted(image[1:], key=lambda hole: hole.vertices)))
+        image = map_region(Region(self.exterior, self.holes), matrix, scale, by)
+        return Holed(image.exterior, image.holes)
 
     @property
     def area(self) -> Fraction:
@@ -38,7 +30,7 @@ class Holed(NamedTuple):
 
 def shape_of(cells: Iterable[Cell]) -> Holed:
     """The shape of a connected set of cells."""
-    shape = outline(cells)
+    shape = trace_outline(cells)
     return Holed(shape.exterior, shape.holes)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.point import Point
-from exactsweep.geometry.region import Region, around
+from exactsweep.geometry.region import Region, walk_rings
 
 
 def without_parts(s: Swept, contacts: Iterable[Contact]) -> set[Contact]:
@@ -24,7 +24,7 @@ def _ends(shape: Region) -> dict[int, set[int]]:
     """The numbers of the ends of each edge."""
     return {
         shape.edge_index(k): {shape.vertex_index(k), shape.vertex_index(following)}
-        for _, k, following in around(shape)
+        for _, k, following in walk_rings(shape)
     }
 
 

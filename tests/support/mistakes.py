@@ -36,13 +36,13 @@ from spoiling import (
 
 from exactsweep import Point, sweep
 from exactsweep.conform.run.protocol import Numbers
-from exactsweep.corpus.generator.shapes import hull
+from exactsweep.corpus.generator.shapes import take_hull
 
 # Verdicts, by what they say.
 DIFFERS = ("conservative", "unsound", "wrong")
 LARGER = ("conservative", "wrong")
 SMALLER = ("unsound", "wrong")
-FITS = ("equivalent but for exact fits",)
+FITS = ("equivalent except for exact fits",)
 BROKEN = ("malformed",)
 
 
@@ -105,7 +105,7 @@ MISTAKES: dict[str, Mistake] = {
         put("trajectory", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
     ),
     "the hull of the trajectory": Mistake(
-        put("trajectory", lambda c: hull(c.trajectory.vertices)), LARGER, "the convex hull"
+        put("trajectory", lambda c: take_hull(c.trajectory.vertices)), LARGER, "the convex hull"
     ),
     "the box of the trajectory": Mistake(
         put("trajectory", lambda c: box(c.trajectory.vertices)), LARGER, "the bounding box"
@@ -118,7 +118,7 @@ MISTAKES: dict[str, Mistake] = {
         put("inner", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
     ),
     "the hull of the inner loop": Mistake(
-        put("inner", lambda c: hull(c.inner.vertices)), LARGER, "the convex hull"
+        put("inner", lambda c: take_hull(c.inner.vertices)), LARGER, "the convex hull"
     ),
     "the trajectory for the outer loop": Mistake(
         put("outer", lambda c: c.trajectory.vertices), DIFFERS, "exact for the trajectory instead"
@@ -127,7 +127,7 @@ MISTAKES: dict[str, Mistake] = {
         put("outer", lambda c: c.inner.vertices), DIFFERS, "exact for the inner loop instead"
     ),
     "the hull of the outer loop": Mistake(
-        put("outer", lambda c: hull(c.outer.vertices)), LARGER, "the convex hull"
+        put("outer", lambda c: take_hull(c.outer.vertices)), LARGER, "the convex hull"
     ),
     "the box of the outer loop": Mistake(
         put("outer", lambda c: box(c.outer.vertices)), LARGER, "the bounding box"
@@ -224,7 +224,7 @@ MISTAKES: dict[str, Mistake] = {
     "wrong for fractions": Mistake(
         where(has("fractional-input"), each(lambda c: Fraction(math.floor(c)))),
         (*DIFFERS, *BROKEN),
-        ".",
+        "rounded down to integers",
     ),
     "wrong where the reference point is not the origin": Mistake(
         where(has("reference-point"), refer_to(lambda c: (0, 0))),
@@ -237,7 +237,7 @@ MISTAKES: dict[str, Mistake] = {
         LACKS + OR_ELSE,
     ),
     "wrong in other directions": Mistake(
-        where(has("turned"), put("trajectory", lambda c: hull(c.trajectory.vertices))),
+        where(has("turned"), put("trajectory", lambda c: take_hull(c.trajectory.vertices))),
         LARGER,
         "hull",
     ),
@@ -246,17 +246,34 @@ MISTAKES: dict[str, Mistake] = {
         LARGER,
         ONE_OFF,
     ),
-    "int32 that wraps around": Mistake(each(wrap(32)), (*DIFFERS, *BROKEN), "."),
-    "int16 that wraps around": Mistake(each(wrap(16)), (*DIFFERS, *BROKEN), "."),
+    "int32 that wraps around": Mistake(
+        each(wrap(32)), (*DIFFERS, *BROKEN), "wraps around at 32 bits"
+    ),
+    "int16 that wraps around": Mistake(
+        each(wrap(16)), (*DIFFERS, *BROKEN), "wraps around at 16 bits"
+    ),
     # Numbers.
-    "float32": Mistake(each(to_float32), (*DIFFERS, *BROKEN), ".", "binary64"),
+    "float32": Mistake(
+        each(to_float32), (*DIFFERS, *BROKEN), "rounded to single precision", "binary64"
+    ),
     "six digits": Mistake(
-        each(lambda c: float(f"{float(c):.6g}")), (*DIFFERS, *BROKEN), ".", "binary64"
+        each(lambda c: float(f"{float(c):.6g}")),
+        (*DIFFERS, *BROKEN),
+        "rounded to 6 digits",
+        "binary64",
     ),
     "three decimals": Mistake(
-        each(lambda c: float(f"{float(c):.3f}")), (*DIFFERS, *BROKEN), ".", "binary64"
+        each(lambda c: float(f"{float(c):.3f}")),
+        (*DIFFERS, *BROKEN),
+        "rounded to 3 decimals",
+        "binary64",
     ),
-    "one unit too far off": Mistake(one_unit_too_far, DIFFERS, ".", "binary64"),
+    "one unit too far off": Mistake(
+        one_unit_too_far,
+        DIFFERS,
+        "except for 4 times the rounding|" + ONE_OFF,
+        "binary64",
+    ),
     "a claim that is too large": Mistake(
         where(
             lambda c: not {"sliver", "near-parallel"} & {*c.flags},

@@ -54,6 +54,18 @@ class Mutant(NamedTuple):
         """The text of the module with the change."""
         return text[: self.start] + self.new.encode() + text[self.end :]
 
+    def lines(self, text: bytes) -> range:
+        """The lines of its statement, without a body: what does not run them does not notice."""
+        last = self.line + text.count(b"\n", self.start, self.end)
+        *_, found = (
+            node
+            for node in ast.walk(ast.parse(text))  # what is around comes before what is within
+            if isinstance(node, ast.stmt) and node.lineno <= self.line
+            if last <= (node.end_lineno or 0)
+        )
+        body = getattr(found, "body", [])
+        return range(found.lineno, max(body[0].lineno if body else 0, last + 1))
+
     def shown(self, text: bytes) -> tuple[str, str]:
         """The lines that are changed, before and after, without what is around."""
         first = text.rfind(b"\n", 0, self.start) + 1
@@ -83,6 +95,8 @@ def mutants_of(path: str, text: bytes) -> list[Mutant]:
 def _walk(node: ast.AST) -> Iterator[ast.AST]:
     """What of a tree is mutated."""
     if isinstance(node, ast.Assert | ast.Raise | ast.JoinedStr | ast.Import | ast.ImportFrom):
+        return
+    if isinstance(node, ast.keyword) and node.arg == "strict":  # as good as asserted
         return
     yield node
     for name, value in ast.iter_fields(node):

@@ -24,7 +24,7 @@ from exactsweep import Point, Polygon, Region
 from exactsweep.check import classify
 from exactsweep.check.location import locate
 from exactsweep.corpus import Case, case_from_json
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 
 Ring = Sequence[tuple[Fraction, Fraction]]
 Rings = Sequence[Ring]
@@ -118,7 +118,9 @@ def _sum(rings: Rings, others: Rings) -> list[list[tuple[Fraction, Fraction]]]:
 def _polygon(rings: Rings) -> str:
     exterior, *holes = rings
     # It wants holes clockwise.
-    turned = (ring[::-1] if doubled_area([Point(*p) for p in ring]) > 0 else ring for ring in holes)
+    turned = (
+        ring[::-1] if find_doubled_area([Point(*p) for p in ring]) > 0 else ring for ring in holes
+    )
     texts = (", ".join(f"{x} {y}" for x, y in [*ring, ring[0]]) for ring in (exterior, *turned))
     return f"POLYGON ({', '.join(f'({text})' for text in texts)})"
 

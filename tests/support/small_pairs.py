@@ -13,8 +13,8 @@ from shape_families import untangled
 
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.corpus.generator.cells import grow
-from exactsweep.corpus.generator.shapes import hull
-from exactsweep.geometry.canonical import PolygonError, canonical_ring
+from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
 
 Vertex = tuple[int, int]
 Ring = list[Vertex]
@@ -40,7 +40,7 @@ class SmallPair(NamedTuple):
 def convex(rng: Random) -> Shape:
     side = rng.choice([1, 2, 3, 4, 6])
     points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 7))]
-    found = hull(points)
+    found = take_hull(points)
     return [[*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]]
 
 
@@ -150,7 +150,7 @@ def _is_sound(shape: Shape) -> bool:
     if any(abs(c) > FARTHEST for ring in shape for p in ring for c in p):
         return False
     try:
-        canonical_ring(shape[0])
+        canonicalize_ring(shape[0])
     except PolygonError:
         return False
     return True

@@ -16,7 +16,7 @@ from exactsweep.check import point_in_polygon
 from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.corpus import Case
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.point import ORIGIN
 
 Loop = list[Any]
@@ -211,7 +211,7 @@ def inside(case: Case) -> Loop:
     for k, b in enumerate(ring):
         a, c = ring[k - 1], ring[(k + 1) % len(ring)]
         ear = [a, b, c]
-        if doubled_area(ear) <= 0:
+        if find_doubled_area(ear) <= 0:
             continue
         middle = Point((a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4)
         small = [

@@ -17,11 +17,12 @@ from strategies import pairs, points
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import Scale
-from exactsweep.draw.sweeps import anchor, path
+from exactsweep.draw.sweeps import find_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
-from exactsweep.view import page
-from exactsweep.view.data import page_data, stops
-from exactsweep.view.page import embedded_json
+from exactsweep.view import make_page
+from exactsweep.view.data import find_stops, gather_page_data
+from exactsweep.view.meetings import Meetings
+from exactsweep.view.page import embed_json
 
 SLOT = sweep(
     [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -48,7 +49,7 @@ def places(flat: list[float]) -> list[tuple[float, float]]:
 @given(any_pair)
 def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(3, "1/7"))
-    found = stops(s)
+    found = find_stops(s)
     assert [stop.position for stop in found if stop.vertex is not None] == list(
         s.trajectory.vertices
     )
@@ -64,7 +65,7 @@ def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygo
 @given(any_pair)
 def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair)
-    found = stops(s)
+    found = find_stops(s)
     for stop, following in list(zip(found, found[1:] + found[:1], strict=True))[:12]:
         assert stop.contacts
         here = s.contacts_at(between(stop.position, following.position))
@@ -77,7 +78,7 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
     peaks = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
     s = sweep(roof, peaks)
     halfway = Point(Fraction(-2), Fraction(0))
-    (stop,) = (stop for stop in stops(s) if stop.position == halfway)
+    (stop,) = (stop for stop in find_stops(s) if stop.position == halfway)
     assert stop.vertex is None
     assert stop.contacts == (Contact("EV", 5, 1),)
     assert Contact("VV", 3, 3) in s.contacts_at(halfway)
@@ -87,18 +88,18 @@ def test_two_vertices_that_meet_on_the_way_make_a_stop() -> None:
 def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
     monkeypatch: pytest.MonkeyPatch, limit: str
 ) -> None:
-    assert page_data(EXAMPLE)["hasMeetings"]
+    assert gather_page_data(EXAMPLE)["hasMeetings"]
     monkeypatch.setattr(f"exactsweep.view.meetings.{limit}", 1)
-    assert not page_data(EXAMPLE)["hasMeetings"]
-    assert [stop.position for stop in stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
+    assert not gather_page_data(EXAMPLE)["hasMeetings"]
+    assert [stop.position for stop in find_stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 
 
 @settings(max_examples=30)
 @given(any_pair)
 def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(10**40, "1/3"))
-    data = page_data(s)
-    scale = Scale.of(s.outer.vertices, path(s).vertices)
+    data = gather_page_data(s)
+    scale = Scale.of(s.outer.vertices, trace_anchor(s).vertices)
     x, y = s.reference
     for (tx, ty), (px, py) in zip(
         exact_points(data["tracks"][0]["exact"]), places(data["tracks"][0]["places"]), strict=True
@@ -116,7 +117,7 @@ def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
 def test_what_stands_still_is_scaled_exactly() -> None:
     big = sweep(*([(x * 10**30, y * 10**30) for x, y in p.vertices] for p in (
         EXAMPLE.generatrix, EXAMPLE.directrix)))  # fmt: skip
-    data = page_data(big)
+    data = gather_page_data(big)
     for name in ("directrix", "inner", "outer"):
         loop = getattr(EXAMPLE, name).vertices
         assert places(data[name]["places"]) == [(float(x), float(y)) for x, y in loop]
@@ -128,22 +129,22 @@ def test_what_stands_still_is_scaled_exactly() -> None:
 
 def test_features_have_the_numbers_of_the_input() -> None:
     clockwise = [(0, 0), (0, 1), (1, 2), (2, 1), (2, 0), (1, 0)]
-    data = page_data(sweep(clockwise, EXAMPLE.directrix))
+    data = gather_page_data(sweep(clockwise, EXAMPLE.directrix))
     assert data["generatrix"]["vertices"] == [0, 4, 3, 2, 1]
     assert data["generatrix"]["edges"] == [4, 3, 2, 1, 0]
 
 
 def test_a_far_reference_point_leaves_the_picture_alone() -> None:
     far = sweep(EXAMPLE.generatrix, EXAMPLE.directrix, reference=(10**40, 0))
-    assert anchor(far) == EXAMPLE.reference
-    data, near = page_data(far), page_data(EXAMPLE)
+    assert find_anchor(far) == EXAMPLE.reference
+    data, near = gather_page_data(far), gather_page_data(EXAMPLE)
     assert data["path"] == "vertex 0 of G"
     assert data["tracks"][0]["places"] == near["tracks"][0]["places"]
     assert exact_points(data["tracks"][0]["exact"])[0] == points((10**40 - 2, -1))[0]
 
 
 def test_an_exact_fit_hangs_on_a_stop() -> None:
-    data = page_data(SLOT)
+    data = gather_page_data(SLOT)
     (fit,) = data["fits"]
     assert exact_points(fit["exact"]) == points((1, 3), (1, 1))
     assert fit["hangs"] == [True, False]
@@ -155,7 +156,7 @@ def test_an_exact_fit_hangs_on_a_stop() -> None:
 
 
 def test_the_page_needs_nothing_else() -> None:
-    text = page(EXAMPLE)
+    text = make_page(EXAMPLE)
     assert not re.search(r'(?:src|href|url)\s*[=(]\s*["\']?(?!data:|#)[\w/.]', markup(text))
     assert "@import" not in text
     assert "default-src 'none'" in text
@@ -170,7 +171,7 @@ def markup(text: str) -> str:
 
 
 def test_only_its_own_scripts_may_run() -> None:
-    text = page(EXAMPLE)
+    text = make_page(EXAMPLE)
     scripts = re.findall(r"<script>(.*?)</script>", text, re.S)
     hashes = [f"'sha256-{b64encode(sha256(s.encode()).digest()).decode()}'" for s in scripts]
     assert f"script-src {' '.join(hashes)};" in text
@@ -180,7 +181,7 @@ def test_only_its_own_scripts_may_run() -> None:
 
 def test_data_cannot_leave_its_element() -> None:
     hostile = ["</script><script>alert(1)</script>", "<!--", "&lt;", "]]>"]
-    written = embedded_json(hostile)
+    written = embed_json(hostile)
     assert not set("<>&") & set(written)
     assert json.loads(written) == hostile
 
@@ -197,7 +198,7 @@ def test_file_names_are_in_the_page_as_text(tmp_path: Path) -> None:
 
 def test_what_is_done_is_told() -> None:
     told: list[str] = []
-    assert page(SLOT, tell=told.append) == page(SLOT)
+    assert make_page(SLOT, tell=told.append) == make_page(SLOT)
     assert told == ["the loops", "exact fits", "undercuts", "contacts along 8 edges"]
 
 
@@ -216,7 +217,7 @@ def test_many_fits_cost_what_one_costs() -> None:
             return found(loops)
 
         s.contacts_along = counted  # type: ignore[method-assign]
-        assert len(page_data(s)["tracks"]) == 1 + count
+        assert len(gather_page_data(s)["tracks"]) == 1 + count
         return len(calls), sum(calls)
 
     assert contacts_along(3) == (1, 4)
@@ -226,7 +227,7 @@ def test_many_fits_cost_what_one_costs() -> None:
 def test_the_command_writes_a_page(tmp_path: Path) -> None:
     path = tmp_path / "sweep.html"
     assert run("view", "-o", str(path)).output == ""
-    assert path.read_text() == page(EXAMPLE)
+    assert path.read_text() == make_page(EXAMPLE)
     assert data_of(path.read_text())["title"] == "Sweep of 5 around 7 vertices"
     nowhere = tmp_path / "none" / "sweep.html"
     assert refusal(run("view", "-o", str(nowhere))) == f"{nowhere}: No such file or directory"
@@ -234,4 +235,20 @@ def test_the_command_writes_a_page(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("s", [EXAMPLE, SLOT])
 def test_the_same_sweep_gives_the_same_page(s: Sweep) -> None:
-    assert page(s) == page(sweep(s.generatrix.vertices, s.directrix.vertices))
+    assert make_page(s) == make_page(sweep(s.generatrix.vertices, s.directrix.vertices))
+
+
+def test_vertices_meet_though_there_is_no_common_lattice() -> None:
+    """Once coordinates off the lattice lost what is behind the point."""
+    thin = [Fraction(1, 10**900 + k) for k in range(8)]
+    block = [(thin[0], thin[1]), (3 + thin[2], thin[1]), (3 + thin[2], 2 + thin[3])]
+    s = sweep([(0, 0), (1 + thin[4], 0), (1 + thin[4], 1 + thin[5]), (thin[6], 1)], block)
+    assert s.directrix.lattice()[0] == 1
+    found = Meetings(s)
+    differences = {
+        ((v.x - w.x) * found.scale, (v.y - w.y) * found.scale)
+        for v in s.directrix.vertices
+        for w in s.generatrix.vertices
+    }
+    assert found.translations
+    assert set(found.translations) <= differences

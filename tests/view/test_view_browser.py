@@ -12,8 +12,8 @@ from shown import HEIGHT, Open, Shown, scale_example
 
 from exactsweep import Point, Sweep, sweep
 from exactsweep.draw import Scale
-from exactsweep.draw.sweeps import path
-from exactsweep.view.data import stops
+from exactsweep.draw.sweeps import trace_anchor
+from exactsweep.view.data import find_stops
 
 SLOT = sweep(
     [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -24,7 +24,7 @@ PARTS = 1_000_000
 
 def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
     """G is drawn where it is, each coordinate rounded as floats are."""
-    scale = Scale.of(s.outer.vertices, path(s).vertices)
+    scale = Scale.of(s.outer.vertices, trace_anchor(s).vertices)
     assert shown.position == position
     exact = [
         scale.place(Point(x + position.x - s.reference.x, y + position.y - s.reference.y))
@@ -39,7 +39,7 @@ def assert_in_place(shown: Shown, s: Sweep, position: Point) -> None:
 def test_the_slider_moves_g_to_exactly_the_right_place(show: Open, factor: Fraction) -> None:
     s = scale_example(factor)
     shown = show(s)
-    found = stops(s)
+    found = find_stops(s)
     for k, stop in enumerate(found):
         shown.slide(k * PARTS)
         assert_in_place(shown, s, stop.position)
@@ -86,13 +86,13 @@ def test_the_contact_is_named(show: Open) -> None:
     s = sweep([(0, 0), (3, 0), (3, 1), (0, 1)], wedge)
     box = show(s)
     floor = Point(Fraction(0), Fraction(0))
-    box.slide([stop.position for stop in stops(s)].index(floor) * PARTS)
+    box.slide([stop.position for stop in find_stops(s)].index(floor) * PARTS)
     assert "EE edge 0 of G on edge 0 of D, here only" in box.text("contacts").splitlines()
 
 
 def test_the_keyboard_does_all(show: Open) -> None:
     shown = show(EXAMPLE)
-    at = [stop.position for stop in stops(EXAMPLE)]
+    at = [stop.position for stop in find_stops(EXAMPLE)]
     shown.press("PageDown", "PageDown")
     assert shown.position == at[2]
     shown.press("PageUp")

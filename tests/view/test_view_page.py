@@ -15,8 +15,8 @@ from shown import WIDTH, Open, Shown, scale_example
 from exactsweep import Region, sweep
 from exactsweep.evidence.contact import Contact
 from exactsweep.geometry.number import format_fraction
-from exactsweep.view import page
-from exactsweep.view.data import track_stops, tracks
+from exactsweep.view import make_page
+from exactsweep.view.data import list_tracks, track_stops
 
 ROOF = [(0, -20), (10, -20), (10, -12), (8, 1), (6, -12), (4, 0), (0, 0)]
 PEAKS = [(-20, 30), (0, 0), (3, 20), (6, 1), (20, 30), (20, 31), (-20, 31)]
@@ -43,7 +43,7 @@ def test_the_page_finds_all_contacts_at_a_stop(
     shapes = [Region(shape).scaled(factor) for shape in (g, d)]
     s = sweep(*shapes, reference=("1/3", 10))
     shown = show(s)
-    listed = tracks(s)
+    listed = list_tracks(s)
     for number, found in enumerate(track_stops(s, listed)[0]):
         for k, stop in enumerate(found):
             here = set(s.contacts_at(stop.position))
@@ -100,7 +100,7 @@ def test_a_grid_can_be_put_away(show: Open) -> None:
 
 def test_names_are_shown(browser: Any, tmp_path: Path) -> None:
     file = tmp_path / "sweep.html"
-    text = page(EXAMPLE, names=("house.json", "<b>block</b>.wkt"))
+    text = make_page(EXAMPLE, names=("house.json", "<b>block</b>.wkt"))
     file.write_text(text, encoding="utf-8")
     shown = Shown(browser, file)
     assert shown.tab.inner_text("h1") == ("house.json around <b>block</b>.wkt: 5 around 7 vertices")
@@ -113,7 +113,7 @@ def test_names_are_shown(browser: Any, tmp_path: Path) -> None:
 
 def test_y_may_point_down(browser: Any, tmp_path: Path) -> None:
     file = tmp_path / "sweep.html"
-    file.write_text(page(EXAMPLE, y_down=True), encoding="utf-8")
+    file.write_text(make_page(EXAMPLE, y_down=True), encoding="utf-8")
     shown = Shown(browser, file)
     (x0, y0), _, _, (_, roof), _ = shown.pixels
     assert roof > y0
@@ -129,7 +129,7 @@ def test_y_may_point_down(browser: Any, tmp_path: Path) -> None:
 
 def test_long_numbers_are_cut_short_and_copied_whole(browser: Any, tmp_path: Path) -> None:
     file = tmp_path / "sweep.html"
-    file.write_text(page(scale_example(Fraction(10**60, 3 * 7**30))), encoding="utf-8")
+    file.write_text(make_page(scale_example(Fraction(10**60, 3 * 7**30))), encoding="utf-8")
     shown = Shown(browser, file, permissions=["clipboard-read", "clipboard-write"])
     area = format_fraction(72 * Fraction(10**60, 3 * 7**30) ** 2)
     assert re.fullmatch(r"\d{28}\u2026\d+\S* \(\d+ characters\)", shown.text("area"))

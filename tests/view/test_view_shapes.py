@@ -10,7 +10,7 @@ from shown import Open, Shown
 from strategies import points, simple_polygons
 
 from exactsweep import Polygon, Region, sweep
-from exactsweep.view.data import page_data, stops, track_stops, tracks
+from exactsweep.view.data import find_stops, gather_page_data, list_tracks, track_stops
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 # Holes in which the square has room, just slides, and just fits.
@@ -49,7 +49,7 @@ def track_of(shown: Shown) -> str:
 @given(simple_polygons(), simple_polygons())
 def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d, reference=(1, "1/3"))
-    listed = tracks(s)
+    listed = list_tracks(s)
     for track, found in zip(listed, track_stops(s, listed)[0], strict=True):
         corners = [stop.position for stop in found if stop.vertex is not None]
         assert corners == list(track.corners)
@@ -62,10 +62,10 @@ def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) 
 
 
 def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
-    data = page_data(EXAMPLE)
+    data = gather_page_data(EXAMPLE)
     assert [track["name"] for track in data["tracks"]] == NAMES
     assert data["holes"] == 1
-    _, hole, segment, single = tracks(EXAMPLE)
+    _, hole, segment, single = list_tracks(EXAMPLE)
     assert tuple(hole.corners) == points((2, 2), (5, 2), (5, 4), (2, 4))
     assert tuple(segment.corners) == points((9, 2), (9, 8))
     assert tuple(single.corners) == points((13, 3))
@@ -77,7 +77,7 @@ def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
 def test_what_is_not_swept_is_shown() -> None:
     cave = [(0, 0), (10, 0), (10, 10), (5, 10), (5, 8), (8, 8)]
     cave += [(8, 2), (2, 2), (2, 8), (3, 8), (3, 10), (0, 10)]
-    (hole,) = page_data(sweep([(0, 0), (1, 0), (1, 1), (0, 1)], cave))["unswept"]
+    (hole,) = gather_page_data(sweep([(0, 0), (1, 0), (1, 1), (0, 1)], cave))["unswept"]
     assert hole["exact"] == ["3", "3", "7", "3", "7", "7", "3", "7"]
 
 
@@ -181,7 +181,9 @@ def test_size_does_not_matter() -> None:
     exterior, *holes = ([(x * big, y * big) for x, y in ring] for ring in PLATE.rings)
     s = sweep([(x * big, y * big) for x, y in SQUARE], Region(exterior, holes))
     for small, large in zip(
-        track_stops(EXAMPLE, tracks(EXAMPLE))[0], track_stops(s, tracks(s))[0], strict=True
+        track_stops(EXAMPLE, list_tracks(EXAMPLE))[0],
+        track_stops(s, list_tracks(s))[0],
+        strict=True,
     ):
         assert [stop.contacts for stop in small] == [stop.contacts for stop in large]
-    assert stops(s)[0].position == (Fraction(-2 * big), Fraction(-2 * big))
+    assert find_stops(s)[0].position == (Fraction(-2 * big), Fraction(-2 * big))

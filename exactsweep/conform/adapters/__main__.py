@@ -12,7 +12,7 @@ import click
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
 from exactsweep.conform.adapters.names import NAMES, load
 from exactsweep.conform.run.protocol import QUESTIONS, read_object
-from exactsweep.geometry.number import format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import format_fraction, quote, to_fraction
 
 
 @click.command()
@@ -79,7 +79,7 @@ def _number(text: str, numbers: str) -> object:
     try:
         return float(text) if numbers == "binary64" else int(text)
     except ValueError:
-        raise NotImplementedError(f"{quoted(text)} is no {numbers}") from None
+        raise NotImplementedError(f"{quote(text)} is no {numbers}") from None
 
 
 def _write(value: object) -> str:

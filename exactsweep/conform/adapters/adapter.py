@@ -9,23 +9,23 @@ from typing import Any, NamedTuple, cast
 
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
-from exactsweep.geometry.canonical import doubled_area
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Point
 
 Number = Any
 Position = tuple[Fraction, Fraction]
-Ring = list[tuple[Number, Number]]
-Shape = list[Ring]
-Rings = Sequence[Sequence[Sequence[Number]]]
+AskedRing = list[tuple[Number, Number]]
+AskedShape = list[AskedRing]
+AnsweredRings = Sequence[Sequence[Sequence[Number]]]
 
 
 class MissingError(ExactSweepError):
     """A program that is not installed here; the message says how to get it."""
 
 
-def _nothing() -> None:
+def _do_nothing() -> None:
     """Do nothing."""
 
 
@@ -41,8 +41,8 @@ class Adapter(NamedTuple):
     """
 
     hello: Hello
-    ask: Callable[[str, Shape, Shape], Mapping[str, Any]]
-    close: Callable[[], object] = _nothing
+    ask: Callable[[str, AskedShape, AskedShape], Mapping[str, Any]]
+    close: Callable[[], object] = _do_nothing
 
     def answer(
         self,
@@ -67,7 +67,7 @@ class Adapter(NamedTuple):
         """
         if self.hello.shapes != "any":
             directrix, generatrix = [directrix], [generatrix]
-        d, g = prepared_shape(directrix), prepared_shape(generatrix)
+        d, g = prepare_shape(directrix), prepare_shape(generatrix)
         fits = [question for question in self.hello.questions if question != "sweep"]
         found: dict[str, Any] = {}
         for part in parts or (*self.hello.loops, *fits):
@@ -91,10 +91,10 @@ class Adapter(NamedTuple):
 def sum_adapter(
     name: str,
     numbers: Numbers,
-    add: Callable[[Shape, Shape], Rings],
+    add: Callable[[AskedShape, AskedShape], AnsweredRings],
     *,
     shapes: Shapes = "simple",
-    close: Callable[[], object] = _nothing,
+    close: Callable[[], object] = _do_nothing,
 ) -> Adapter:
     """Return the adapter of a program that computes Minkowski sums.
 
@@ -110,19 +110,19 @@ def sum_adapter(
         close: ends what runs for it.
     """
 
-    def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
+    def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
         inverse = [[(-x, -y) for x, y in ring] for ring in generatrix]
         if part != "inner_fit":
             return {part: add(directrix, inverse)}
         if len(directrix) > 1:
             raise NotImplementedError("a container with holes")
-        return {part: without_outermost(add(frame_around(directrix[0], inverse[0]), inverse))}
+        return {part: drop_outermost(add(build_frame(directrix[0], inverse[0]), inverse))}
 
     questions: tuple[Question, ...] = ("no_fit", "inner_fit") if shapes == "any" else ("no_fit",)
     return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
 
 
-def frame_around(container: Ring, inverse: Ring) -> Shape:
+def build_frame(container: AskedRing, inverse: AskedRing) -> AskedShape:
     """Return a frame whose hole is the container, wide enough for what moves inside."""
     xs, ys = zip(*container, strict=True)
     us, vs = zip(*inverse, strict=True)
@@ -131,7 +131,7 @@ def frame_around(container: Ring, inverse: Ring) -> Shape:
     return [[(left, low), (right, low), (right, high), (left, high)], container[::-1]]
 
 
-def without_outermost(rings: Rings) -> list[Sequence[Sequence[Number]]]:
+def drop_outermost(rings: AnsweredRings) -> list[Sequence[Sequence[Number]]]:
     """Return the rings except for the one that reaches farthest to the left."""
 
     def leftmost(k: int) -> Fraction:
@@ -141,33 +141,33 @@ def without_outermost(rings: Rings) -> list[Sequence[Sequence[Number]]]:
     return [ring for k, ring in enumerate(rings) if k != outermost]
 
 
-def prepared_shape(shape: Sequence[Ring]) -> Shape:
-    """Return the exterior counter-clockwise and the holes clockwise; see `prepared`."""
-    exterior, *holes = map(prepared, shape)
+def prepare_shape(shape: Sequence[AskedRing]) -> AskedShape:
+    """Return the exterior counter-clockwise and the holes clockwise; see `prepare_ring`."""
+    exterior, *holes = map(prepare_ring, shape)
     return [exterior, *(hole[::-1] for hole in holes)]
 
 
-def prepared(ring: Ring) -> Ring:
+def prepare_ring(ring: AskedRing) -> AskedRing:
     """Return a ring counter-clockwise and without repeated vertices.
 
     Example:
-        >>> prepared([(0, 0), (0, 2), (0, 2), (1, 1), (2, 0), (0, 0)])
+        >>> prepare_ring([(0, 0), (0, 2), (0, 2), (1, 1), (2, 0), (0, 0)])
         [(0, 0), (2, 0), (1, 1), (0, 2)]
     """
     distinct = [p for k, p in enumerate(ring) if p != ring[k - 1]]
     # Floats are made exact: their products would be rounded.
     points = [Point(to_fraction(x), to_fraction(y)) for x, y in distinct]
-    return distinct if doubled_area(points) > 0 else distinct[::-1]
+    return distinct if find_doubled_area(points) > 0 else distinct[::-1]
 
 
-def fillings(directrix: Ring, inverse: Ring) -> list[Ring]:
+def list_fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:
     """Return what fills the sum of two boundaries up to that of the polygons.
 
     A point of the sum of two polygons that is not in the sum of their boundaries has all of the
     one, moved to it, inside the other, or the other way round: so it is in D moved by a vertex of
     -G, or in -G moved by a vertex of D.
     """
-    return [_moved(directrix, inverse[0]), _moved(inverse, directrix[0])]
+    return [_move(directrix, inverse[0]), _move(inverse, directrix[0])]
 
 
 def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> list[Position]:
@@ -176,12 +176,12 @@ def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> li
     return [(to_fraction(px) - x, to_fraction(py) - y) for px, py in ring]
 
 
-def _moved(ring: Ring, by: tuple[Number, Number]) -> Ring:
+def _move(ring: AskedRing, by: tuple[Number, Number]) -> AskedRing:
     """Return a ring moved by a vector."""
     return [(x + by[0], y + by[1]) for x, y in ring]
 
 
-def require_range(first: Shape, second: Shape, most: int) -> None:
+def require_range(first: AskedShape, second: AskedShape, most: int) -> None:
     """Refuse rings of ints whose sum may have coordinates beyond a limit.
 
     Raises:

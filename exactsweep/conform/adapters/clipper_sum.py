@@ -7,7 +7,7 @@ two boundaries.
 What they are asked: the sum of -G, as the pattern, and D, as a closed path, times the scale that
 makes the case integer. Neither takes holes. The sum of two boundaries may have holes where that of
 the polygons has none, or smaller ones: where there is one, and where a ring touches itself, which
-may hide one, all rings are united with `fillings`, by the rule nonzero.
+may hide one, all rings are united with `list_fillings`, by the rule nonzero.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from typing import Any
 
 from exactsweep.conform.adapters.adapter import (
     Adapter,
-    Ring,
-    Rings,
-    Shape,
-    fillings,
+    AnsweredRings,
+    AskedRing,
+    AskedShape,
+    list_fillings,
     require_range,
     sum_adapter,
 )
@@ -39,7 +39,7 @@ def adapter(name: str) -> Adapter:
 def _clipper() -> Adapter:
     import pyclipper
 
-    def unite(paths: Sequence[Ring]) -> Any:
+    def unite(paths: Sequence[AskedRing]) -> Any:
         union = pyclipper.Pyclipper()
         union.AddPaths(paths, pyclipper.PT_SUBJECT, True)
         return union.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
@@ -52,7 +52,7 @@ def _clipper2() -> Adapter:
     import clipper2
     import numpy as np
 
-    def unite(paths: Sequence[Ring]) -> Any:
+    def unite(paths: Sequence[AskedRing]) -> Any:
         return clipper2.union([np.array(path) for path in paths], clipper2.FillRule.NON_ZERO)
 
     program = f"Clipper2 {clipper2.CLIPPER2_VERSION} (clipper2-py {version('clipper2-py')})"
@@ -62,20 +62,20 @@ def _clipper2() -> Adapter:
 def _adapter(
     program: str,
     bits: int,
-    add: Callable[[Ring, Ring, bool], Any],
+    add: Callable[[AskedRing, AskedRing, bool], Any],
     is_outer: Callable[[Any], bool],
-    unite: Callable[[Sequence[Ring]], Any],
+    unite: Callable[[Sequence[AskedRing]], Any],
 ) -> Adapter:
-    def add_up(first: Shape, second: Shape) -> Rings:
+    def add_up(first: AskedShape, second: AskedShape) -> AnsweredRings:
         require_range(first, second, 2**bits - 1)
         (directrix,), (inverse,) = first, second
         paths = list(add(inverse, directrix, True))
         rings = pairs(paths)
         if all(map(is_outer, paths)) and all(len(set(ring)) == len(ring) for ring in rings):
             return rings
-        return pairs(unite([*rings, *fillings(directrix, inverse)]))
+        return pairs(unite([*rings, *list_fillings(directrix, inverse)]))
 
-    def pairs(paths: Iterable[Iterable[Any]]) -> list[Ring]:
+    def pairs(paths: Iterable[Iterable[Any]]) -> list[AskedRing]:
         return [[(int(x), int(y)) for x, y in path] for path in paths]
 
     return sum_adapter(program, "int64", add_up)

@@ -12,7 +12,13 @@ from __future__ import annotations
 from importlib.metadata import version
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, Rings, Shape, require_range, sum_adapter
+from exactsweep.conform.adapters.adapter import (
+    Adapter,
+    AnsweredRings,
+    AskedShape,
+    require_range,
+    sum_adapter,
+)
 
 MOST = 2**30 - 1
 
@@ -25,14 +31,14 @@ def adapter(name: str) -> Adapter:
     """
     import klayout.db as db
 
-    def polygon(shape: Shape) -> Any:
+    def polygon(shape: AskedShape) -> Any:
         exterior, *holes = ([db.Point(x, y) for x, y in ring] for ring in shape)
         found = db.Polygon(exterior, True)
         for hole in holes:
             found.insert_hole(hole, True)
         return found
 
-    def add(directrix: Shape, inverse: Shape) -> Rings:
+    def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
         require_range(directrix, inverse, MOST)
         total = polygon(directrix).minkowski_sum(polygon(inverse), False)
         holes = range(total.holes())

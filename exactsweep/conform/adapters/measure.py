@@ -26,9 +26,9 @@ from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.pool import Judges
 from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.runner import conduct
+from exactsweep.conform.run.runner import judge_cases
 from exactsweep.corpus import FAMILIES, Case, cases, generate
-from exactsweep.corpus.case_json import expected_rings
+from exactsweep.corpus.case_json import list_expected_rings
 
 BEGIN, END = "<!-- measured -->\n", "<!-- end of what was measured -->\n"
 SEED = 1
@@ -55,19 +55,19 @@ def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, fold
             Journal(path, command=command[1:], hello=judges.hello, seconds=seconds, resume=True)
         )
         run = Run(judges.hello, command)
-        conduct(run, judges, chosen, journal=journal)
+        judge_cases(run, judges, chosen, journal=journal)
         if run.complaints or run.interrupted:
             raise click.ClickException(f"{name}: {'; '.join(run.complaints) or 'interrupted'}")
     small = folder / f"{name}.{question}.small"
     if not small.exists():
         with Judges(command, seconds=seconds) as judges:
-            found = [outcome for _, outcome in judges.shrink(smallest(run), TO_SHRINK)]
+            found = [outcome for _, outcome in judges.shrink(find_smallest(run), TO_SHRINK)]
         text = "".join(f"{json.dumps(outcome.to_json())}\n" for outcome in found)
         small.write_text(text, encoding="utf-8")
 
 
-def smallest(run: Run) -> list[Outcome]:
-    """Of each verdict that is shown the failure with the fewest vertices."""
+def find_smallest(run: Run) -> list[Outcome]:
+    """Find for each verdict that is shown the failure with the fewest vertices."""
     found: dict[Verdict, Outcome] = {}
     for outcome in run.show():
         if outcome.verdict in _SHOWN and outcome.case is not None:
@@ -97,7 +97,7 @@ def write_examples(folder: Path) -> str:
                 pair = "; ".join(_write(_rings(case, side)) for side in ("directrix", "generatrix"))
                 answer = (outcome.get("result") or {}).get(part)
                 said = outcome["reason"] if answer is None else _write(_as_rings(answer))
-                exact = _write(expected_rings(case, part))
+                exact = _write(list_expected_rings(case, part))
                 asked = f"{name}, {question.replace('_', ' ')}"
                 lines.append(f"| {asked} | {outcome['verdict']} | {pair} | {exact} | {said} |")
     return "\n".join(lines) + "\n"

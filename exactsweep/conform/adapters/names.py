@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from exactsweep.conform.adapters.adapter import Adapter, MissingError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 
 CGAL_STRATEGIES = (
     "reduced",
@@ -56,7 +56,7 @@ cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, libnfporb,
 libnfporb-rational, svgnest-orbit, svgnest-clipper, deepnest-clipper
     """
     if name not in _MODULES:
-        raise MissingError(f"no adapter {quoted(name)}; there are {', '.join(NAMES)}")
+        raise MissingError(f"no adapter {quote(name)}; there are {', '.join(NAMES)}")
     module = import_module(f"exactsweep.conform.adapters.{_MODULES[name]}")
     try:
         adapter: Adapter = module.adapter(name)

@@ -19,7 +19,7 @@ from pathlib import Path
 from shutil import which
 from typing import Any
 
-from exactsweep.conform.adapters.adapter import Adapter, MissingError, Shape, refer
+from exactsweep.conform.adapters.adapter import Adapter, AskedShape, MissingError, refer
 from exactsweep.conform.adapters.program import Program, write_shape
 from exactsweep.conform.run.protocol import Hello
 
@@ -36,7 +36,7 @@ def adapter(name: str) -> Adapter:
     project = name.partition("-")[0]
     version, program = start(project, "clipper")
 
-    def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
+    def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
         line = f"{part} {write_shape(directrix, repr)} {write_shape(generatrix, repr)}"
         (ring,) = program.ask(line)
         return {part: refer(ring, generatrix[0][0])}

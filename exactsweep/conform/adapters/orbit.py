@@ -24,11 +24,11 @@ from typing import Any
 
 from exactsweep.conform.adapters.adapter import (
     Adapter,
+    AnsweredRings,
+    AskedRing,
+    AskedShape,
     MissingError,
     Position,
-    Ring,
-    Rings,
-    Shape,
     refer,
 )
 from exactsweep.conform.adapters.nest import start
@@ -74,10 +74,10 @@ def _adapter(
     numbers: Numbers,
     questions: tuple[Question, ...],
     shapes: Shapes,
-    orbit: Callable[[str, Shape, Shape], Rings],
+    orbit: Callable[[str, AskedShape, AskedShape], AnsweredRings],
     close: Callable[[], object],
 ) -> Adapter:
-    def ask(part: str, directrix: Shape, generatrix: Shape) -> dict[str, Any]:
+    def ask(part: str, directrix: AskedShape, generatrix: AskedShape) -> dict[str, Any]:
         if len(generatrix) > 1:
             raise NotImplementedError("holes of G")
         if part == "inner_fit" and len(directrix) > 1:
@@ -90,7 +90,7 @@ def _adapter(
     return Adapter(Hello(name, (), numbers, "origin", questions, shapes), ask, close)
 
 
-def _from_least(ring: Ring) -> Ring:
+def _from_least(ring: AskedRing) -> AskedRing:
     first = ring.index(min(ring))
     return [*ring[first:], *ring[:first]]
 

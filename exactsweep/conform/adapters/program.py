@@ -1,4 +1,4 @@
-"""Programs that answer a line with a line: rings in, rings out, as words apart by blanks.
+"""Programs that answer a line with a line: rings in, rings out, as words between blanks.
 
 A shape is the number of its rings, and each ring the number of its vertices and their coordinates.
 An answer is written likewise, or starts with "error".
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import inf
 
-from exactsweep.conform.adapters.adapter import Shape
+from exactsweep.conform.adapters.adapter import AskedShape
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.geometry.number import format_fraction, to_fraction
 
@@ -61,7 +61,7 @@ def _fraction(value: object) -> str:
     return format_fraction(to_fraction(value))
 
 
-def write_shape(shape: Shape, write: Callable[[object], str] = _fraction) -> str:
+def write_shape(shape: AskedShape, write: Callable[[object], str] = _fraction) -> str:
     """Write a shape as words, numbers as fractions or otherwise.
 
     >>> write_shape([[(0, 0), (1, 0), (0, 1)]])

@@ -13,7 +13,13 @@ import re
 from fractions import Fraction
 from importlib.metadata import version
 
-from exactsweep.conform.adapters.adapter import Adapter, Ring, Rings, Shape, sum_adapter
+from exactsweep.conform.adapters.adapter import (
+    Adapter,
+    AnsweredRings,
+    AskedRing,
+    AskedShape,
+    sum_adapter,
+)
 from exactsweep.geometry.number import format_fraction
 
 _RING = re.compile(r"\(([^()]+)\)")
@@ -27,15 +33,15 @@ def adapter(name: str) -> Adapter:
     """
     from pysfcgal.geometry import Geometry
 
-    def written(ring: Ring) -> str:
+    def written(ring: AskedRing) -> str:
         closed = [*ring, ring[0]]
         points = (" ".join(format_fraction(Fraction(c)) for c in point) for point in closed)
         return f"({', '.join(points)})"
 
-    def polygon(shape: Shape) -> Geometry:
+    def polygon(shape: AskedShape) -> Geometry:
         return Geometry.from_wkt(f"POLYGON ({', '.join(map(written, shape))})")
 
-    def add(directrix: Shape, inverse: Shape) -> Rings:
+    def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
         if len(inverse) > 1:
             if len(directrix) > 1:
                 raise NotImplementedError("holes in both")

@@ -12,7 +12,7 @@ two vertices, which are rounded as binary64 rounds them.
 
 from __future__ import annotations
 
-from exactsweep.conform.adapters.adapter import Adapter, Rings, Shape, sum_adapter
+from exactsweep.conform.adapters.adapter import Adapter, AnsweredRings, AskedShape, sum_adapter
 
 
 def adapter(name: str) -> Adapter:
@@ -24,12 +24,12 @@ def adapter(name: str) -> Adapter:
     import numpy as np
     import shapely
 
-    def triangles(shape: Shape) -> object:
+    def triangles(shape: AskedShape) -> object:
         exterior, *holes = shape
         parts = shapely.constrained_delaunay_triangles(shapely.Polygon(exterior, holes)).geoms
         return np.array([part.exterior.coords[:3] for part in parts])
 
-    def add(directrix: Shape, inverse: Shape) -> Rings:
+    def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
         first, second = triangles(directrix), triangles(inverse)
         sums = first[:, None, :, None, :] + second[None, :, None, :, :]  # type: ignore[index]
         hulls = shapely.convex_hull(shapely.multipoints(sums.reshape(-1, 9, 2)))

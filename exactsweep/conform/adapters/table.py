@@ -15,12 +15,12 @@ from pathlib import Path
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
-from exactsweep.corpus.case_json import expected_rings
+from exactsweep.corpus.case_json import list_expected_rings
 from exactsweep.geometry.number import read_any_length
 
 COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),
-    "but for exact fits": (Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,),
+    "except for exact fits": (Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,),
     "within": (Verdict.WITHIN,),
     "conservative": (Verdict.CONSERVATIVE,),
     "unsound": (Verdict.UNSOUND,),
@@ -60,7 +60,7 @@ class Row:
                 continue
             square = read_any_length(part["distance_squared"][1])
             if square and self.relative and outcome.case is not None:
-                rings = expected_rings(outcome.case, part["name"])
+                rings = list_expected_rings(outcome.case, part["name"])
                 square /= max(abs(Fraction(c)) for ring in rings for p in ring for c in p) ** 2
             known = self.squares.get(outcome.verdict, Fraction(0))
             self.squares[outcome.verdict] = max(known, square)

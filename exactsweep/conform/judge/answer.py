@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.formats.exact_json import described
+from exactsweep.formats.exact_json import describe_kind
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, quoted, to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.number import NumberError, quote, to_fraction
+from exactsweep.geometry.point import Loop, Point
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
 """What an answer may hold: the loops of a sweep, and the rings of the two fits."""
 MAX_VERTICES = 10_000
-
-Ring = tuple[Point, ...]
 
 
 class AnswerError(ExactSweepError):
@@ -30,7 +28,7 @@ class AnsweredLoop(NamedTuple):
         has_floats: whether a coordinate was a float.
     """
 
-    rings: tuple[Ring, ...]
+    rings: tuple[Loop, ...]
     has_floats: bool
 
     @property
@@ -154,4 +152,4 @@ def _list(value: object, path: str, what: str) -> Sequence[object]:
 
 def name_kind(value: object) -> str:
     """Name the kind of a value, whatever it is; answers of Python callables may hold anything."""
-    return described(value) if isinstance(value, (dict, list, str, bool)) else quoted(value)
+    return describe_kind(value) if isinstance(value, (dict, list, str, bool)) else quote(value)

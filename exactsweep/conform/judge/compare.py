@@ -19,9 +19,10 @@ from exactsweep.conform.judge.fits import INSIDE, NAME, judge_fits
 from exactsweep.conform.judge.loops import judge_loop
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import Segment, strip_whiskers
+from exactsweep.conform.judge.whiskers import strip_whiskers
 from exactsweep.corpus import Case
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
+from exactsweep.geometry.point import Fit
 
 
 def compare(
@@ -73,7 +74,7 @@ def compare(
             case.id, Verdict.MALFORMED, f"the answer is {name_kind(result)}, not an object"
         )
     if "id" in result and result["id"] != case.id:
-        raise AnswerError(f"the answer is that of {quoted(result['id'])}, not of {case.id!r}")
+        raise AnswerError(f"the answer is that of {quote(result['id'])}, not of {case.id!r}")
     claim = None
     try:
         if rounding is None and "rounding" in result:
@@ -88,7 +89,7 @@ def compare(
         return granted if claim is None else limit_claim(case, claim, granted)
 
     parts = []
-    whiskers: list[Segment] = []
+    whiskers: list[Fit] = []
     for name in LOOPS:
         if name == "inner_fit" and case.inner_regions is None:
             continue

@@ -12,26 +12,26 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
+from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.frechet import match_rings
-from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, minus
+from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.corpus.generator.shapes import hull
+from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.canonical import PolygonError, doubled_area
-from exactsweep.geometry.number import abridged
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.number import abridge
+from exactsweep.geometry.point import ORIGIN, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.sweep import no_fit_polygon
-from exactsweep.words import pair
-
-Rings = Sequence[Sequence[Point]]
+from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
+_NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 """Loops that are told of a reference point."""
 
 
-def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[str, ...]:
+def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
     """Find what an answered loop is exact for, except for rounding.
 
     Args:
@@ -46,29 +46,36 @@ def diagnose(case: Case, name: str, rings: Rings, rounding: Fraction) -> tuple[s
 
     Cost: that of a sweep and of a few times `walk_together`; linear where no box fits.
     """
-    if not any(map(doubled_area, rings)):
+    if not any(map(find_doubled_area, rings)):
         return ()
     low, high = _box(rings)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
         return ("lacks the holes",)
+    spoilt = name_arithmetic(exact, rings)
+    if rounding and _is_same(exact, rings, _NEARLY * rounding):
+        # So much makes another reference point of nothing, or another scale.
+        named = spoilt or tuple(_name_vertices(exact, rings))
+        return *named, f"exact except for {_NEARLY} times the rounding granted"
     found = [*_other_loops(case, name, rings, rounding)]
     if name in _POSITIONS and exact and not found:
+        found += spoilt
         found += _other_positions(case, name, rings, rounding)
     if name == "outer" and not found and _is_same(_add(case, name), rings, rounding):
         found.append("D + G, without the way there")
-    if not found and len(rings) == len(exact) == 1:
-        found += _name_vertices(exact[0], rings[0])
+    if not found:
+        found += spoilt or _name_vertices(exact, rings)
     return tuple(dict.fromkeys(found))
 
 
-def _name_vertices(exact: Sequence[Point], theirs: Sequence[Point]) -> Iterator[str]:
-    """Say which vertices of a ring are wrong, where most of them are right."""
-    missing, added = {*exact} - {*theirs}, {*theirs} - {*exact}
-    if len(missing) > len(exact) // 2:
+def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
+    """Say which vertices of a single ring are wrong, where most of them are right."""
+    points, answered = {*chain(*exact)}, {*chain(*theirs)}
+    missing, added = points - answered, answered - points
+    if not len(exact) == len(theirs) == 1 or len(missing) > len(points) // 2:
         return
     if len(missing) == len(added) == 1:
         yield "one vertex is off, the others are exact"
@@ -78,29 +85,34 @@ def _name_vertices(exact: Sequence[Point], theirs: Sequence[Point]) -> Iterator[
         yield "has more vertices than the exact one, and all of its own"
 
 
-def _other_loops(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:
+def _other_loops(case: Case, name: str, theirs: PointRings, rounding: Fraction) -> Iterator[str]:
     """Loops of the case that are not the one asked for."""
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     for other, words in LOOP_NAMES.items():
-        loop = exact_rings(case, other)
+        loop = list_exact_rings(case, other)
         if loop not in ((), exact) and _is_same(loop, theirs, rounding):
             yield f"exact for the {words} instead"
-    named: dict[str, Rings] = {"D itself": case.directrix.rings, "G itself": case.generatrix.rings}
+    named: dict[str, PointRings] = {
+        "D itself": case.directrix.rings,
+        "G itself": case.generatrix.rings,
+    }
     if exact:
         low, high = _box(exact)
         box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
-        named["the convex hull of the exact one"] = [Polygon(hull(chain(*exact))).vertices]
+        named["the convex hull of the exact one"] = [Polygon(take_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
     for words, rings in named.items():
         if tuple(rings) != exact and _is_same(rings, theirs, rounding):
             yield words
 
 
-def _other_positions(case: Case, name: str, theirs: Rings, rounding: Fraction) -> Iterator[str]:
+def _other_positions(
+    case: Case, name: str, theirs: PointRings, rounding: Fraction
+) -> Iterator[str]:
     """Mistakes in what is computed, each about any reference point."""
-    rings = exact_rings(case, name)
-    positions = _map(rings, 1, 0, 0, 1, minus(ORIGIN, case.reference))
-    shapes: list[tuple[str, Rings]] = [("", positions)]
+    rings = list_exact_rings(case, name)
+    positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
+    shapes: list[tuple[str, PointRings]] = [("", positions)]
     if name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, name)))
     shapes += ((words, _map(positions, *matrix)) for words, matrix in _AXES.items())
@@ -110,7 +122,7 @@ def _other_positions(case: Case, name: str, theirs: Rings, rounding: Fraction) -
             continue
         points = [*_name_offsets(case, offset, rounding)]
         if not points:
-            by = pair(minus(offset, case.reference))
+            by = write_pair(subtract(offset, case.reference))
             points = [f"another reference point: all is moved by {by}"]
         if words and "the reference point given" in points:
             yield f"exact for {words}"
@@ -119,7 +131,7 @@ def _other_positions(case: Case, name: str, theirs: Rings, rounding: Fraction) -
             yield from (f"exact for {words}{joint}{point}" for point in points)
     factor = _find_scale(rings, theirs, rounding)
     if factor is not None:
-        yield f"exact for another scale: it is {abridged(factor)} times as large"
+        yield f"exact for another scale: it is {abridge(factor)} times as large"
 
 
 _AXES = {
@@ -132,13 +144,13 @@ _AXES = {
 }
 
 
-def _map(rings: Rings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> Rings:
+def _map(rings: PointRings, a: int, b: int, c: int, d: int, by: Point = ORIGIN) -> PointRings:
     """Return the image of rings under a matrix and a translation, counter-clockwise again."""
     image = [[Point(a * x + b * y + by.x, c * x + d * y + by.y) for x, y in r] for r in rings]
     return image if a * d > b * c else [ring[::-1] for ring in image]
 
 
-def _add(case: Case, name: str) -> Rings:
+def _add(case: Case, name: str) -> PointRings:
     found = no_fit_polygon(case.directrix, case.generatrix.reflected())
     holes = found.holes if name == "no_fit" else ()
     return [loop.vertices for loop in (found.exterior, *holes)]
@@ -154,7 +166,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "the reference point given": case.reference,
         "G's first vertex as reference": first,
         "G's origin as reference": ORIGIN,
-        "the reference point negated": minus(ORIGIN, case.reference),
+        "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
         "the centre of G's box as reference": middle,
         "G's centroid as reference": _centroid(Polygon(ring)),
@@ -164,9 +176,9 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "G's leftmost vertex as reference": min(ring),
         "G's rightmost vertex as reference": max(ring),
         "G's highest vertex as reference": max(ring, key=lambda p: (p.y, p.x)),
-        "positions relative to D's first vertex": minus(case.reference, base),
-        "G's first vertex as reference, relative to D's first": minus(first, base),
-        "positions relative to the lower left corner of D's box": minus(low, d_low),
+        "positions relative to D's first vertex": subtract(case.reference, base),
+        "G's first vertex as reference, relative to D's first": subtract(first, base),
+        "positions relative to the lower left corner of D's box": subtract(low, d_low),
     }
     for name, point in named.items():
         if _is_near(point, offset, rounding):
@@ -188,16 +200,16 @@ def _mean(ring: Sequence[Point]) -> Point:
     return Point(x, y)
 
 
-def _find_offset(shape: Rings, theirs: Rings, rounding: Fraction) -> Point | None:
+def _find_offset(shape: PointRings, theirs: PointRings, rounding: Fraction) -> Point | None:
     """The translation that makes some rings others, except for rounding."""
     (low, high), (other_low, other_high) = _box(shape), _box(theirs)
-    if not _is_near(minus(high, low), minus(other_high, other_low), 2 * rounding):
+    if not _is_near(subtract(high, low), subtract(other_high, other_low), 2 * rounding):
         return None
-    by = minus(other_low, low)
+    by = subtract(other_low, low)
     return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
 
 
-def _find_scale(shape: Rings, theirs: Rings, rounding: Fraction) -> Fraction | None:
+def _find_scale(shape: PointRings, theirs: PointRings, rounding: Fraction) -> Fraction | None:
     """The factor that makes some rings others, except for rounding."""
     (low, high), (other_low, other_high) = _box(shape), _box(theirs)
     factor = (other_high.x - other_low.x) / (high.x - low.x)
@@ -205,7 +217,7 @@ def _find_scale(shape: Rings, theirs: Rings, rounding: Fraction) -> Fraction | N
     return factor if factor not in (0, 1) and _is_same(scaled, theirs, 4 * rounding) else None
 
 
-def _box(rings: Rings) -> tuple[Point, Point]:
+def _box(rings: PointRings) -> tuple[Point, Point]:
     xs, ys = zip(*chain.from_iterable(rings), strict=True)
     return Point(min(xs), min(ys)), Point(max(xs), max(ys))
 
@@ -214,7 +226,7 @@ def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
     return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
 
 
-def _is_same(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
+def _is_same(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
     """Whether some rings are others, except for rounding."""
     if len(exact) != len(theirs):
         return False

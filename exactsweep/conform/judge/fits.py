@@ -16,10 +16,10 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
-from exactsweep.conform.judge.whiskers import Segment, is_on
-from exactsweep.conform.judge.witness import at_position, crossing_of, exact_rings, minus
+from exactsweep.conform.judge.whiskers import is_on
+from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Fit, Point
 from exactsweep.words import count
 
 NAME = "exact_fits"
@@ -28,9 +28,9 @@ INSIDE = "inner_exact_fits"
 
 def judge_fits(
     case: Case,
-    theirs: Sequence[Segment],
+    theirs: Sequence[Fit],
     rounding: Fraction = Fraction(0),
-    whiskers: Sequence[Segment] = (),
+    whiskers: Sequence[Fit] = (),
     name: str = NAME,
 ) -> PartComparison:
     """Hold answered exact fits against the exact ones.
@@ -44,23 +44,23 @@ def judge_fits(
 
     Returns:
         The part of that name. Its verdict is exact; equivalent, for the same positions given in
-        another way; "equivalent but for exact fits" where some are missing, too short, invented
+        another way; "equivalent except for exact fits" where some are missing, too short, invented
         in free space or rounded; or unsound, with a position that overlaps. Its kind says in
         which of these ways they differ.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
-    fits = exact_fits(case, name)
-    exact = {_unordered(fit) for fit in fits}
-    answered = [_unordered(fit) for fit in theirs]
+    fits = list_exact_fits(case, name)
+    exact = {_forget_order(fit) for fit in fits}
+    answered = [_forget_order(fit) for fit in theirs]
     if set(answered) == exact and len(answered) == len(exact):
         return PartComparison(name, Verdict.EXACT)
     if unite([*theirs, *whiskers]) == unite(fits):
         kind = "whisker" if whiskers else "given twice or in pieces"
         reason = "traced as whiskers of the loop" if whiskers else kind
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
-    missing = [f for f in fits if _unordered(f) not in answered]
-    others = [f for f in [*theirs, *whiskers] if _unordered(f) not in exact]
+    missing = [f for f in fits if _forget_order(f) not in answered]
+    others = [f for f in [*theirs, *whiskers] if _forget_order(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
     ways = _name_ways(missing, others)
     if twice := len(answered) - len(set(answered)):
@@ -81,7 +81,7 @@ def judge_fits(
                 )
     return PartComparison(
         name,
-        Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS,
+        Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
         _list(ways),
         conservative=_find_missed(case, missing[0], name) if missing else None,
         kind=", ".join(ways),
@@ -89,12 +89,12 @@ def judge_fits(
     )
 
 
-def exact_fits(case: Case, name: str) -> Sequence[Segment]:
+def list_exact_fits(case: Case, name: str) -> Sequence[Fit]:
     """Return the exact fits of G around D, or inside it, as the name says."""
     return case.inner_exact_fits if name == INSIDE else case.exact_fits
 
 
-def unite(segments: Iterable[Segment]) -> set[frozenset[Point]]:
+def unite(segments: Iterable[Fit]) -> set[frozenset[Point]]:
     """Return the longest segments, by their ends, that others make up together. Cost: O(f^2).
 
     Example:
@@ -102,7 +102,7 @@ def unite(segments: Iterable[Segment]) -> set[frozenset[Point]]:
         >>> unite([(a, b), (c, b), (b, b)]) == {frozenset({a, c})}
         True
     """
-    united: list[Segment] = []
+    united: list[Fit] = []
     for segment in segments:
         joined = segment
         rest = []
@@ -114,19 +114,19 @@ def unite(segments: Iterable[Segment]) -> set[frozenset[Point]]:
             else:
                 rest.append(other)
         united = [*rest, joined]
-    return {_unordered(segment) for segment in united}
+    return {_forget_order(segment) for segment in united}
 
 
-def _meet(one: Segment, other: Segment) -> bool:
+def _meet(one: Fit, other: Fit) -> bool:
     """Whether two segments of one line have a point in common."""
     return any(is_on(p, other) for p in one) or any(is_on(p, one) for p in other)
 
 
-def _unordered(segment: Segment) -> frozenset[Point]:
+def _forget_order(segment: Fit) -> frozenset[Point]:
     return frozenset(segment)
 
 
-def _take_rounded(missing: list[Segment], others: list[Segment], rounding: Fraction) -> int:
+def _take_rounded(missing: list[Fit], others: list[Fit], rounding: Fraction) -> int:
     """Take pairs that are the same except for rounding from both lists; return how many."""
     taken = 0
     for fit in list(missing):
@@ -138,7 +138,7 @@ def _take_rounded(missing: list[Segment], others: list[Segment], rounding: Fract
     return taken
 
 
-def _is_near(one: Segment, other: Segment, rounding: Fraction) -> bool:
+def _is_near(one: Fit, other: Fit, rounding: Fraction) -> bool:
     return any(
         all(
             abs(a - b) < rounding
@@ -149,7 +149,7 @@ def _is_near(one: Segment, other: Segment, rounding: Fraction) -> bool:
     )
 
 
-def _name_ways(missing: Sequence[Segment], others: Sequence[Segment]) -> dict[str, int]:
+def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
     """Count in which ways exact fits that are missing and others that were answered go together."""
     ways = dict.fromkeys(("missing", "too short", "too long", "invented"), 0)
     touched = set()
@@ -167,7 +167,7 @@ def _name_ways(missing: Sequence[Segment], others: Sequence[Segment]) -> dict[st
     return {way: number for way, number in ways.items() if number}
 
 
-def _unite_to_one(one: Segment, other: Segment) -> bool:
+def _unite_to_one(one: Fit, other: Fit) -> bool:
     """Whether two segments are on one line, and have more than an end of one in common."""
     ends = sorted({*one, *other})
     if not all(is_on(p, (ends[0], ends[-1])) for p in ends):
@@ -180,7 +180,7 @@ def _list(ways: dict[str, int]) -> str:
     return ", ".join(f"{count(number, 'exact fit')} {way}" for way, number in ways.items())
 
 
-def _find_missed(case: Case, fit: Segment, name: str) -> Witness:
+def _find_missed(case: Case, fit: Fit, name: str) -> Witness:
     (p, q) = fit
     middle = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
     found = at_position(case, middle, inside=name == INSIDE)
@@ -188,21 +188,21 @@ def _find_missed(case: Case, fit: Segment, name: str) -> Witness:
     return Witness(says, found.translation, found.classified, found.point)
 
 
-def _places(case: Case, segment: Segment, name: str) -> Iterator[Point]:
+def _places(case: Case, segment: Fit, name: str) -> Iterator[Point]:
     """Positions on a segment, one of each piece that is all overlap or all free of it.
 
     Such pieces end on a loop of positions or on an exact fit.
     """
     p, q = segment
-    d = minus(q, p)
+    d = subtract(q, p)
     square = d.x * d.x + d.y * d.y
     yield from (p, q) if square else (p,)
     if not square:
         return
     ends: list[Point] = []
     crossings: list[Point | None] = []
-    fits = exact_fits(case, name)
-    for ring in (*exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
+    fits = list_exact_fits(case, name)
+    for ring in (*list_exact_rings(case, "inner_fit" if name == INSIDE else "no_fit"), *fits):
         ends += ring
         crossings += (crossing_of(p, q, ring[k - 1], b) for k, b in enumerate(ring))
     on_line = [v for v in ends if d.x * (v.y - p.y) == d.y * (v.x - p.x)]

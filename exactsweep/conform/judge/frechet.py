@@ -1,8 +1,9 @@
 """Two loops walked together: whether one is the other except for rounding.
 
-Two points go once round two loops, neither ever turning back, and are to stay closer than a bound
-in x and in y at every moment: the decision of the Fréchet distance (Alt and Godau, "Computing the
-Fréchet distance between two polygonal curves", 1995), in the maximum norm, where all is rational.
+Two points travel around two loops once, neither ever turning back, and are to stay closer than a
+bound in x and in y at every moment: the decision of the Fréchet distance (Alt and Godau,
+"Computing the Fréchet distance between two polygonal curves", 1995), in the maximum norm, where all
+is rational.
 
 The free space of an edge of the one and an edge of the other, the pairs of places that are close,
 is convex. So a walk through it is possible from any place on its left or lower side to any place on
@@ -23,15 +24,13 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.canonical import doubled_area
-from exactsweep.geometry.point import Point
-
-Rings = Sequence[Sequence[Point]]
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.point import Point, PointRings
 
 MAX_CELLS = 300_000
 
 
-class _Part(NamedTuple):
+class _EdgePart(NamedTuple):
     """The places on an edge strictly between two shares of its length, cut off at its ends.
 
     So an end belongs to the part if the share is beyond it: low < 0, or high > 1.
@@ -40,9 +39,9 @@ class _Part(NamedTuple):
     low: Fraction
     high: Fraction
 
-    def after(self, low: Fraction) -> _Part | None:
+    def after(self, low: Fraction) -> _EdgePart | None:
         """The places that are not before another one."""
-        part = _Part(max(self.low, low), self.high)
+        part = _EdgePart(max(self.low, low), self.high)
         return part if part.start < part.end else None
 
     @property
@@ -81,7 +80,7 @@ def walk_together(first: Sequence[Point], second: Sequence[Point], bound: Fracti
     return any(_walk(closed, start, bound, cells) for start in _starts(first[0], second, bound))
 
 
-def match_rings(exact: Rings, theirs: Rings, rounding: Fraction) -> bool:
+def match_rings(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
     """Tell whether rings are others except for rounding, each of them one of the others.
 
     Args:
@@ -110,14 +109,14 @@ def _is_rounded(exact: Sequence[Point], theirs: Sequence[Point], rounding: Fract
         one, other = ([point[axis] for point in ring] for ring in (exact, theirs))
         if abs(min(one) - min(other)) >= rounding or abs(max(one) - max(other)) >= rounding:
             return False
-    turn = doubled_area(theirs)
+    turn = find_doubled_area(theirs)
     return (turn >= 0 and walk_together(exact, theirs, rounding)) or (
         turn <= 0 and walk_together(exact, theirs[::-1], rounding)
     )
 
 
 def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[Point]]:
-    """Yield the loop as a path from a place close to a point once round to it."""
+    """Yield the loop as a path from a place close to a point all the way around to it."""
     for k, b in enumerate(loop):
         a = loop[k - 1]
         if close := _close(p, a, b, bound):
@@ -141,7 +140,7 @@ def _walk(
     lower = _along(first[0], second, bound)
     leftmost = _along(second[0], first, bound)
     for i in range(m):
-        upper: dict[int, _Part] = {}
+        upper: dict[int, _EdgePart] = {}
         left = leftmost.get(i)
         columns = sorted({*lower, 0})
         for k, start in enumerate(columns):
@@ -163,9 +162,9 @@ def _walk(
     return n - 1 in lower and lower[n - 1].high > 1
 
 
-def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _Part]:
+def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgePart]:
     """The parts of edges, by number, up to the first place of a path not close to a point."""
-    found: dict[int, _Part] = {}
+    found: dict[int, _EdgePart] = {}
     for k, (a, b) in enumerate(pairwise(path)):
         close = _close(p, a, b, bound)
         if close is None or close.low >= 0:
@@ -176,7 +175,7 @@ def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _Part]
     return found
 
 
-def _close(p: Point, a: Point, b: Point, bound: Fraction) -> _Part | None:
+def _close(p: Point, a: Point, b: Point, bound: Fraction) -> _EdgePart | None:
     """The places on an edge that are closer to a point than the bound, in x and in y."""
     low, high = Fraction(-1), Fraction(2)
     for place, start, end in zip(p, a, b, strict=True):
@@ -186,4 +185,4 @@ def _close(p: Point, a: Point, b: Point, bound: Fraction) -> _Part | None:
             continue
         near, far = sorted(((place + sign * bound - start) / (end - start)) for sign in (-1, 1))
         low, high = max(low, near), min(high, far)
-    return _Part(low, high).after(low)
+    return _EdgePart(low, high).after(low)

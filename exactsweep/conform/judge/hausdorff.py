@@ -28,7 +28,7 @@ from heapq import heappop, heappush
 from itertools import count
 from math import isqrt, lcm
 
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import PointRings
 
 IntPair = tuple[int, int]
 
@@ -41,7 +41,6 @@ _LONG = 8192
 
 Squares = tuple[Fraction, Fraction]
 
-Rings = Sequence[Sequence[Point]]
 
 _CUTS = 1000
 _MOST_LOOKED_AT = 1_500_000
@@ -181,10 +180,10 @@ class Edges:
         return best
 
 
-def equally_near(
+def find_equally_near(
     edge: LoopEdge, start: Fraction, end: Fraction, near_start: LoopEdge, near_end: LoopEdge
 ) -> Fraction:
-    """Where on a piece of an edge another one takes over from that which is nearest to its start.
+    """Find where, on a piece of an edge, the edge nearest to its end becomes the nearest one.
 
     Args:
         edge: the edge.
@@ -200,7 +199,7 @@ def equally_near(
 
     Example:
         >>> low, high = LoopEdge((0, 0), (9, 0)), LoopEdge((0, 8), (9, 8))
-        >>> equally_near(LoopEdge((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
+        >>> find_equally_near(LoopEdge((1, 1), (1, 7)), Fraction(0), Fraction(1), low, high)
         Fraction(1, 2)
     """
     (first, m), (second, n) = near_start.along(edge, start), near_end.along(edge, end)
@@ -215,7 +214,7 @@ def equally_near(
         roots = [Fraction(-constant, mixed)]
     # Where both run along the edge, as if they were one, they are equally near everywhere.
     feet = (edge.foot(p) for near in (near_start, near_end) for p in (near.a, near.b))
-    shares = (t if t.denominator.bit_length() <= _LONG else _rounded(t) for t in (*roots, *feet))
+    shares = (t if t.denominator.bit_length() <= _LONG else _round(t) for t in (*roots, *feet))
     return next((t for t in shares if start < t < end), (start + end) / 2)
 
 
@@ -227,7 +226,7 @@ def _square_root(value: int) -> tuple[int, int]:
     return isqrt(value << 2 * _BITS), 1 << _BITS
 
 
-def _rounded(value: Fraction) -> Fraction:
+def _round(value: Fraction) -> Fraction:
     """The number to some 128 digits in base 2."""
     p, q = value.as_integer_ratio()
     shift = max(0, _BITS + q.bit_length() - p.bit_length())
@@ -237,7 +236,7 @@ def _rounded(value: Fraction) -> Fraction:
 _End = tuple[Fraction, LoopEdge]  # of a piece: the share of its edge, and an edge nearest to it
 
 
-def distance_squared(first: Rings, second: Rings) -> Squares:
+def bound_distance(first: PointRings, second: PointRings) -> Squares:
     """Bound the square of the Hausdorff distance of two sets of rings.
 
     Args:
@@ -252,9 +251,10 @@ def distance_squared(first: Rings, second: Rings) -> Squares:
     Cost: O((m + n + c) (m + n)) operations on rationals for c cuts.
 
     Example:
+        >>> from exactsweep import Point
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]]
         >>> dented = [*square[:3], Point(Fraction(2), Fraction(1)), square[3]]
-        >>> distance_squared([square], [dented])
+        >>> bound_distance([square], [dented])
         (Fraction(36, 13), Fraction(36, 13))
     """
     scale = lcm(*(c.denominator for rings in (first, second) for r in rings for p in r for c in p))
@@ -293,7 +293,7 @@ def _one_way(rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPa
         if not pieces or -pieces[0][0] <= low * _CLOSE:
             break
         _, _, edge, start, end = heappop(pieces)
-        t = equally_near(edge, start[0], end[0], start[1], end[1])
+        t = find_equally_near(edge, start[0], end[0], start[1], end[1])
         distance, near = edges.nearest(edge.at(t))
         low = max(low, distance)
         add(edge, start, (t, near))

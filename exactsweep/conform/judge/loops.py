@@ -6,17 +6,24 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
-from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError, Ring
+from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError
+from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.diagnosis import diagnose
 from exactsweep.conform.judge.frechet import match_rings
-from exactsweep.conform.judge.hausdorff import distance_squared
-from exactsweep.conform.judge.region import Cell, RegionError, area, differences, find_overlap
+from exactsweep.conform.judge.hausdorff import bound_distance
+from exactsweep.conform.judge.region import (
+    RegionError,
+    Trapezoid,
+    add_areas,
+    find_differences,
+    find_overlap,
+)
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import strip_whiskers, with_whiskers
-from exactsweep.conform.judge.witness import LOOP_NAMES, exact_rings, witness
+from exactsweep.conform.judge.whiskers import strip_whiskers, trace_whiskers
+from exactsweep.conform.judge.witness import LOOP_NAMES, find_witness, list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Loop, Point
 from exactsweep.geometry.polygon import Polygon
 
 _POSITIONS = ("trajectory", "no_fit")
@@ -45,11 +52,11 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     Raises:
         WitnessError: the expected answer of the case is refuted by the definition.
 
-    Cost: linear for an exact answer; otherwise that of `differences`, `distance_squared`,
+    Cost: linear for an exact answer; otherwise that of `find_differences`, `bound_distance`,
         `match_rings` and `diagnose`, all of which are bounded by counts, and of a witness. What is
         too large to be compared so is undecided.
     """
-    exact = exact_rings(case, name)
+    exact = list_exact_rings(case, name)
     if _are_rotations(loop.rings, exact):
         return _same(name, Verdict.EXACT)
     try:
@@ -66,7 +73,7 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
     return _measure(case, name, loop.rings, exact, fault, rounding)
 
 
-def find_fault(rings: Sequence[Ring], place: str) -> str | None:
+def find_fault(rings: Sequence[Loop], place: str) -> str | None:
     """Say what is wrong with some rings by themselves, or return None; raises RegionError."""
     polygons: list[Polygon] = []
     try:
@@ -81,8 +88,8 @@ def find_fault(rings: Sequence[Ring], place: str) -> str | None:
 def _measure(
     case: Case,
     name: str,
-    rings: Sequence[Ring],
-    exact: Sequence[Ring],
+    rings: Sequence[Loop],
+    exact: Sequence[Loop],
     fault: str | None,
     rounding: Fraction,
 ) -> PartComparison:
@@ -91,11 +98,11 @@ def _measure(
     diagnosis: tuple[str, ...] = ()
     rounded = match_rings(exact, rings, rounding)
     if not rounded and name in _POSITIONS and case.exact_fits:
-        rounded = match_rings(with_whiskers(exact, case.exact_fits), rings, rounding)
+        rounded = match_rings(trace_whiskers(exact, case.exact_fits), rings, rounding)
         kind = "whisker" if rounded else ""
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
-    lost: list[Cell] = []
-    extra: list[Cell] = []
+    lost: list[Trapezoid] = []
+    extra: list[Trapezoid] = []
     is_whole = False
     if is_small or not (rounded or fault):
         lost, extra, is_whole = _find_cells(exact, rings, is_small)
@@ -105,7 +112,10 @@ def _measure(
         whiskers = ", exact fits traced as whiskers of the loop" if kind else ""
         verdict, reason = Verdict.WITHIN, f"rounded{whiskers}"
     else:
-        diagnosis = () if fault else diagnose(case, name, rings, rounding)
+        # Other mistakes than those of numbers make sound rings of sound ones.
+        diagnosis = (
+            name_arithmetic(exact, rings) if fault else diagnose(case, name, rings, rounding)
+        )
         verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
         if diagnosis:
             reason = f"{diagnosis[0]}; {reason}"
@@ -116,11 +126,11 @@ def _measure(
         name,
         verdict,
         reason,
-        distance_squared(exact, rings) if is_measured and exact and rings else None,
-        area(overlapping) if is_measured else None,
-        area(free) if is_measured else None,
-        witness(case, name, rings, overlapping) if overlapping else None,
-        witness(case, name, rings, free) if free else None,
+        bound_distance(exact, rings) if is_measured and exact and rings else None,
+        add_areas(overlapping) if is_measured else None,
+        add_areas(free) if is_measured else None,
+        find_witness(case, name, rings, overlapping) if overlapping else None,
+        find_witness(case, name, rings, free) if free else None,
         rounding,
         kind,
         diagnosis,
@@ -128,12 +138,12 @@ def _measure(
 
 
 def _find_cells(
-    exact: Sequence[Ring], rings: Sequence[Ring], is_small: bool
-) -> tuple[list[Cell], list[Cell], bool]:
+    exact: Sequence[Loop], rings: Sequence[Loop], is_small: bool
+) -> tuple[list[Trapezoid], list[Trapezoid], bool]:
     """Find what is lost, what is extra, and whether that is all: of large loops, some of it."""
-    sides: tuple[list[Cell], list[Cell]] = [], []
+    sides: tuple[list[Trapezoid], list[Trapezoid]] = [], []
     try:
-        for cell in differences(exact, rings):
+        for cell in find_differences(exact, rings):
             found = sides[not cell.first]
             if is_small or len(found) < _MOST_SHOWN:
                 found.append(cell)
@@ -147,8 +157,8 @@ def _find_cells(
 def _judge_difference(
     name: str,
     fault: str | None,
-    lost: Sequence[Cell],
-    extra: Sequence[Cell],
+    lost: Sequence[Trapezoid],
+    extra: Sequence[Trapezoid],
     is_whole: bool,
 ) -> tuple[Verdict, str]:
     loop_name = LOOP_NAMES[name]
@@ -173,7 +183,7 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
     return PartComparison(name, verdict, reason, (zero, zero), zero, zero, kind=kind)
 
 
-def _are_rotations(rings: Sequence[Ring], exact: Sequence[Ring]) -> bool:
+def _are_rotations(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
     """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
     if len(rings) != len(exact):
         return False
@@ -192,7 +202,7 @@ def _are_rotations(rings: Sequence[Ring], exact: Sequence[Ring]) -> bool:
     return True
 
 
-def _is_rotation(ring: Ring, vertices: Ring) -> bool:
+def _is_rotation(ring: Loop, vertices: Loop) -> bool:
     if len(ring) != len(vertices):
         return False
     if ring == vertices:
@@ -204,11 +214,11 @@ def _is_rotation(ring: Ring, vertices: Ring) -> bool:
     return ring[start:] + ring[:start] == vertices
 
 
-def _canonical(rings: Sequence[Ring]) -> list[Ring]:
+def _canonical(rings: Sequence[Loop]) -> list[Loop]:
     return sorted(Polygon(ring).vertices for ring in rings)
 
 
-def _polygon(ring: Ring, place: str) -> Polygon:
+def _polygon(ring: Loop, place: str) -> Polygon:
     try:
         return Polygon(ring)
     except PolygonError as error:

@@ -27,9 +27,8 @@ from typing import NamedTuple
 
 from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, PointRings
 
-Rings = Iterable[Sequence[Point]]
 Height = tuple[Fraction, Fraction]
 
 MAX_WORK = 300_000
@@ -38,7 +37,7 @@ MAX_WORK = 300_000
 _PARTS = tuple((Fraction(a, 9), Fraction(b, 9)) for a, b in ((3, 6), (1, 2), (7, 8)))
 
 
-class Cell(NamedTuple):
+class Trapezoid(NamedTuple):
     """An open trapezoid in exactly one of two regions, with two vertical sides.
 
     Attributes:
@@ -65,14 +64,14 @@ class Cell(NamedTuple):
         """Yield nine points inside with short coordinates."""
         width = self.right - self.left
         for a, b in _PARTS:
-            x = simplest(self.left + a * width, self.left + b * width)
+            x = find_simplest(self.left + a * width, self.left + b * width)
             share = (x - self.left) / width
             low, high = (y[0] + share * (y[1] - y[0]) for y in (self.low, self.high))
             for c, d in _PARTS:
-                yield Point(x, simplest(low + c * (high - low), low + d * (high - low)))
+                yield Point(x, find_simplest(low + c * (high - low), low + d * (high - low)))
 
 
-class _Edge(NamedTuple):
+class _RegionEdge(NamedTuple):
     left: Point
     right: Point
     slope: Fraction
@@ -82,14 +81,14 @@ class _Edge(NamedTuple):
         return self.left.y + (x - self.left.x) * self.slope if x != self.left.x else self.left.y
 
 
-Ordered = Sequence[tuple[Height, _Edge]]
+Ordered = Sequence[tuple[Height, _RegionEdge]]
 
 
 class RegionError(ExactSweepError):
     """Rings with too many edges above each other, or that cross too often."""
 
 
-def differences(first: Rings, second: Rings) -> Iterator[Cell]:
+def find_differences(first: PointRings, second: PointRings) -> Iterator[Trapezoid]:
     """Yield the trapezoids in exactly one of two regions, from left to right.
 
     Args:
@@ -97,7 +96,7 @@ def differences(first: Rings, second: Rings) -> Iterator[Cell]:
         second: rings of the second region.
 
     Yields:
-        Cells with disjoint interiors. There are none exactly when the regions are the same but
+        Trapezoids with disjoint interiors. None exactly when the regions are the same except
         for a set without area.
 
     Raises:
@@ -109,7 +108,7 @@ def differences(first: Rings, second: Rings) -> Iterator[Cell]:
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
         >>> bow_tie = [square[k] for k in (0, 2, 1, 3)]
-        >>> sum(cell.area for cell in differences([square], [bow_tie]))
+        >>> sum(cell.area for cell in find_differences([square], [bow_tie]))
         Fraction(2, 1)
     """
     for left, right, ordered in _cut([*_edges(first, 0), *_edges(second, 1)]):
@@ -126,9 +125,9 @@ def find_overlap(rings: Sequence[Sequence[Point]]) -> tuple[int, int] | None:
         The indices of the two, or None where there are none.
 
     Raises:
-        RegionError: as by `differences`.
+        RegionError: as by `find_differences`.
 
-    Cost: that of `differences` of all rings.
+    Cost: that of `find_differences` of all rings.
 
     Example:
         >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
@@ -159,7 +158,7 @@ def _list_bits(number: int) -> Iterator[int]:
         number ^= 1 << low
 
 
-def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
+def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
     """Yield slabs inside which no edge ends or crosses another one, with the edges across each.
 
     Raises:
@@ -167,14 +166,14 @@ def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
     """
     edges.sort()
     cuts = sorted({x for edge in edges for x in (edge.left.x, edge.right.x)})
-    active: list[_Edge] = []
+    active: list[_RegionEdge] = []
     started = work = 0
     for left, right in pairwise(cuts):
         active = [edge for edge in active if edge.right.x > left]
         while started < len(edges) and edges[started].left.x == left:
             active.append(edges[started])
             started += 1
-        ordered = _ordered(left, right, active)
+        ordered = _order(left, right, active)
         inner: set[Fraction] = set()
         work += len(active)
         for share in _crossings(ordered):
@@ -185,27 +184,27 @@ def _cut(edges: list[_Edge]) -> Iterator[tuple[Fraction, Fraction, Ordered]]:
         if work > MAX_WORK:
             raise RegionError("too many edges above each other, or crossings, to be measured")
         for a, b in pairwise([left, *sorted(inner), right]):
-            yield a, b, _ordered(a, b, active) if inner else ordered
+            yield a, b, _order(a, b, active) if inner else ordered
 
 
-def area(cells: Iterable[Cell]) -> Fraction:
+def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
     """Return the sum of areas."""
     return add_up(cell.area for cell in cells)
 
 
-def simplest(low: Fraction, high: Fraction) -> Fraction:
+def find_simplest(low: Fraction, high: Fraction) -> Fraction:
     """Return the rational of the least denominator between two others, both allowed.
 
     Of integers it is the one nearest to zero. By continued fractions.
 
     Example:
-        >>> simplest(Fraction(31, 100), Fraction(36, 100))
+        >>> find_simplest(Fraction(31, 100), Fraction(36, 100))
         Fraction(1, 3)
     """
     if low <= 0 <= high:
         return Fraction(0)
     if high < 0:
-        return -simplest(-high, -low)
+        return -find_simplest(-high, -low)
     # The partial quotients in common, then the least integer that is not below the lower end.
     quotients = []
     while (whole := -(-low.numerator // low.denominator)) > high:
@@ -217,21 +216,21 @@ def simplest(low: Fraction, high: Fraction) -> Fraction:
     return value
 
 
-def _edges(rings: Rings, region: int) -> Iterator[_Edge]:
+def _edges(rings: PointRings, region: int) -> Iterator[_RegionEdge]:
     for ring in rings:
         for k, p in enumerate(ring):
             left, right = sorted((ring[k - 1], p))
             if left.x < right.x:
-                yield _Edge(left, right, (right.y - left.y) / (right.x - left.x), region)
+                yield _RegionEdge(left, right, (right.y - left.y) / (right.x - left.x), region)
 
 
-def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Cell]:
+def _compare_regions(left: Fraction, right: Fraction, ordered: Ordered) -> Iterator[Trapezoid]:
     """Yield the cells of a slab in which no edge ends or crosses another one."""
     inside = [False, False]
     for (bottom, edge), (top, _) in pairwise(ordered):
         inside[edge.region] = not inside[edge.region]
         if inside[0] != inside[1] and bottom != top:
-            yield Cell(inside[0], left, right, bottom, top)
+            yield Trapezoid(inside[0], left, right, bottom, top)
 
 
 def _crossings(ordered: Ordered) -> Iterator[Fraction]:
@@ -247,6 +246,6 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
         below.insert(k, heights)
 
 
-def _ordered(left: Fraction, right: Fraction, edges: Sequence[_Edge]) -> Ordered:
+def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
     """The edges with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import chain
 
 from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
-from exactsweep.conform.judge.fits import INSIDE, NAME, exact_fits
-from exactsweep.conform.judge.witness import exact_rings
+from exactsweep.conform.judge.fits import INSIDE, NAME, list_exact_fits
+from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -43,23 +43,23 @@ def grant_rounding(case: Case, name: str, loop: AnsweredLoop, numbers: str | Non
     Cost: linear.
     """
     if loop.has_floats or numbers == "binary64":
-        return ULPS * _unit_in_last_place(_largest(case)) + SHARE * smaller_size(case)
+        return ULPS * _unit_in_last_place(_largest(case)) + SHARE * measure_smaller(case)
     if numbers == "rational" or not loop.is_integer:
         return Fraction(0)
     return (
         Fraction(0)
         if _is_integer(case, name)
-        else max(_NEAREST, min(Fraction(1), smaller_size(case)))
+        else max(_NEAREST, min(Fraction(1), measure_smaller(case)))
     )
 
 
 def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
     """Return how much of what an answer claims for itself is granted."""
-    return min(claim, max(granted, MOST_CLAIMED * smaller_size(case)))
+    return min(claim, max(granted, MOST_CLAIMED * measure_smaller(case)))
 
 
-def smaller_size(case: Case) -> Fraction:
-    """The width or height, whichever is greater, of that polygon for which it is less."""
+def measure_smaller(case: Case) -> Fraction:
+    """The greater one of width and height, of the polygon for which that is less."""
     return min(_size(case.directrix), _size(case.generatrix))
 
 
@@ -71,8 +71,8 @@ def _size(shape: Polygon | Region) -> Fraction:
 def _find_points(case: Case, name: str) -> Iterator[Point]:
     """The points of the exact answer."""
     if name in (NAME, INSIDE):
-        return chain.from_iterable(exact_fits(case, name))
-    return chain.from_iterable(exact_rings(case, name))
+        return chain.from_iterable(list_exact_fits(case, name))
+    return chain.from_iterable(list_exact_rings(case, name))
 
 
 def _largest(case: Case) -> Fraction:

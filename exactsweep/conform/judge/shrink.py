@@ -20,23 +20,19 @@ from typing import NamedTuple
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Loop, Point
 from exactsweep.geometry.polygon import Polygon
-
-Judge = Callable[[Case], str]
-Ring = tuple[Point, ...]
-Rings = tuple[Ring, ...]
 
 
 class ShrinkError(ExactSweepError):
     """A case that does not fail."""
 
 
-class _Pair(NamedTuple):
+class _GivenPair(NamedTuple):
     """The exterior and the holes of each polygon, as given, and the reference point."""
 
-    directrix: Rings
-    generatrix: Rings
+    directrix: tuple[Loop, ...]
+    generatrix: tuple[Loop, ...]
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
@@ -49,33 +45,35 @@ class _Pair(NamedTuple):
     def points(self) -> Iterator[Point]:
         return chain(*self.directrix, *self.generatrix, (self.reference,))
 
-    def rings(self) -> Iterator[tuple[str, int, Ring]]:
+    def rings(self) -> Iterator[tuple[str, int, Loop]]:
         """The rings, each with the name of its polygon and its number there."""
         for name, rings in (("directrix", self.directrix), ("generatrix", self.generatrix)):
             yield from ((name, k, ring) for k, ring in enumerate(rings))
 
-    def with_ring(self, name: str, k: int, *ring: Ring) -> _Pair:
+    def with_ring(self, name: str, k: int, *ring: Loop) -> _GivenPair:
         """The pair with another ring in the place of one, or with none."""
-        rings: Rings = getattr(self, name)
+        rings: tuple[Loop, ...] = getattr(self, name)
         changed = (*rings[:k], *ring, *rings[k + 1 :])
         if name == "directrix":
             return self._replace(directrix=changed)
         return self._replace(generatrix=changed)
 
-    def put(self, function: Callable[[Point], Point]) -> _Pair:
+    def put(self, function: Callable[[Point], Point]) -> _GivenPair:
         """The pair with a function applied to each point."""
         d, g = (
             tuple(tuple(map(function, ring)) for ring in rings)
             for rings in (self.directrix, self.generatrix)
         )
-        return _Pair(d, g, function(self.reference))
+        return _GivenPair(d, g, function(self.reference))
 
-    def map(self, function: Callable[[Fraction], Fraction]) -> _Pair:
+    def map(self, function: Callable[[Fraction], Fraction]) -> _GivenPair:
         """The pair with a function applied to each number."""
         return self.put(lambda p: Point(function(p.x), function(p.y)))
 
 
-def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0) -> Case:
+def shrink(
+    case: Case, judge: Callable[[Case], str], *, tries: int = 1000, seconds: float = 60.0
+) -> Case:
     """Find a small case that shows the same fault.
 
     Args:
@@ -97,7 +95,7 @@ def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0
         >>> from exactsweep.corpus import find_case
         >>> def loses_fits(case):
         ...     return (
-        ...         Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS if case.exact_fits else Verdict.EXACT
+        ...         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS if case.exact_fits else Verdict.EXACT
         ...     )
         >>> small = shrink(find_case("fits-square"), loses_fits)
         >>> print(small.generatrix, "into", small.directrix)
@@ -115,14 +113,16 @@ def shrink(case: Case, judge: Judge, *, tries: int = 1000, seconds: float = 60.0
 class _Search:
     """The smallest case so far, and how long the search may go on."""
 
-    def __init__(self, case: Case, judge: Judge, fault: str, tries: int, deadline: float) -> None:
+    def __init__(
+        self, case: Case, judge: Callable[[Case], str], fault: str, tries: int, deadline: float
+    ) -> None:
         self._judge, self._fault = judge, fault
         self._tries, self._deadline = tries, deadline
         self._id, self._title = f"{case.id}-shrunk", f"shrunk: {case.title}"
-        self._pair = _Pair(case.directrix_rings, case.generatrix_rings, case.reference)
+        self._pair = _GivenPair(case.directrix_rings, case.generatrix_rings, case.reference)
         self._inner_fit = case.inner_regions is not None
         self._size = self._pair.size()
-        self._seen: set[_Pair] = set()
+        self._seen: set[_GivenPair] = set()
         self.best = self._make(self._pair)
         self._flags = {*case.flags, *self.best.flags}
 
@@ -140,7 +140,7 @@ class _Search:
                 pass
         return self._size < before
 
-    def _take(self, pair: _Pair) -> bool:
+    def _take(self, pair: _GivenPair) -> bool:
         if self.is_over or pair in self._seen or pair.size() >= self._size:
             return False
         self._seen.add(pair)
@@ -156,7 +156,7 @@ class _Search:
         self._pair, self._size, self.best = pair, pair.size(), case
         return True
 
-    def _make(self, pair: _Pair) -> Case:
+    def _make(self, pair: _GivenPair) -> Case:
         (d, *d_holes), (g, *g_holes), reference = pair
         return Case.of(
             self._id,
@@ -170,10 +170,10 @@ class _Search:
         )
 
 
-def _move(pair: _Pair) -> Iterator[_Pair]:
+def _move(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Canonical rings, the reference at the origin, each polygon with its corner there."""
     d, g = (tuple(Polygon(ring).vertices for ring in rings) for rings in pair[:2])
-    yield _Pair(d, g, ORIGIN)
+    yield _GivenPair(d, g, ORIGIN)
     yield pair._replace(reference=ORIGIN)
     corners = [Point(*map(min, zip(*rings[0], strict=True))) for rings in pair[:2]]
     d, g = (_shift(rings, corner) for rings, corner in zip(pair[:2], corners, strict=True))
@@ -182,7 +182,7 @@ def _move(pair: _Pair) -> Iterator[_Pair]:
     yield pair._replace(generatrix=g)
 
 
-def _leave_out(pair: _Pair) -> Iterator[_Pair]:
+def _leave_out(pair: _GivenPair) -> Iterator[_GivenPair]:
     """Holes, and vertices."""
     for name, k, ring in pair.rings():
         if k > 0:
@@ -196,7 +196,7 @@ def _leave_out(pair: _Pair) -> Iterator[_Pair]:
             length //= 2
 
 
-def _shorten_all(pair: _Pair) -> Iterator[_Pair]:
+def _shorten_all(pair: _GivenPair) -> Iterator[_GivenPair]:
     """All numbers at once: as integers without a common factor; rounded to fewer digits."""
     numbers = [c for point in pair.points() for c in point]
     scale = lcm(*(c.denominator for c in numbers))
@@ -211,13 +211,13 @@ def _shorten_all(pair: _Pair) -> Iterator[_Pair]:
         yield _rank(pair, axis)
 
 
-def _rank(pair: _Pair, axis: int) -> _Pair:
+def _rank(pair: _GivenPair, axis: int) -> _GivenPair:
     """The pair with the coordinates of one axis numbered by their order."""
     rank = {c: Fraction(k) for k, c in enumerate(sorted({p[axis] for p in pair.points()}))}
     return pair.put(lambda p: p._replace(**{"xy"[axis]: rank[p[axis]]}))
 
 
-def _shorten_one(pair: _Pair) -> Iterator[_Pair]:
+def _shorten_one(pair: _GivenPair) -> Iterator[_GivenPair]:
     """One number at a time, or all numbers of a polygon that are equal to it on its axis."""
     for name, number, ring in pair.rings():
         for axis in "xy":
@@ -240,5 +240,5 @@ def _find_simpler(value: Fraction) -> list[Fraction]:
     return [other for other in dict.fromkeys(found) if other != value]
 
 
-def _shift(rings: Rings, by: Point) -> Rings:
+def _shift(rings: tuple[Loop, ...], by: Point) -> tuple[Loop, ...]:
     return tuple(tuple(Point(p.x - by.x, p.y - by.y) for p in ring) for ring in rings)

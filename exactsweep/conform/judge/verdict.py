@@ -7,7 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import Any
 
-from exactsweep.check.classify import Verdict as Classified
+from exactsweep.check.classify import Meeting
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point
 
@@ -31,7 +31,7 @@ class Verdict(StrEnum):
     - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
       other rings, or with exact fits as whiskers.
     - within: theirs is the exact loop except for rounding. It has as many rings, and two points can
-      travel once round each of theirs and one of the exact rings, neither ever turning back, and
+      travel once around each of theirs and one of the exact rings, neither ever turning back, and
       never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
       the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
       together or appear on edges so, but nothing that is wider than `rounding` is lost. A rounded
@@ -47,8 +47,8 @@ class Verdict(StrEnum):
 
     Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
     they may be. Where they are only missing, too short, invented in free space or rounded, the part
-    is "equivalent but for exact fits", which is thus the verdict on an answer whose loops are exact
-    or equivalent.
+    is "equivalent except for exact fits", which is thus the verdict on an answer whose loops are
+    exact or equivalent.
 
     The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
     could be judged; and undecided, where there is one that could not be compared in time, by no
@@ -61,7 +61,7 @@ class Verdict(StrEnum):
 
     EXACT = "exact"
     EQUIVALENT = "equivalent"
-    EQUIVALENT_BUT_FOR_EXACT_FITS = "equivalent but for exact fits"
+    EQUIVALENT_EXCEPT_FOR_EXACT_FITS = "equivalent except for exact fits"
     WITHIN = "within"
     CONSERVATIVE = "conservative"
     UNSOUND = "unsound"
@@ -96,12 +96,12 @@ class Witness:
 
     says: str
     translation: Point | None = None
-    classified: Classified | None = None
+    classified: Meeting | None = None
     point: Point | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ class PartComparison:
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings, the area included."""
         values = {**vars(self), "area": self.area}
-        return {name: plain_data(value) for name, value in values.items()}
+        return {name: write_plain(value) for name, value in values.items()}
 
 
 @dataclass(frozen=True)
@@ -184,19 +184,19 @@ class Comparison:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain data, numbers as strings."""
-        return {name: plain_data(value) for name, value in vars(self).items()}
+        return {name: write_plain(value) for name, value in vars(self).items()}
 
 
-def plain_data(value: Any) -> Any:
+def write_plain(value: Any) -> Any:
     """Return a value as plain data: numbers as strings, tuples as lists.
 
-    >>> plain_data((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
+    >>> write_plain((Verdict.EXACT, Point(Fraction(1, 2), Fraction(3)), None))
     ['exact', ['1/2', '3'], None]
     """
     if isinstance(value, (Witness, PartComparison)):
         return value.to_json()
     if isinstance(value, tuple):
-        return [plain_data(item) for item in value]
+        return [write_plain(item) for item in value]
     if isinstance(value, Fraction):
         return format_fraction(value)
     return value.value if isinstance(value, Verdict) else value

@@ -8,15 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactsweep.conform.judge.answer import Ring
-from exactsweep.geometry.point import Point
-
-Segment = tuple[Point, Point]
+from exactsweep.geometry.point import Fit, Loop, Point
 
 
 def strip_whiskers(
-    rings: Sequence[Ring], fits: Sequence[Segment]
-) -> tuple[tuple[Ring, ...], list[Segment]]:
+    rings: Sequence[Loop], fits: Sequence[Fit]
+) -> tuple[tuple[Loop, ...], list[Fit]]:
     """Take spikes that lie on exact fits from rings.
 
     Args:
@@ -36,11 +33,11 @@ def strip_whiskers(
         >>> len(points), len(left), len(whiskers)
         (7, 5, 1)
     """
-    whiskers: list[Segment] = []
+    whiskers: list[Fit] = []
     return tuple(_strip(ring, fits, whiskers) for ring in rings), whiskers
 
 
-def _strip(ring: Ring, fits: Sequence[Segment], whiskers: list[Segment]) -> Ring:
+def _strip(ring: Loop, fits: Sequence[Fit], whiskers: list[Fit]) -> Loop:
     points = [p for k, p in enumerate(ring) if p != ring[k - 1]]
     k = 0
     while k < len(points) and len(points) > 2:
@@ -60,7 +57,7 @@ def _strip(ring: Ring, fits: Sequence[Segment], whiskers: list[Segment]) -> Ring
     return tuple(points)
 
 
-def with_whiskers(rings: Sequence[Ring], fits: Iterable[Segment]) -> tuple[Ring, ...]:
+def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ...]:
     """Return rings with each fit that hangs on one of them traced as a whisker of it. Cost: O(nf).
 
     A fit hangs on a ring by its first end.
@@ -75,7 +72,7 @@ def with_whiskers(rings: Sequence[Ring], fits: Iterable[Segment]) -> tuple[Ring,
     return tuple(map(tuple, grown))
 
 
-def is_on(point: Point, segment: Segment) -> bool:
+def is_on(point: Point, segment: Fit) -> bool:
     """Whether a point is on a segment, ends included."""
     (ax, ay), (bx, by) = segment
     x, y = point

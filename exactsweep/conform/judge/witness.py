@@ -1,7 +1,7 @@
 """Witnesses: positions and points at which an answer is wrong, each checked before it is shown.
 
 Let P be the region inside the exact trajectory of G's origin: the translations t at which G + t
-overlaps D, but for exact fits, and their limits. The translations that put G onto a point p are
+overlaps D, except for exact fits, and their limits. The translations that put G onto a point p are
 the polygon H(p) = p - G. By the definitions of the loops (Theorems 2.1 and 2.2),
 
 - p is inside the outer loop if and only if H(p) overlaps P: some of the positions that put G onto p
@@ -15,22 +15,19 @@ or outside; or the point itself, when there is none.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from exactsweep.check import classify, point_in_polygon
 from exactsweep.check.location import locate
-from exactsweep.conform.judge.region import Cell, differences
+from exactsweep.conform.judge.region import Trapezoid, find_differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
-from exactsweep.words import pair
-
-Rings = Sequence[Sequence[Point]]
-
+from exactsweep.words import write_pair
 
 LOOP_NAMES = {
     "trajectory": "trajectory",
@@ -53,7 +50,7 @@ _DOES_INSIDE = {
 _SEVERITY = tuple(_DOES)
 
 
-def exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
+def list_exact_rings(case: Case, name: str) -> tuple[tuple[Point, ...], ...]:
     """Return the rings of an exact loop, counter-clockwise: its outer one, then its holes.
 
     Of the inner loop of any shapes the one around D comes first, and what else is unswept then;
@@ -74,14 +71,14 @@ class WitnessError(ExactSweepError):
     """A case whose expected answer is refuted by the definition; the message names the place."""
 
 
-def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witness:
+def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trapezoid]) -> Witness:
     """Show that an answered loop is wrong.
 
     Args:
         case: the case.
         name: a key of LOOP_NAMES.
         theirs: rings of the loop as answered.
-        cells: from `differences` of the exact region and theirs; at least one, and all of them
+        cells: from `find_differences` of the exact region and theirs; at least one, and all of them
             in the exact region or all of them in theirs.
 
     Returns:
@@ -90,7 +87,7 @@ def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witn
     Raises:
         WitnessError: the definition agrees with the answer, and not with the case.
 
-    Cost: that of `classify`, and for inner and outer loops that of `differences` for the exact
+    Cost: that of `classify`, and for inner and outer loops that of `find_differences` for the exact
         trajectory and G.
     """
     cell = max(cells, key=lambda cell: cell.area)
@@ -100,29 +97,29 @@ def witness(case: Case, name: str, theirs: Rings, cells: Iterable[Cell]) -> Witn
         ):
             side = "outside" if cell.first else "inside"
             return replace(found, says=f"{found.says}; that is {side} their {LOOP_NAMES[name]}")
-    raise WitnessError(f"case {case.id}: its {name} is refuted near {pair(point)}")
+    raise WitnessError(f"case {case.id}: its {name} is refuted near {write_pair(point)}")
 
 
-def is_inside(point: Point, rings: Rings) -> bool:
+def is_inside(point: Point, rings: PointRings) -> bool:
     """Whether an odd number of rings' windings are around a point on none of their edges."""
     return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
 
 
 def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness:
     """Say what the definition says of a position of the reference point, around D or inside it."""
-    translation = minus(position, case.reference)
+    translation = subtract(position, case.reference)
     does, obstacles = _DOES, [case.directrix]
     if inside:
         does, obstacles = _DOES_INSIDE, _obstacles(case, translation)
     found = [classify(obstacle, case.generatrix, translation) for obstacle in obstacles]
     verdict, point = max(found, key=lambda one: _SEVERITY.index(one.verdict))
-    return Witness(f"at {pair(position)} G {does[verdict]}", translation, verdict, point)
+    return Witness(f"at {write_pair(position)} G {does[verdict]}", translation, verdict, point)
 
 
 def _obstacles(case: Case, t: Point) -> list[Polygon | Region]:
     """What is around D, as far as G + t reaches and farther, and the holes of D."""
     exterior, *holes = Region(case.directrix).rings
-    corners = [*exterior, *(plus(p, t) for p in case.generatrix_ring)]
+    corners = [*exterior, *(add(p, t) for p in case.generatrix_ring)]
     (left, right), (low, high) = ((min(c) - 1, max(c) + 1) for c in zip(*corners, strict=True))
     box = [(left, low), (right, low), (right, high), (left, high)]
     return [Region(box, [exterior]), *map(Polygon, holes)]
@@ -149,11 +146,11 @@ def _of_inner_fit(case: Case, position: Point, permitted: bool) -> Witness | Non
 def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     """Of a point that G cannot reach, or else can."""
     onto, positions = _onto(case, point), _positions(case)
-    escapes = [c for c in differences(onto.rings, [positions.vertices]) if c.first]
+    escapes = [c for c in find_differences(onto.rings, [positions.vertices]) if c.first]
     if permitted and case.kind == "SS":
         if escapes and classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"nowhere on its way G covers {pair(point)}", point=point)
+        return Witness(f"nowhere on its way G covers {write_pair(point)}", point=point)
     if not permitted:
         if not escapes:
             return None
@@ -162,7 +159,7 @@ def _of_inner(case: Case, point: Point, permitted: bool) -> Witness | None:
     if escapes:
         return None
     # No position is better than another one; to show one of them, one well inside.
-    t = next(max(differences(onto.rings, []), key=lambda cell: cell.area).points())
+    t = next(max(find_differences(onto.rings, []), key=lambda cell: cell.area).points())
     found = _over(case, point, t)
     return found and replace(found, says=f"{found.says}, as at all positions over that point")
 
@@ -173,7 +170,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
     if not permitted:
         if classify(positions, onto, (0, 0)).verdict == "OVERLAP":
             return None
-        return Witness(f"at all positions over {pair(point)} G {_DOES['FREE']}", point=point)
+        return Witness(f"at all positions over {write_pair(point)} G {_DOES['FREE']}", point=point)
     for t in _on_boundary(positions, onto):
         return _over(case, point, t)
     for shape, name in (
@@ -182,7 +179,7 @@ def _of_outer(case: Case, point: Point, permitted: bool) -> Witness | None:
         *((loop, "a loop that is left out inside") for loop in case.unswept),
     ):
         if _is_in(point, shape):
-            return Witness(f"{pair(point)} is in {name}", point=point)
+            return Witness(f"{write_pair(point)} is in {name}", point=point)
     return None
 
 
@@ -191,8 +188,8 @@ def _over(case: Case, point: Point, t: Point) -> Witness | None:
     if not _is_in(point, case.generatrix.translated(t)):
         return None
     verdict, _ = classify(case.directrix, case.generatrix, t)
-    at = pair(plus(t, case.reference))
-    return Witness(f"at {at} G covers {pair(point)} and {_DOES[verdict]}", t, verdict, point)
+    at = write_pair(add(t, case.reference))
+    return Witness(f"at {at} G covers {write_pair(point)} and {_DOES[verdict]}", t, verdict, point)
 
 
 _SHOW = {
@@ -233,7 +230,7 @@ def _on_boundary(positions: Polygon, onto: Polygon | Region) -> Iterator[Point]:
 
 def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     """The common point of two segments that are not parallel, ends included."""
-    u, v, w = minus(b, a), minus(d, c), minus(c, a)
+    u, v, w = subtract(b, a), subtract(d, c), subtract(c, a)
     turn = u.x * v.y - u.y * v.x
     if turn == 0:
         return None
@@ -243,11 +240,11 @@ def crossing_of(a: Point, b: Point, c: Point, d: Point) -> Point | None:
     return Point(a.x + s * u.x, a.y + s * u.y)
 
 
-def plus(p: Point, q: Point) -> Point:
+def add(p: Point, q: Point) -> Point:
     """Sum of two points."""
     return Point(p.x + q.x, p.y + q.y)
 
 
-def minus(p: Point, q: Point) -> Point:
+def subtract(p: Point, q: Point) -> Point:
     """Difference of two points."""
     return Point(p.x - q.x, p.y - q.y)

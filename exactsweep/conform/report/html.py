@@ -19,17 +19,17 @@ from typing import Any, NamedTuple
 
 from exactsweep import __version__
 from exactsweep.canvas import style
-from exactsweep.canvas.svg import path_data
+from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import root, tell_costs, witness_lines
-from exactsweep.conform.run.outcome import Outcome, witnesses
+from exactsweep.conform.report.text import take_root, tell_costs, tell_witness
+from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
-from exactsweep.corpus.case_json import FITS, OF_POSITIONS, expected_rings
+from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
 from exactsweep.geometry.number import NumberError, read_any_length, to_fraction
 from exactsweep.geometry.point import Point
-from exactsweep.text.report import approximation
+from exactsweep.text.report import approximate
 
 _MOST_LISTED = 2000
 _KEY = (
@@ -60,7 +60,7 @@ class Failure(NamedTuple):
     smaller: Failure | None
 
 
-def html(run: Run) -> str:
+def write_html(run: Run) -> str:
     """Write a run as an HTML page, pictures and all within it.
 
     Args:
@@ -94,7 +94,7 @@ def html(run: Run) -> str:
         most_shown=SHOWN,
         worst={
             name: [
-                (_about(root(worst.distance_squared[0])), worst.distance_squared[1]),
+                (_about(take_root(worst.distance_squared[0])), worst.distance_squared[1]),
                 (_about(worst.area[0]), worst.area[1]),
             ]
             for name, worst in summary.worst.items()
@@ -132,19 +132,19 @@ def _show(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
 def _draw(outcome: Outcome) -> list[Panel]:
     """Draw an outcome, or nothing where that fails: it is not to cost the page."""
     try:
-        return panels(outcome)
+        return draw_panels(outcome)
     except (ArithmeticError, ValueError):
         return []
 
 
 def _part(part: Mapping[str, Any]) -> dict[str, Any]:
-    said = [line for witness in witnesses(part) for line in witness_lines(witness)]
+    said = [line for witness in list_witnesses(part) for line in tell_witness(witness)]
     squares = part["distance_squared"]
     return {
         "name": part["name"].replace("_", " "),
         "verdict": part["verdict"],
         "reason": part["reason"],
-        "distance": _about(root(read_any_length(squares[0]))) if squares else "",
+        "distance": _about(take_root(read_any_length(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
         "granted": _about(read_any_length(part["granted"])) if part["granted"] else "",
@@ -158,12 +158,12 @@ def _area(text: str | None) -> str:
 
 
 def _about(value: Fraction) -> str:
-    rounded = approximation(value)
+    rounded = approximate(value)
     return rounded if Fraction(Decimal(rounded)) == value else f"about {rounded}"
 
 
 @dataclass(frozen=True)
-class Shape:
+class SvgPath:
     """One thing to draw: a class of the style sheet, and the data of an SVG path."""
 
     name: str
@@ -181,7 +181,7 @@ class Panel:
     """
 
     caption: str
-    shapes: tuple[Shape, ...]
+    shapes: tuple[SvgPath, ...]
     witness: tuple[float, float] | None
 
 
@@ -200,7 +200,7 @@ class _Scene:
         ]
 
 
-def panels(outcome: Outcome) -> list[Panel]:
+def draw_panels(outcome: Outcome) -> list[Panel]:
     """Draw the worst part of an outcome.
 
     Args:
@@ -235,7 +235,7 @@ def panels(outcome: Outcome) -> list[Panel]:
 def _scene(
     case: Mapping[str, Any], result: Mapping[str, Any], name: str, part: Mapping[str, Any] | None
 ) -> _Scene:
-    witness = next(iter(witnesses(part)), {}) if part else {}
+    witness = next(iter(list_witnesses(part)), {}) if part else {}
     placed = witness.get("translation")
     seen = None
     d, g = (
@@ -255,13 +255,13 @@ def _scene(
     if seen is None and witness.get("point") is not None:
         (seen,) = _ring([witness["point"]])
     closed = name not in FITS
-    exact, theirs = expected_rings(case, name), result.get(name)
+    exact, theirs = list_expected_rings(case, name), result.get(name)
     if not closed:
-        layers.append(("faint", tuple(_rings(expected_rings(case, FITS[name]))), True))
+        layers.append(("faint", tuple(_rings(list_expected_rings(case, FITS[name]))), True))
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]
-    return _Scene(tuple(layers), seen, root(read_any_length(squares[1])) if squares else None)
+    return _Scene(tuple(layers), seen, take_root(read_any_length(squares[1])) if squares else None)
 
 
 def _severity(part: Mapping[str, Any]) -> int:
@@ -305,15 +305,15 @@ def _panel(scene: _Scene, window: Window, caption: str) -> Panel:
     if not window.is_true:
         caption += "; not to scale: each axis has a unit of its own"
     paths = (
-        (name, path_data((map(window.place, ring) for ring in rings), closed=closed))
+        (name, write_path((map(window.place, ring) for ring in rings), closed=closed))
         for name, rings, closed in scene.layers
     )
     return Panel(
         caption,
-        tuple(Shape(name, data) for name, data in paths if data),
+        tuple(SvgPath(name, data) for name, data in paths if data),
         window.place(scene.witness) if scene.witness else None,
     )
 
 
 def _times(value: Fraction) -> str:
-    return f"{float(value):,.0f} times" if value < 10**6 else f"{approximation(value)} times"
+    return f"{float(value):,.0f} times" if value < 10**6 else f"{approximate(value)} times"

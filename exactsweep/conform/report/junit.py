@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from xml.etree import ElementTree
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import witness_lines
-from exactsweep.conform.run.outcome import Outcome, witnesses
+from exactsweep.conform.report.text import tell_witness
+from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import fails
 
@@ -18,7 +18,7 @@ _SKIPPED = (Verdict.UNSUPPORTED, Verdict.UNDECIDED)
 _NOT_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def junit(run: Run) -> str:
+def write_junit(run: Run) -> str:
     """Write a run as JUnit XML: a test case each, the class of its pair as the class name.
 
     Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
@@ -89,8 +89,8 @@ def _lines(outcome: Outcome) -> list[str]:
     lines = [f"{outcome.verdict}: {outcome.reason}"]
     for part in outcome.parts:
         lines += (f"{part['name']}: {words}" for words in part["diagnosis"])
-        for witness in witnesses(part):
-            lines += (f"{part['name']}: {line}" for line in witness_lines(witness))
+        for witness in list_witnesses(part):
+            lines += (f"{part['name']}: {line}" for line in tell_witness(witness))
     return lines
 
 

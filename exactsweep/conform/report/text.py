@@ -19,7 +19,7 @@ from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import Tally
-from exactsweep.text.report import laid_out
+from exactsweep.text.report import lay_out
 from exactsweep.words import count
 
 _MOST_LISTED = 20
@@ -60,15 +60,15 @@ def _part(part: PartComparison) -> list[str]:
     name = LOOP_NAMES.get(part.name, "exact fits")
     lines = [f"{name}: {part.verdict}" + (f", {part.reason}" if part.reason else "")]
     if part.distance_squared is not None and part.area:
-        distance = _about(root(part.distance_squared[1]), ROUND_CEILING)
+        distance = _about(take_root(part.distance_squared[1]), ROUND_CEILING)
         granted = f", granted {_about(part.granted)}" if part.granted else ""
         lines.append(f"  off by at most {distance}, area {_about(part.area)}{granted}")
     for witness in part.witnesses:
-        lines += (f"  {line}" for line in witness_lines(witness.to_json()))
+        lines += (f"  {line}" for line in tell_witness(witness.to_json()))
     return lines
 
 
-def witness_lines(witness: Mapping[str, Any]) -> list[str]:
+def tell_witness(witness: Mapping[str, Any]) -> list[str]:
     """Say what a witness shows, and what `classify` says of it, in full, to be tried elsewhere.
 
     Args:
@@ -91,10 +91,10 @@ def _about(value: Fraction, rounding: str = ROUND_HALF_EVEN) -> str:
     return f"{rounded.normalize(context):g}"
 
 
-def root(square: Fraction) -> Fraction:
+def take_root(square: Fraction) -> Fraction:
     """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
 
-    >>> root(Fraction(1, 4)), float(root(Fraction(2)))
+    >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
     (Fraction(1, 2), 1.4142135623730951)
     """
     n, d = square.as_integer_ratio()
@@ -105,7 +105,7 @@ def root(square: Fraction) -> Fraction:
     return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)
 
 
-def table(summary: Tally, terminal_width: int | None = None) -> str:
+def write_table(summary: Tally, terminal_width: int | None = None) -> str:
     """Write how many cases of each class and flag got which verdict.
 
     Args:
@@ -120,7 +120,7 @@ def table(summary: Tally, terminal_width: int | None = None) -> str:
         >>> from exactsweep.conform.judge.verdict import Verdict
         >>> outcomes = [Outcome("a", "CC", ("undercut",), Verdict.EXACT),
         ...             Outcome("b", "CC", (), Verdict.WRONG)]
-        >>> print(table(Tally(outcomes)), end="")
+        >>> print(write_table(Tally(outcomes)), end="")
                   cases  exact  wrong
         all           2      1      1
         CC            2      1      1
@@ -134,7 +134,7 @@ def table(summary: Tally, terminal_width: int | None = None) -> str:
     for group in summary.groups():
         counts = (summary.total(verdict, group) for verdict in verdicts)
         grid.add_row(group, str(summary.total(group=group)), *_blank_zeros(counts))
-    return laid_out([grid], terminal_width)
+    return lay_out([grid], terminal_width)
 
 
 def _blank_zeros(counts: Iterable[int]) -> Iterable[str]:

@@ -11,14 +11,19 @@ from typing import BinaryIO, Self
 from exactsweep.conform.run.protocol import read_object
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases, find_case
-from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
-from exactsweep.formats.exact_json import described, parse_certificate, parse_json, read_vertices
+from exactsweep.formats import MAX_BYTES, FormatError, read_text, show_path
+from exactsweep.formats.exact_json import (
+    describe_kind,
+    parse_certificate,
+    parse_json,
+    read_vertices,
+)
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 
 
 class SelectionError(ExactSweepError):
-    """A filter that is none, or cases that cannot be told apart."""
+    """A filter that does not exist, or cases with equal ids."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +58,7 @@ class Selection:
             name, equals, value = text.partition("=")
             if name not in found or not equals:
                 raise SelectionError(
-                    f"{quoted(text)} is not id=..., flag=..., class=... or size=..."
+                    f"{quote(text)} is not id=..., flag=..., class=... or size=..."
                 )
             found[name].append(value)
         for name in ("id", "class", "size"):
@@ -62,15 +67,13 @@ class Selection:
         try:
             size = int(found["size"][0]) if found["size"] else None
         except ValueError:
-            raise SelectionError(
-                f"{quoted(found['size'][0])} is not a number of vertices"
-            ) from None
+            raise SelectionError(f"{quote(found['size'][0])} is not a number of vertices") from None
         return cls(
             "".join(found["id"]), tuple(found["flag"]), next(iter(found["class"]), None), size
         )
 
     def shipped(self) -> Iterator[Case]:
-        """Yield the cases of the corpus that are like that.
+        """Yield the cases of the corpus that fit.
 
         Raises:
             UnknownNameError: there is no such flag or class.
@@ -78,7 +81,7 @@ class Selection:
         return cases(prefix=self.prefix, flags=self.flags, kind=self.kind, max_size=self.max_size)
 
     def among(self, cases: Iterable[Case]) -> Iterator[Case]:
-        """Yield those of some cases that are like that."""
+        """Yield those of some cases that fit."""
         wanted = set(self.flags)
         for case in cases:
             if (
@@ -90,7 +93,7 @@ class Selection:
                 yield case
 
 
-def distinct(cases: Iterable[Case]) -> Iterator[Case]:
+def require_distinct(cases: Iterable[Case]) -> Iterator[Case]:
     """Yield cases as long as no id comes twice.
 
     Raises:
@@ -99,7 +102,7 @@ def distinct(cases: Iterable[Case]) -> Iterator[Case]:
     seen = SeenNames()
     for case in cases:
         if not seen.add(case.id):
-            raise SelectionError(f"two cases have the id {quoted(case.id)}")
+            raise SelectionError(f"two cases have the id {quote(case.id)}")
         yield case
 
 
@@ -115,10 +118,10 @@ def read_cases(path: str) -> Iterator[Case]:
     Raises:
         FormatError: not to be read, or a line that is no case; the message names the file and line.
     """
-    name = file_name(path)
+    name = show_path(path)
     try:
         if path == "-":
-            yield from read_lines(standard_input(), path, _read_line)
+            yield from read_lines(open_standard_input(), path, _read_line)
         else:
             with open(path, "rb") as file:
                 yield from read_lines(file, path, _read_line)
@@ -126,7 +129,7 @@ def read_cases(path: str) -> Iterator[Case]:
         raise FormatError(f"{name}: {error.strerror or error}") from None
 
 
-def standard_input() -> BinaryIO:
+def open_standard_input() -> BinaryIO:
     """Return standard input, in bytes.
 
     Raises:
@@ -152,7 +155,7 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
     Raises:
         FormatError: a line that is no case; the message names the file and line.
     """
-    name, number = file_name(path), 0
+    name, number = show_path(path), 0
     while line := file.readline(MAX_BYTES + 1):
         number += 1
         if len(line) > MAX_BYTES:
@@ -186,12 +189,12 @@ def read_case(name: str) -> Case:
         text = read_text(name)
         document = parse_json(text)
         if not isinstance(document, dict):
-            raise FormatError(f"$ is {described(document)}, not an object")
+            raise FormatError(f"$ is {describe_kind(document)}, not an object")
         if "expected" in document:
             return case_from_json(parse_certificate(text))
         return _pair(document, name)
     except ValueError as error:
-        raise FormatError(f"{file_name(name)}: {error}") from None
+        raise FormatError(f"{show_path(name)}: {error}") from None
 
 
 def read_result(path: str) -> object:
@@ -209,7 +212,7 @@ def read_result(path: str) -> object:
     try:
         return parse_certificate(read_text(path))
     except ValueError as error:
-        raise FormatError(f"{file_name(path)}: {error}") from None
+        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def _pair(document: dict[str, object], name: str) -> Case:
@@ -218,7 +221,7 @@ def _pair(document: dict[str, object], name: str) -> Case:
             raise FormatError(f'$ has neither "expected", as a case has, nor "{part}"')
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
     return Case.of(
-        str(document.get("id", file_name(name))),
+        str(document.get("id", show_path(name))),
         "",
         read_vertices(document["directrix"], "$.directrix"),
         read_vertices(document["generatrix"], "$.generatrix"),

@@ -19,7 +19,7 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, quoted, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -85,7 +85,7 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
         raise ExactSweepError(f"no outcome: {error}") from None
 
 
-def witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     """Return the witnesses of a part of an outcome, the one of overlap first."""
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
@@ -155,7 +155,7 @@ def judge_answer(
         id=case.id,
         kind=case.kind,
         flags=case.flags,
-        digest=digest(case),
+        digest=digest_case(case),
         verdict=verdict,
         reason=comparison.reason,
         fault=name_fault(verdict, comparison.reason, parts, answer.stderr, case.id),
@@ -243,19 +243,19 @@ def shrink_outcome(
     return judge(peer, shrink(case, lambda case: judge(peer, case).fault, seconds=seconds))
 
 
-def digest(case: Case) -> str:
+def digest_case(case: Case) -> str:
     """Return a short hash of a case."""
     text = json.dumps(case_to_json(case), sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def _plain(result: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    text = json.dumps(result, default=_written)
+    text = json.dumps(result, default=_write_number)
     return json.loads(text) if len(text) <= _MAX_RESULT else None
 
 
-def _written(value: object) -> str:
+def _write_number(value: object) -> str:
     try:
         return format_fraction(to_fraction(value))
     except NumberError:
-        return quoted(value)
+        return quote(value)

@@ -10,18 +10,17 @@ from typing import BinaryIO, Unpack
 
 from exactsweep.conform.run.cases import read_lines
 from exactsweep.corpus import Case
-from exactsweep.formats import MAX_BYTES, FormatError, file_name, read_text
+from exactsweep.formats import MAX_BYTES, FormatError, read_text, show_path
 from exactsweep.formats.candidate import Candidate, choose
-from exactsweep.formats.exact_json import described, parse_json, read_vertices
+from exactsweep.formats.exact_json import describe_kind, parse_json, read_vertices
 from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
-from exactsweep.geometry.number import quoted
-from exactsweep.geometry.point import ORIGIN, Point
-from exactsweep.words import suggestion
+from exactsweep.geometry.number import quote
+from exactsweep.geometry.point import ORIGIN, Point, PointRings
+from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")
 _MEMBERS = (*_ROLES, "reference", "id")
-_Rings = Sequence[Sequence[Point]]
 
 
 def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) -> Iterator[Case]:
@@ -45,7 +44,7 @@ def read_pairs(path: str, tolerance: object = None, **options: Unpack[Options]) 
 
     Cost: that of `Case.of` for each pair; memory is a line, or the polygons.
     """
-    name = file_name(path)
+    name = show_path(path)
     try:
         if path == "-":
             yield from _read(io.BytesIO(read_text(path).encode()), path, tolerance, **options)
@@ -72,7 +71,7 @@ def _read(
         for (d, directrix), (g, generatrix) in product(parts, repeat=2):
             yield _make_case(f"{d}/{g}", directrix, generatrix)
     except ValueError as error:
-        raise FormatError(f"{file_name(path)}: {error}") from None
+        raise FormatError(f"{show_path(path)}: {error}") from None
 
 
 def _is_pair(line: bytes) -> bool:
@@ -87,27 +86,29 @@ def _is_pair(line: bytes) -> bool:
 def _read_pair(number: int, line: str) -> Case:
     document = parse_json(line)
     if not isinstance(document, dict):
-        raise FormatError(f"$ is {described(document)}, not an object")
+        raise FormatError(f"$ is {describe_kind(document)}, not an object")
     for member in document:
         if member not in _MEMBERS:
-            raise FormatError(f"$ has {quoted(member)}{suggestion(member, _MEMBERS)}")
+            raise FormatError(f"$ has {quote(member)}{suggest(member, _MEMBERS)}")
     for role in _ROLES:
         if role not in document:
             raise FormatError(f"$ has no {role}")
     id = document.get("id", f"pair-{number}")
     if not isinstance(id, str):
-        raise FormatError(f"$.id is {described(id)}, not a string or a number")
+        raise FormatError(f"$.id is {describe_kind(id)}, not a string or a number")
     (reference,) = read_vertices([document.get("reference", ["0", "0"])], "$.reference")
     d, g = (_read_rings(choose(find_candidates(document[role]), None), role) for role in _ROLES)
     return _make_case(id, d, g, reference)
 
 
-def _make_case(id: str, directrix: _Rings, generatrix: _Rings, reference: Point = ORIGIN) -> Case:
+def _make_case(
+    id: str, directrix: PointRings, generatrix: PointRings, reference: Point = ORIGIN
+) -> Case:
     (d, *d_holes), (g, *g_holes) = directrix, generatrix
     return Case.of(id, "", d, g, reference, directrix_holes=d_holes, generatrix_holes=g_holes)
 
 
-def _read_rings(candidate: Candidate, name: str) -> _Rings:
+def _read_rings(candidate: Candidate, name: str) -> PointRings:
     """Read a polygon and its holes, vertices as they are given."""
     try:
         candidate.shape()
@@ -116,7 +117,7 @@ def _read_rings(candidate: Candidate, name: str) -> _Rings:
         raise FormatError(f"{name}: {error}") from None
 
 
-def _name(candidates: Sequence[Candidate]) -> list[tuple[str, _Rings]]:
+def _name(candidates: Sequence[Candidate]) -> list[tuple[str, PointRings]]:
     """Read polygons; they are called by their ids, or by index unless all have ids of their own."""
     names = [candidate.name or "" for candidate in candidates]
     if "" in names or len(set(names)) < len(names):

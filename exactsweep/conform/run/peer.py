@@ -8,9 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.protocol import Hello, as_numbers
+from exactsweep.conform.run.protocol import Hello, convert_numbers
 from exactsweep.corpus import Case
-from exactsweep.formats.exact_json import described
+from exactsweep.formats.exact_json import describe_kind
 from exactsweep.geometry.point import Point
 
 SECONDS = 10.0
@@ -60,13 +60,13 @@ def read_answer(result: Mapping[str, Any]) -> Answer:
     for name, verdict in (("unsupported", Verdict.UNSUPPORTED), ("error", Verdict.CRASH)):
         if name in result:
             said = result[name]
-            reason = said if isinstance(said, str) else described(said)
+            reason = said if isinstance(said, str) else describe_kind(said)
             return Answer(verdict=verdict, reason=f"says: {cut(reason)}")
     return Answer(result=result)
 
 
 def cut(reason: str) -> str:
-    """Put a foreign message on one line, cut short, without what terminals take for orders.
+    """Put a foreign message on one line, cut short, without characters that a terminal obeys.
 
     >>> cut("first   second ") + cut(chr(27))
     'first second�'
@@ -135,4 +135,4 @@ class CallablePeer:
 
     def _points(self, points: Sequence[Point]) -> list[Any]:
         numbers = self.hello.numbers
-        return [(as_numbers(x, numbers), as_numbers(y, numbers)) for x, y in points]
+        return [(convert_numbers(x, numbers), convert_numbers(y, numbers)) for x, y in points]

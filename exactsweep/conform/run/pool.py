@@ -14,13 +14,13 @@ from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"
 
 # The id of a case, and what a process is to call for it.
-_Job = tuple[str, Callable[..., Outcome], tuple[object, ...]]
+_Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
@@ -88,7 +88,7 @@ class Judges:
         Raises:
             JudgeError: a case cannot be judged; outcomes that are under way are lost.
         """
-        jobs: Iterator[_Job] = ((case.id, _judge, (case,)) for case in cases)
+        jobs: Iterator[_Call] = ((case.id, _judge, (case,)) for case in cases)
         return (outcome for _, outcome in self._work_on(jobs))
 
     def shrink(self, outcomes: Iterable[Outcome], seconds: float) -> Iterator[tuple[str, Outcome]]:
@@ -124,13 +124,13 @@ class Judges:
     def __exit__(self, *error: object) -> None:
         self.kill()
 
-    def _work_on(self, jobs: Iterable[_Job]) -> Iterator[tuple[str, Outcome]]:
+    def _work_on(self, jobs: Iterable[_Call]) -> Iterator[tuple[str, Outcome]]:
         pending: dict[Future[Outcome], str] = {}
         for id, function, arguments in jobs:
             try:
                 pending[self._pool.submit(function, *arguments)] = id
             except BrokenProcessPool:
-                raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+                raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
             # One more for each process, so that none waits for the next case to be made.
             if len(pending) >= 2 * self._pool.count:
                 yield from _take_results(pending)
@@ -152,9 +152,9 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
         try:
             yield id, future.result()
         except BrokenProcessPool:
-            raise JudgeError(f"case {quoted(id)}: {_ENDED}") from None
+            raise JudgeError(f"case {quote(id)}: {_ENDED}") from None
         except (OSError, ValueError) as error:
-            raise JudgeError(f"case {quoted(id)}: {error}") from None
+            raise JudgeError(f"case {quote(id)}: {error}") from None
 
 
 # What follows runs in the processes that judge.

@@ -19,13 +19,13 @@ from exactsweep.conform.run.protocol import (
     MAX_LINE,
     Hello,
     ProtocolError,
-    case_line,
     read_hello,
     read_object,
+    write_case_line,
 )
 from exactsweep.corpus import Case
-from exactsweep.formats.exact_json import described
-from exactsweep.geometry.number import quoted
+from exactsweep.formats.exact_json import describe_kind
+from exactsweep.geometry.number import quote
 
 TO_START = 30.0
 """Seconds that an implementation may take to say hello."""
@@ -86,11 +86,13 @@ class ProcessPeer:
             self._channel = None
 
     def _exchange(self, channel: Channel, case: Case) -> Answer:
-        channel.send(case_line(case, self.hello))
+        channel.send(write_case_line(case, self.hello))
         try:
             result = read_object(channel.receive(self._seconds))
             if result.get("id") != case.id:
-                raise ProtocolError(f"answers {described(result.get('id'))}, which was not asked")
+                raise ProtocolError(
+                    f"answers {describe_kind(result.get('id'))}, which was not asked"
+                )
             return read_answer(result)
         except SilentError:
             verdict, reason = Verdict.TIMEOUT, f"no answer within {self._seconds:g} s"
@@ -118,7 +120,7 @@ class ProcessPeer:
             channel = self._channel = Channel(self._command, self._most)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or error
-            raise ProtocolError(f"{quoted(self._command[0])} does not start: {reason}") from None
+            raise ProtocolError(f"{quote(self._command[0])} does not start: {reason}") from None
         try:
             return read_hello(channel.receive(self._to_start))
         except (KeyboardInterrupt, SystemExit):

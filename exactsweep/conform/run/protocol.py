@@ -37,12 +37,12 @@ from fractions import Fraction
 from typing import Any, Literal, Self, cast, get_args
 
 from exactsweep.corpus import Case
-from exactsweep.corpus.case import SHAPES, Fit, Ring, Shapes
+from exactsweep.corpus.case import SHAPES, Shapes
 from exactsweep.formats import FormatError
-from exactsweep.formats.exact_json import described, parse_certificate
+from exactsweep.formats.exact_json import describe_kind, parse_certificate
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import format_fraction, quoted
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.number import format_fraction, quote
+from exactsweep.geometry.point import ORIGIN, Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -116,7 +116,7 @@ class Hello:
             ("shapes", shapes, SHAPES),
         ):
             if value not in allowed:
-                raise ProtocolError(f'"{key}" is {quoted(value)}, not one of {", ".join(allowed)}')
+                raise ProtocolError(f'"{key}" is {quote(value)}, not one of {", ".join(allowed)}')
         return cls(
             name,
             answered,
@@ -156,7 +156,7 @@ def _some(key: str, found: object, allowed: tuple[str, ...]) -> tuple[str, ...]:
     listed = list(found) if isinstance(found, (list, tuple)) else []
     if not listed or any(name not in allowed for name in listed):
         raise ProtocolError(
-            f'"{key}" is {quoted(found)}, not a list of some of {", ".join(allowed)}'
+            f'"{key}" is {quote(found)}, not a list of some of {", ".join(allowed)}'
         )
     return tuple(name for name in allowed if name in listed)
 
@@ -193,12 +193,13 @@ def read_hello(line: str) -> Hello:
     )
 
 
-def case_line(case: Case, hello: Hello) -> str:
+def write_case_line(case: Case, hello: Hello) -> str:
     """Write the line of a case, without its end, to an implementation that said this hello.
 
     Example:
         >>> triangle = [(0, 0), (1, 0), (0, 1)]
-        >>> case_line(Case.of("a", "", triangle, triangle), Hello("b", numbers="binary64"))[:50]
+        >>> case = Case.of("a", "", triangle, triangle)
+        >>> write_case_line(case, Hello("b", numbers="binary64"))[:50]
         '{"id": "a", "class": "CC", "directrix": [["0.0", "'
     """
     write = _binary64 if hello.numbers == "binary64" else format_fraction
@@ -234,9 +235,9 @@ def read_object(line: str) -> dict[str, Any]:
     except FormatError as error:
         # The file of one line that the parser sees is no place to look at.
         reason = str(error).removeprefix("line 1, ")
-        raise ProtocolError(f"{quoted(line)} is no JSON line: {reason}") from None
+        raise ProtocolError(f"{quote(line)} is no JSON line: {reason}") from None
     if not isinstance(found, dict):
-        raise ProtocolError(f"{quoted(line)} is {described(found)}, not an object")
+        raise ProtocolError(f"{quote(line)} is {describe_kind(found)}, not an object")
     return found
 
 
@@ -276,19 +277,19 @@ def adapt(case: Case, hello: Hello) -> Case:
     if not hello.parts(case):
         raise UnsupportedError("not asked: the case is not one of an inner fit")
     if hello.reference != "given":
-        case = _referred(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
+        case = _refer(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
     if hello.numbers == "rational":
         return case
     if hello.numbers == "binary64":
-        for candidate in (case, scaled(case)):
+        for candidate in (case, scale_case(case)):
             if "binary64" in candidate.representable:
                 return candidate
     elif hello.numbers == "integer" or hello.numbers in case.representable:
-        return scaled(case)
+        return scale_case(case)
     raise UnsupportedError(f"{hello.numbers} does not hold the case")
 
 
-def scaled(case: Case) -> Case:
+def scale_case(case: Case) -> Case:
     """Return the case multiplied by its `integer_scale`."""
     k = case.integer_scale
     if k == 1:
@@ -297,7 +298,7 @@ def scaled(case: Case) -> Case:
     def point(p: Point) -> Point:
         return Point(p.x * k, p.y * k)
 
-    def ring(points: Ring) -> Ring:
+    def ring(points: Loop) -> Loop:
         return tuple(map(point, points))
 
     return replace(
@@ -314,7 +315,7 @@ def scaled(case: Case) -> Case:
     )
 
 
-def _referred(case: Case, reference: Point) -> Case:
+def _refer(case: Case, reference: Point) -> Case:
     """Return the case with another reference point."""
     dx, dy = reference.x - case.reference.x, reference.y - case.reference.y
     if (dx, dy) == ORIGIN:
@@ -323,7 +324,7 @@ def _referred(case: Case, reference: Point) -> Case:
     return replace(moved, reference=reference)
 
 
-def _with_positions(case: Case, put: Callable[[Ring], Ring]) -> Case:
+def _with_positions(case: Case, put: Callable[[Loop], Loop]) -> Case:
     """Return the case with all that is told of the reference point put elsewhere."""
 
     def loop(polygon: Polygon) -> Polygon:
@@ -345,7 +346,7 @@ def _with_positions(case: Case, put: Callable[[Ring], Ring]) -> Case:
     )
 
 
-def as_numbers(value: Fraction, numbers: str) -> object:
+def convert_numbers(value: Fraction, numbers: str) -> object:
     """Return a number in the type of an implementation that is called, and not spoken to."""
     if numbers == "rational":
         return value

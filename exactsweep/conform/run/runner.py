@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.cases import distinct
+from exactsweep.conform.run.cases import require_distinct
 from exactsweep.conform.run.journal import Journal
-from exactsweep.conform.run.outcome import Outcome, digest, judge_case, shrink_outcome
+from exactsweep.conform.run.outcome import Outcome, digest_case, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS, CallablePeer, Function
 from exactsweep.conform.run.pool import JudgeError, Judges
 from exactsweep.conform.run.protocol import Hello
@@ -21,7 +21,7 @@ MOST_TO_MAKE_SMALLER = 120.0
 """Seconds that may be spent so on all of them."""
 
 
-def conduct(
+def judge_cases(
     run: Run,
     judges: Judges,
     cases: Iterable[Case],
@@ -46,7 +46,7 @@ def conduct(
 
     def leave_out_old(cases: Iterable[Case]) -> Iterator[Case]:
         for case in cases:
-            old = journal and journal.find(digest(case))
+            old = journal and journal.find(digest_case(case))
             if old:
                 run.add(old)
                 tell(old)
@@ -111,7 +111,7 @@ def conform(
         made_smaller: of how many failures of each fault a smaller one is looked for.
 
     Returns:
-        A Run; `exactsweep.conform.report.html`, `junit` and `table` write it for people and for CI.
+        A Run; `exactsweep.conform.report` writes it for people and for CI.
 
     Raises:
         ProtocolError: the loops, numbers or reference are none of those.
@@ -134,7 +134,7 @@ def conform(
     hello = Hello.of(name, loops, numbers, reference, tuple(questions), shapes)
     peer = CallablePeer(function, hello, seconds)
     run = Run(peer.hello, accepted=accepted)
-    for case in distinct(cases):
+    for case in require_distinct(cases):
         run.add(judge_case(peer, case))
     failures = run.to_be_smaller(made_smaller)
     for outcome in failures:

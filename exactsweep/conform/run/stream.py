@@ -16,8 +16,8 @@ from exactsweep.conform.run.peer import Answer, read_answer
 from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, adapt, read_hello, read_object
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, UnknownNameError
-from exactsweep.formats.exact_json import described
-from exactsweep.geometry.number import quoted
+from exactsweep.formats.exact_json import describe_kind
+from exactsweep.geometry.number import quote
 
 _MOST_COMPLAINTS = 20
 
@@ -80,10 +80,10 @@ class Stream:
 
     def _case(self, id: object, find: Callable[[str], Case]) -> Case:
         if not isinstance(id, str):
-            raise ProtocolError(f'"id" is {described(id)}, not the id of a case')
+            raise ProtocolError(f'"id" is {describe_kind(id)}, not the id of a case')
         case = find(id)
         if not self._seen.add(id):
-            raise ProtocolError(f"answers {quoted(id)} a second time")
+            raise ProtocolError(f"answers {quote(id)} a second time")
         return case
 
 
@@ -94,7 +94,7 @@ def finder(cases: Mapping[str, Case]) -> Callable[[str], Case]:
         try:
             return cases[id]
         except KeyError:
-            raise UnknownNameError(f"no case {quoted(id)}") from None
+            raise UnknownNameError(f"no case {quote(id)}") from None
 
     return find
 

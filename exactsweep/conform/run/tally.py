@@ -15,7 +15,7 @@ from exactsweep.geometry.number import read_any_length
 ALL = "all"
 _MOST_DIAGNOSES = 1000
 
-ACCEPTED = Verdict.EQUIVALENT_BUT_FOR_EXACT_FITS
+ACCEPTED = Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS
 """The worst verdict that passes, unless the caller says otherwise."""
 
 

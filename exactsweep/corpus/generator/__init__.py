@@ -1,5 +1,5 @@
 """Cases without end: named families, each from a seed, the same on every machine."""
 
-from exactsweep.corpus.generator.families import FAMILIES, Family, generate, generated_case
+from exactsweep.corpus.generator.families import FAMILIES, Family, generate, generate_case
 
-__all__ = ["FAMILIES", "Family", "generate", "generated_case"]
+__all__ = ["FAMILIES", "Family", "generate", "generate_case"]

@@ -4,7 +4,7 @@ Most are sets of squares, which fit each other as a matter of course, or random 
 grids. `SHAPES` has the pairs as they are drawn; `place` shears, scales and moves both polygons.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 
@@ -12,16 +12,16 @@ from exactsweep.corpus.generator.cells import (
     Cell,
     Matrix,
     around,
-    block,
+    build_block,
+    build_frame,
     connect,
-    frame,
     grow,
     map_region,
     move,
-    outline,
+    trace_outline,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import walk
+from exactsweep.corpus.generator.shapes import untangle, walk
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -43,41 +43,43 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyomino_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return outline(_clump(random, 8)), outline(_clump(random, 24))
+    return trace_outline(_draw_clump(random, 8)), trace_outline(_draw_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
     """A clump of squares cut in two: the parts fit, along segments or in single positions."""
-    cells = set(_clump(random, 30)) | block(2, 2)
+    cells = set(_draw_clump(random, 30)) | build_block(2, 2)
     part = {random.choice(sorted(cells))}
     for _ in range(random.between(0, len(cells) // 2)):
         beside = sorted(set(around(part)) & cells)
         if beside and len(cells) > len(part) + 1:
             part.add(random.choice(beside))
-    return outline(part), outline(connect(cells - part))
+    return trace_outline(part), trace_outline(connect(cells - part))
 
 
 def mould_pair(random: Prng) -> Regions:
     """A block with the part cut out of it, closed all round or open to a side."""
-    part = _clump(random, 7)
+    part = _draw_clump(random, 7)
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
-    return outline(part), outline(connect(block(width + 2, height + 2, -1, -1) - inside))
+    return trace_outline(part), trace_outline(
+        connect(build_block(width + 2, height + 2, -1, -1) - inside)
+    )
 
 
 def cave_pair(random: Prng) -> Regions:
     """A block with a room and a door, about as wide as the part, or no door at all."""
     width, height = random.between(3, 7), random.between(3, 7)
-    room = block(width - 2, height - 2, 1, 1)
+    room = build_block(width - 2, height - 2, 1, 1)
     start = random.between(1, width - 2)
     door = {(x, 0) for x in range(start, min(start + random.between(0, 2), width - 1))}
     pillars = {cell for cell in sorted(room) if random.chance(1, 10)}
-    solid = block(width, height) - room - door | pillars
-    part = block(random.between(1, 2), random.between(1, 2))
+    solid = build_block(width, height) - room - door | pillars
+    part = build_block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
-        part = set(_clump(random, 5))
-    return outline(part), outline(connect(solid))
+        part = set(_draw_clump(random, 5))
+    return trace_outline(part), trace_outline(connect(solid))
 
 
 def spiral_pair(random: Prng) -> Regions:
@@ -85,35 +87,37 @@ def spiral_pair(random: Prng) -> Regions:
     turns, gap = random.between(3, 7), random.between(2, 3)
     directions = ((1, 0), (0, 1), (-1, 0), (0, -1))
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
-    part = set(_clump(random, 5))
+    part = set(_draw_clump(random, 5))
     if random.chance(3, 5):
-        part = block(random.between(1, gap), random.between(1, gap))
-    return outline(part), outline(walk(steps))
+        part = build_block(random.between(1, gap), random.between(1, gap))
+    return trace_outline(part), trace_outline(walk(steps))
 
 
 def ring_pair(random: Prng) -> Regions:
     """Two frames, one often as wide as the hole of the other: rings around rings."""
     width, height = random.between(3, 5), random.between(3, 5)
     more = [random.between(0, 2) if random.chance(1, 2) else 2 for _ in "xy"]
-    inner = frame(width, height)
+    inner = build_frame(width, height)
     if random.chance(3, 10):
         inner.discard((1, 0))
-    return outline(frame(width + more[0], height + more[1])), outline(connect(inner))
+    return trace_outline(build_frame(width + more[0], height + more[1])), trace_outline(
+        connect(inner)
+    )
 
 
 def star_pair(random: Prng) -> Regions:
     """Two polygons that are seen whole from a point inside, with spikes and notches all round."""
-    return _star(random), _star(random)
+    return _draw_star(random), _draw_star(random)
 
 
 def tangle_pair(random: Prng) -> Regions:
     """Two random simple polygons on a grid of 9."""
-    return Region(_untangled(random, 12, 9)), Region(_untangled(random, 12, 9))
+    return Region(_draw_untangled(random, 12, 9)), Region(_draw_untangled(random, 12, 9))
 
 
 def plate_pair(random: Prng) -> Regions:
     """A plate with holes, some of the shape of the part, and some as wide as it."""
-    part = _untangled(random, 6, 4)
+    part = _draw_untangled(random, 6, 4)
     low, high = part.bounding_box
     width, height = (int(c) + 1 for c in (high.x - low.x, high.y - low.y))
     across, up = random.between(1, 3), random.between(1, 2)
@@ -126,14 +130,14 @@ def plate_pair(random: Prng) -> Regions:
                 holes.append(part.translated((corner[0] - low.x, corner[1] - low.y)))
             elif drawn <= 8:
                 more = width - 1 + random.between(0, 1), height - random.between(0, 1)
-                holes.append(_box(corner, (corner[0] + more[0], corner[1] + max(more[1], 1))))
+                holes.append(_make_box(corner, (corner[0] + more[0], corner[1] + max(more[1], 1))))
     size = across * (width + 1) + 1, up * (height + 1) + 1
-    return Region(part), Region(_box((0, 0), size), holes)
+    return Region(part), Region(_make_box((0, 0), size), holes)
 
 
 def container_pair(random: Prng) -> Regions:
     """A container, with a defect or without, that the part fits with room, exactly, or not."""
-    part = _untangled(random, 7, 5)
+    part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)
     size = width + random.choice([0, 0, 1, 4]), height + random.choice([0, 0, 1, 4])
@@ -141,7 +145,7 @@ def container_pair(random: Prng) -> Regions:
     if random.chance(2, 5) and min(size) > 2:
         x, y = random.between(1, size[0] - 2), random.between(1, size[1] - 2)
         holes.append(Polygon([(x, y), (x + 1, y), (x, y + 1)]))
-    return Region(part), Region(_box((0, 0), size), holes)
+    return Region(part), Region(_make_box((0, 0), size), holes)
 
 
 def comb_pair(random: Prng) -> Regions:
@@ -153,14 +157,14 @@ def comb_pair(random: Prng) -> Regions:
         for k in range(2 * random.between(1, 3) + 1):
             width = random.choice([1, 1, 2])
             for _ in range(width):
-                cells |= block(1, 1 if k % 2 else random.between(2, 4), x)
+                cells |= build_block(1, 1 if k % 2 else random.between(2, 4), x)
                 x += 1
         return cells
 
-    return outline({(-x, -y) for x, y in comb()}), outline(comb())
+    return trace_outline({(-x, -y) for x, y in comb()}), trace_outline(comb())
 
 
-def place(random: Prng, draw: Draw) -> Regions:
+def place(random: Prng, draw: Draw, scales: Sequence[Fraction] = SCALES) -> Regions:
     """Draw a pair, and shear, scale and move both of it; now and then with exchanged roles."""
     while True:
         try:
@@ -170,7 +174,7 @@ def place(random: Prng, draw: Draw) -> Regions:
             continue
     if random.chance(1, 5):
         g, d = d, g
-    shear, scale = random.choice(SHEARS), random.choice(SCALES)
+    shear, scale = random.choice(SHEARS), random.choice(scales)
 
     def placed(shape: Region) -> Region:
         return map_region(shape, shear, scale, (random.between(-9, 9), random.between(-9, 9)))
@@ -193,15 +197,15 @@ SHAPES: dict[str, Draw] = {
 }
 
 
-def _clump(random: Prng, most: int) -> frozenset[Cell]:
+def _draw_clump(random: Prng, most: int) -> frozenset[Cell]:
     return grow(random.between(0, 10**6) for _ in range(random.between(0, most - 1)))
 
 
-def _box(low: Cell, high: Cell) -> Polygon:
+def _make_box(low: Cell, high: Cell) -> Polygon:
     return Polygon([low, (high[0], low[1]), high, (low[0], high[1])])
 
 
-def _star(random: Prng) -> Region:
+def _draw_star(random: Prng) -> Region:
     size = random.choice([9, 30, 1000])
     points = {(size, -1), (-1, size), (-size, -size)}  # the origin is inside
     for _ in range(random.between(2, 11)):
@@ -227,34 +231,12 @@ def sort_by_angle(points: set[Cell]) -> list[Cell]:
     return found
 
 
-def _untangled(random: Prng, most: int, side: int) -> Polygon:
+def _draw_untangled(random: Prng, most: int, side: int) -> Polygon:
     """A random simple polygon: of a random walk, parts are turned until no edges cross."""
     while True:
         n = random.between(3, most)
         points = [(random.between(0, side), random.between(0, side)) for _ in range(n)]
         try:
-            return Polygon(_turn_crossings(list(dict.fromkeys(points))))
+            return Polygon(untangle(dict.fromkeys(points)))
         except PolygonError:
             continue
-
-
-def _turn_crossings(ring: list[Cell]) -> list[Cell]:
-    def turn(a: Cell, b: Cell, c: Cell) -> int:
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-    def first_crossing() -> tuple[int, int] | None:
-        for i in range(n):
-            for j in range(i + 2, n):
-                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
-                if turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0:
-                    return i, j
-        return None
-
-    n = len(ring)
-    for _ in range(20 * n):
-        found = first_crossing()
-        if found is None:
-            break
-        i, j = found
-        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
-    return ring

@@ -14,17 +14,17 @@ Matrix = tuple[Cell, Cell]
 SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-def block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
+def build_block(width: int, height: int, x: int = 0, y: int = 0) -> set[Cell]:
     """The squares of a rectangle, from its lower left corner on."""
     return {(x + i, y + j) for i in range(width) for j in range(height)}
 
 
-def frame(width: int, height: int) -> set[Cell]:
+def build_frame(width: int, height: int) -> set[Cell]:
     """The squares along the border of a rectangle."""
-    return block(width, height) - block(width - 2, height - 2, 1, 1)
+    return build_block(width, height) - build_block(width - 2, height - 2, 1, 1)
 
 
-def neighbours(cell: Cell) -> list[Cell]:
+def list_neighbours(cell: Cell) -> list[Cell]:
     """The four squares beside a square."""
     return [(cell[0] + dx, cell[1] + dy) for dx, dy in SIDES]
 
@@ -32,7 +32,7 @@ def neighbours(cell: Cell) -> list[Cell]:
 def around(cells: Iterable[Cell]) -> list[Cell]:
     """The squares beside a set of squares that are not in it, sorted."""
     own = set(cells)
-    return sorted({near for cell in own for near in neighbours(cell)} - own)
+    return sorted({near for cell in own for near in list_neighbours(cell)} - own)
 
 
 def grow(choices: Iterable[int]) -> frozenset[Cell]:
@@ -53,7 +53,7 @@ def connect(cells: Iterable[Cell]) -> set[Cell]:
     given = set(cells)
     found, left = {min(given)}, [min(given)]
     while left:
-        beside = set(neighbours(left.pop())) & given - found
+        beside = set(list_neighbours(left.pop())) & given - found
         found |= beside
         left += beside
     return found
@@ -64,7 +64,7 @@ def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
     return {(x + by[0], y + by[1]) for x, y in cells}
 
 
-def outline(cells: Iterable[Cell]) -> Region:
+def trace_outline(cells: Iterable[Cell]) -> Region:
     """Return the shape of a connected set of squares.
 
     Where two squares meet in a corner only, the walk goes on along the other one, so that a shape
@@ -73,7 +73,7 @@ def outline(cells: Iterable[Cell]) -> Region:
     Cost: linear, and that of `Region`.
 
     Example:
-        >>> outline(frame(3, 3))
+        >>> trace_outline(build_frame(3, 3))
         Region([(0, 0), (3, 0), (3, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
     """
     filled = set(cells)
@@ -116,7 +116,7 @@ def draw(*rows: str) -> Region:
     cells = {(x, -y) for y, row in enumerate(rows, 1) for x, c in enumerate(row) if c == "#"}
     if connect(cells) != cells:
         raise PolygonError(f"not connected: {rows}")
-    return outline(move(cells, (0, len(rows))))
+    return trace_outline(move(cells, (0, len(rows))))
 
 
 def map_region(

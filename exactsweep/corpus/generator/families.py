@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.names import UnknownNameError, known
+from exactsweep.corpus.names import UnknownNameError, require_known
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 
 _ID = re.compile(r"gen-([a-z0-9-]+)-(0|[1-9][0-9]{0,17})-(0|[1-9][0-9]{0,17})")
@@ -89,7 +89,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
 
     Args:
         family: a name in `FAMILIES`.
-        seed: an int from 0 to 10**18 - 1, so that `generated_case` knows the ids.
+        seed: an int from 0 to 10**18 - 1, so that `generate_case` knows the ids.
         count: how many; without end if left out.
 
     Returns:
@@ -105,7 +105,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
         >>> [case.id for case in generate("fits", 7, 2)]
         ['gen-fits-7-0', 'gen-fits-7-1']
     """
-    chosen = FAMILIES[known(family, FAMILIES, "family")]
+    chosen = FAMILIES[require_known(family, FAMILIES, "family")]
     if not 0 <= seed < 10**18:
         raise ExactSweepError(f"the seed is {seed}, which is not from 0 to 10**18 - 1")
     if count is not None and count < 0:
@@ -113,7 +113,7 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
     return islice((_make(chosen, seed, number) for number in count_from()), count)
 
 
-def generated_case(id: str) -> Case:
+def generate_case(id: str) -> Case:
     """Make a generated case again, from its id.
 
     Args:
@@ -126,14 +126,14 @@ def generated_case(id: str) -> Case:
         UnknownNameError: the id is not of this form, or there is no such family.
 
     Example:
-        >>> generated_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]
+        >>> generate_case("gen-fits-7-1") == list(generate("fits", 7, 2))[1]
         True
     """
     match = _ID.fullmatch(id)
     if match is None:
-        raise UnknownNameError(f"{quoted(id)} is not of the form gen-FAMILY-SEED-NUMBER")
+        raise UnknownNameError(f"{quote(id)} is not of the form gen-FAMILY-SEED-NUMBER")
     family, seed, number = match.groups()
-    return _make(FAMILIES[known(family, FAMILIES, "family")], int(seed), int(number))
+    return _make(FAMILIES[require_known(family, FAMILIES, "family")], int(seed), int(number))
 
 
 def _make(family: Family, seed: int, number: int) -> Case:

@@ -12,16 +12,16 @@ from itertools import accumulate
 from math import gcd
 from random import Random
 
-from exactsweep.corpus.generator.shapes import Pair, Ring
+from exactsweep.corpus.generator.shapes import IntegerPoint, Ring
 
 
-def _by_slope(first: Pair, second: Pair) -> int:
+def _by_slope(first: IntegerPoint, second: IntegerPoint) -> int:
     return first[1] * second[0] - first[0] * second[1]
 
 
 def convex(n: int, random: Random, size: int = 1000) -> Ring:
     """A convex polygon of n vertices (n even): n/2 random primitive edges and their opposites."""
-    edges: set[Pair] = set()
+    edges: set[IntegerPoint] = set()
     while len(edges) < n // 2:
         x, y = random.randrange(1, size + 1), random.randrange(-size, size + 1)
         if gcd(x, y) == 1:

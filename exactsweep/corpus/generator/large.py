@@ -4,29 +4,29 @@ from fractions import Fraction
 
 from exactsweep.corpus.generator.growing import bumps, comb
 from exactsweep.corpus.generator.numeric import RationalRings
-from exactsweep.corpus.generator.plain import Rings, grid_pair, monotone_pair
+from exactsweep.corpus.generator.plain import RingPair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.corpus.generator.shapes import Grid, Pair, Ring, convex, monotone
+from exactsweep.corpus.generator.shapes import Grid, IntegerPoint, Ring, draw_convex, draw_monotone
 
 
-def lower_bound_pair(random: Prng) -> Rings:
+def lower_bound_pair(random: Prng) -> RingPair:
     """Figure 10's pair, sheared; or a comb around which a convex polygon turns at every tooth."""
     if random.chance(1, 2):
         sizes = random.choice([(2, 4, 6), (2, 6, 6), (4, 4, 6), (2, 4, 8), (4, 4, 4), (4, 6, 4)])
         slope = random.between(-3, 3)
-        generatrix, directrix = (_sheared(ring, slope) for ring in bumps(*sizes))
+        generatrix, directrix = (_shear(ring, slope) for ring in bumps(*sizes))
         return generatrix, directrix
-    generatrix = convex(random, 12, 40)
+    generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
     # Wider than G: it turns about each tooth; narrower: it rests on two of them.
     share = random.choice([1, 2, 5])
     return generatrix, comb(4 * random.between(2, 5), max(1, 2 * width // share), 100 * width)
 
 
-def long_pair(random: Prng) -> Rings:
+def long_pair(random: Prng) -> RingPair:
     """Two monotone polygons of up to 60 vertices, with a wall here and there."""
     grid = Grid(cells=(10, 25), widths=(1, 2, 3), height=9, walls=1)
-    return monotone(random, grid), monotone(random, grid)
+    return draw_monotone(random, grid), draw_monotone(random, grid)
 
 
 def unequal_pair(random: Prng) -> RationalRings:
@@ -40,6 +40,6 @@ def unequal_pair(random: Prng) -> RationalRings:
     return generatrix, [(Fraction(x), Fraction(y)) for x, y in rings[1]]
 
 
-def _sheared(ring: Ring, slope: int) -> Ring:
-    sheared: list[Pair] = [(x, y + slope * x) for x, y in ring]
+def _shear(ring: Ring, slope: int) -> Ring:
+    sheared: list[IntegerPoint] = [(x, y + slope * x) for x, y in ring]
     return sheared

@@ -2,16 +2,16 @@
 
 from fractions import Fraction
 
-from exactsweep.corpus.generator.plain import Rings, fitting_pair, grid_pair, monotone_pair
+from exactsweep.corpus.generator.plain import RingPair, fitting_pair, grid_pair, monotone_pair
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import (
     Grid,
-    Pair,
+    IntegerPoint,
     Ring,
-    between,
-    convex,
-    hull,
-    monotone,
+    close_between,
+    draw_convex,
+    draw_monotone,
+    take_hull,
     walk,
 )
 
@@ -20,61 +20,63 @@ Rationals = list[tuple[Fraction, Fraction]]
 RationalRings = tuple[Rationals, Rationals]
 
 
-def rounded_crossings_pair(random: Prng) -> Rings:
+def rounded_crossings_pair(random: Prng) -> RingPair:
     """Steep edges over widths that are prime to one another: the answer is not on the grid.
 
     Crossings have denominators of some 7 digits. On the steepest edges, rounding their x to an
     integer takes them off the edge by thousands in y.
     """
     grid = Grid(cells=(2, 6), widths=(997, 1009, 1013, 2003, 3), height=100_003, pointed=5)
-    directrix = monotone(random, grid)
+    directrix = draw_monotone(random, grid)
     if random.chance(1, 3):
-        return convex(random, 7, 1999), directrix
-    return monotone(random, grid), directrix
+        return draw_convex(random, 7, 1999), directrix
+    return draw_monotone(random, grid), directrix
 
 
-def near_parallel_pair(random: Prng) -> Rings:
+def near_parallel_pair(random: Prng) -> RingPair:
     """Slopes that differ by one part in 10**15, in both polygons; all within 2**53."""
     return _ripple(random), _ripple(random)
 
 
-def near_fit_pair(random: Prng) -> Rings:
+def near_fit_pair(random: Prng) -> RingPair:
     """A pair of the family "fits", up to 2**48 times larger, its walls moved by one or not at all.
 
     Slots are then wider or narrower than G, or as wide, by one part in 2**48.
     """
-    return _perturbed(random, *fitting_pair(random))
+    return _perturb(random, *fitting_pair(random))
 
 
-def perturbed_pair(random: Prng) -> Rings:
+def perturbed_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", up to 2**48 times larger, its vertices moved by one or not."""
-    return _perturbed(random, *grid_pair(random))
+    return _perturb(random, *grid_pair(random))
 
 
-def sliver_pair(random: Prng) -> Rings:
+def sliver_pair(random: Prng) -> RingPair:
     """Polygons of height 1 to 3 on a length of 10**5 to 10**9."""
     length = 10 ** random.between(5, 9)
     unit = length // 4
     grid = Grid(cells=(1, 4), widths=(unit, unit + 1, unit - 1), height=1, pointed=6)
-    first = monotone(random, grid)
-    second = random.choice([monotone(random, grid), convex(random, 8, 12), monotone(random, grid)])
+    first = draw_monotone(random, grid)
+    second = random.choice(
+        [draw_monotone(random, grid), draw_convex(random, 8, 12), draw_monotone(random, grid)]
+    )
     return (first, second) if random.chance(1, 2) else (second, first)
 
 
-def int32_edge_pair(random: Prng) -> Rings:
+def int32_edge_pair(random: Prng) -> RingPair:
     """Coordinates from -2**31 to 2**31 - 1, both ends included."""
     return _full_range(random, 31), _full_range(random, 31)
 
 
-def int64_edge_pair(random: Prng) -> Rings:
+def int64_edge_pair(random: Prng) -> RingPair:
     """Coordinates from -2**63 to 2**63 - 1, both ends included."""
     return _full_range(random, 63), _full_range(random, 63)
 
 
-def far_pair(random: Prng) -> Rings:
+def far_pair(random: Prng) -> RingPair:
     """A small pair, each polygon moved by up to 2**52: the digits that count are the last ones."""
     generatrix, directrix = random.choice([grid_pair, monotone_pair, fitting_pair])(random)
-    return _moved(random, generatrix, 2**52), _moved(random, directrix, 2**52)
+    return _move(random, generatrix, 2**52), _move(random, directrix, 2**52)
 
 
 def binary64_edge_pair(random: Prng) -> RationalRings:
@@ -101,21 +103,23 @@ def _ripple(random: Prng) -> Ring:
     slope = random.choice([0, 1, NEAR])
     if random.chance(1, 4):
         steps = [(NEAR, slope + random.between(-3, 3)) for _ in range(random.between(2, 3))]
-        return hull([*walk(steps), (0, 1 + abs(slope)), (NEAR, random.between(4, 9) + abs(slope))])
+        return take_hull(
+            [*walk(steps), (0, 1 + abs(slope)), (NEAR, random.between(4, 9) + abs(slope))]
+        )
     bottom, top = (
         walk((NEAR, slope + random.between(-2, 2)) for _ in range(random.between(1, 3)))
         for _ in "bt"
     )
-    return between(random, bottom, top)
+    return close_between(random, bottom, top)
 
 
-def _perturbed(random: Prng, *rings: Ring) -> Rings:
+def _perturb(random: Prng, *rings: Ring) -> RingPair:
     scale = 2 ** random.choice([10, 24, 40, 48])
-    first, second = (_nudged(random, ring, scale) for ring in rings)
+    first, second = (_nudge(random, ring, scale) for ring in rings)
     return first, second
 
 
-def _nudged(random: Prng, ring: Ring, scale: int) -> Ring:
+def _nudge(random: Prng, ring: Ring, scale: int) -> Ring:
     # All vertices of one x move alike, so that walls stay upright and the ring monotone.
     aside = {x: random.between(-1, 1) for x in sorted({x for x, _ in ring})}
     return [(scale * x + aside[x], scale * y + random.between(-1, 1)) for x, y in ring]
@@ -130,16 +134,16 @@ def _full_range(random: Prng, bits: int) -> Ring:
 
     if random.chance(1, 2):
         corners = [(anywhere(), anywhere()) for _ in range(random.between(3, 7))]
-        found = hull(corners)
+        found = take_hull(corners)
         return found if len(found) > 2 else [(low, low), (high, low), (low, high)]
     xs = sorted({low, high, *(anywhere() for _ in range(random.between(1, 3)))})
-    bottom: list[Pair] = [(x, random.between(low, -1)) for x in xs]
-    top: list[Pair] = [(x, random.between(1, high)) for x in xs]
+    bottom: list[IntegerPoint] = [(x, random.between(low, -1)) for x in xs]
+    top: list[IntegerPoint] = [(x, random.between(1, high)) for x in xs]
     bottom[0], top[-1] = (low, low), (high, high)
     return [*bottom, *reversed(top)]
 
 
-def _moved(random: Prng, ring: Ring, most: int) -> Ring:
+def _move(random: Prng, ring: Ring, most: int) -> Ring:
     dx, dy = (random.between(-most, most) for _ in "xy")
     return [(x + dx, y + dy) for x, y in ring]
 

@@ -3,18 +3,17 @@
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import (
     Grid,
-    Pair,
     Ring,
-    between,
-    columns,
-    convex,
-    monotone,
-    rectilinear,
-    turned,
+    build_columns,
+    close_between,
+    draw_convex,
+    draw_monotone,
+    draw_rectilinear,
+    turn_half,
     walk,
 )
 
-Rings = tuple[Ring, Ring]
+RingPair = tuple[Ring, Ring]
 
 TINY_GRID = Grid(cells=(1, 5), widths=(1, 1, 1, 2), height=2, walls=2)
 # Rows of invertible integer matrices, one of them turning the plane over.
@@ -29,59 +28,59 @@ MATRICES = [
 ]
 
 
-def convex_pair(random: Prng) -> Rings:
+def convex_pair(random: Prng) -> RingPair:
     """Two convex polygons with corners on a grid of 100."""
-    return convex(random, 12, 100), convex(random, 12, 100)
+    return draw_convex(random, 12, 100), draw_convex(random, 12, 100)
 
 
-def notched_pair(random: Prng) -> Rings:
+def notched_pair(random: Prng) -> RingPair:
     """A convex polygon around a monotone one, on a grid of 20."""
     grid = Grid(cells=(2, 7), widths=(3, 5, 8), height=20, walls=1)
-    return convex(random, 8, random.choice([6, 12])), monotone(random, grid)
+    return draw_convex(random, 8, random.choice([6, 12])), draw_monotone(random, grid)
 
 
-def monotone_pair(random: Prng) -> Rings:
+def monotone_pair(random: Prng) -> RingPair:
     """Two monotone polygons, on a grid of 20."""
     grid = Grid(cells=(2, 6), widths=(3, 5, 8), height=20, walls=1)
-    return monotone(random, grid), monotone(random, grid)
+    return draw_monotone(random, grid), draw_monotone(random, grid)
 
 
-def grid_pair(random: Prng) -> Rings:
+def grid_pair(random: Prng) -> RingPair:
     """Two polygons on a grid of 3, where edges are parallel, collinear and equal more than not."""
     directrix = _on_grid(random)
     chosen = random.between(0, 7)
     if chosen == 0:
         return directrix, directrix
     if chosen == 1:
-        return turned(directrix), directrix
+        return turn_half(directrix), directrix
     return _on_grid(random), directrix
 
 
-def rectilinear_pair(random: Prng) -> Rings:
+def rectilinear_pair(random: Prng) -> RingPair:
     """Two polygons of horizontal and vertical edges, with slots and teeth of few widths."""
     widths = random.choice([(1,), (1, 2), (2, 3)])
-    generatrix = rectilinear(random, (1, 4), widths, 2)
-    return generatrix, rectilinear(random, (2, 7), widths, 3)
+    generatrix = draw_rectilinear(random, (1, 4), widths, 2)
+    return generatrix, draw_rectilinear(random, (2, 7), widths, 3)
 
 
-def fitting_pair(random: Prng) -> Rings:
+def fitting_pair(random: Prng) -> RingPair:
     """A block with slots as wide as G, or as parts of it, and as deep, or deeper, or less deep."""
     widths = [random.between(1, 3) for _ in range(random.between(1, 3))]
     heights = [random.between(1, 4) for _ in widths]
-    generatrix = columns(widths, heights)
+    generatrix = build_columns(widths, heights)
     generatrix = [(0, -1), (sum(widths), -1), *reversed(generatrix)]
     slot = [(w, h + random.between(-1, 1)) for w, h in zip(widths, heights, strict=True)]
-    cells: list[Pair] = []
+    cells: list[tuple[int, int]] = []
     for _ in range(random.between(1, 2)):
         cells += [(random.between(1, 2), 0), *slot]
     cells.append((random.between(1, 2), 0))
-    bottom = columns([w for w, _ in cells], [h for _, h in cells])
+    bottom = build_columns([w for w, _ in cells], [h for _, h in cells])
     lid = max(h for _, h in cells) + 1
     rings = generatrix, [*bottom, (bottom[-1][0], lid), (0, lid)]
-    return rings if random.chance(1, 2) else (turned(rings[0]), turned(rings[1]))
+    return rings if random.chance(1, 2) else (turn_half(rings[0]), turn_half(rings[1]))
 
 
-def equal_slopes_pair(random: Prng) -> Rings:
+def equal_slopes_pair(random: Prng) -> RingPair:
     """Teeth of two slopes, up and down, in both: parallel edges everywhere."""
     depth = random.choice([1, 3, 1000])
     steps = [(1, depth), (1, -depth), (1, depth), (1, -depth), (2, 2 * depth), (2, 0)]
@@ -90,12 +89,12 @@ def equal_slopes_pair(random: Prng) -> Rings:
         bottom, top = (
             walk([random.choice(steps) for _ in range(random.between(2, 8))]) for _ in "bt"
         )
-        return between(random, bottom, top)
+        return close_between(random, bottom, top)
 
     return teeth(), teeth()
 
 
-def tangent_pair(random: Prng) -> Rings:
+def tangent_pair(random: Prng) -> RingPair:
     """D's bottom is moulded over G's top in several places: G touches it in many points at once."""
     width = random.between(2, 6)
     top = [random.between(0, 4) for _ in range(width + 1)]
@@ -111,7 +110,7 @@ def tangent_pair(random: Prng) -> Rings:
     return generatrix, [*mould, (length, lid), (0, lid)]
 
 
-def turned_pair(random: Prng) -> Rings:
+def turned_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", "monotone" or "fits", mapped by an integer matrix.
 
     As a rule it is then no longer monotone to the x-axis.
@@ -122,22 +121,22 @@ def turned_pair(random: Prng) -> Rings:
     return generatrix, directrix
 
 
-def respelled_pair(random: Prng) -> Rings:
+def respelled_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", doubled, with collinear and repeated vertices, either way round.
 
     Any vertex may be the first.
     """
-    generatrix, directrix = (_respelled(random, ring) for ring in grid_pair(random))
+    generatrix, directrix = (_respell(random, ring) for ring in grid_pair(random))
     return generatrix, directrix
 
 
 def _on_grid(random: Prng) -> Ring:
     if random.chance(1, 3):
-        return convex(random, 8, random.choice([1, 2, 3]))
-    return monotone(random, TINY_GRID)
+        return draw_convex(random, 8, random.choice([1, 2, 3]))
+    return draw_monotone(random, TINY_GRID)
 
 
-def _respelled(random: Prng, ring: Ring) -> Ring:
+def _respell(random: Prng, ring: Ring) -> Ring:
     first = random.between(0, len(ring) - 1)
     ring = [(2 * x, 2 * y) for x, y in ring[first:] + ring[:first]]
     spelled: Ring = []

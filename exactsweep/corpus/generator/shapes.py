@@ -9,8 +9,8 @@ from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
 
-Pair = tuple[int, int]
-Ring = list[Pair]
+IntegerPoint = tuple[int, int]
+Ring = list[IntegerPoint]
 
 
 class Grid(NamedTuple):
@@ -24,7 +24,7 @@ class Grid(NamedTuple):
         pointed: how many times in eight an end is a point and not a vertical edge.
     """
 
-    cells: Pair
+    cells: tuple[int, int]
     widths: Sequence[int]
     height: int
     walls: int = 0
@@ -34,7 +34,7 @@ class Grid(NamedTuple):
 P = TypeVar("P", bound=tuple[Any, Any])
 
 
-def hull(points: Iterable[P]) -> list[P]:
+def take_hull(points: Iterable[P]) -> list[P]:
     """The convex hull, corners only (Andrew's monotone chain)."""
     ordered = sorted(set(points))
     found: list[P] = []
@@ -52,16 +52,16 @@ def hull(points: Iterable[P]) -> list[P]:
     return found
 
 
-def convex(random: Prng, most: int, side: int) -> Ring:
+def draw_convex(random: Prng, most: int, side: int) -> Ring:
     """The hull of some random points, at most so many, of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
-    found = hull(points)
+    found = take_hull(points)
     return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 
-def walk(steps: Iterable[Pair]) -> Ring:
+def walk(steps: Iterable[IntegerPoint]) -> Ring:
     """The points that steps lead to, from the origin on."""
     chain: Ring = [(0, 0)]
     for dx, dy in steps:
@@ -70,10 +70,10 @@ def walk(steps: Iterable[Pair]) -> Ring:
     return chain
 
 
-def monotone(random: Prng, grid: Grid) -> Ring:
+def draw_monotone(random: Prng, grid: Grid) -> Ring:
     """A bottom and a top chain with breakpoints of their own."""
     bottom, top = _chain(random, grid), _chain(random, grid)
-    return between(random, bottom, top, grid.pointed)
+    return close_between(random, bottom, top, grid.pointed)
 
 
 def _chain(random: Prng, grid: Grid) -> Ring:
@@ -87,24 +87,26 @@ def _chain(random: Prng, grid: Grid) -> Ring:
     return chain
 
 
-def rectilinear(random: Prng, cells: Pair, widths: Sequence[int], height: int) -> Ring:
+def draw_rectilinear(
+    random: Prng, cells: tuple[int, int], widths: Sequence[int], height: int
+) -> Ring:
     """Horizontal and vertical edges only."""
 
     def chain() -> Ring:
         widths_drawn = [random.choice(widths) for _ in range(random.between(*cells))]
-        return columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
+        return build_columns(widths_drawn, [random.between(0, height) for _ in widths_drawn])
 
     bottom, top = chain(), chain()
-    return between(random, bottom, top, pointed=0)
+    return close_between(random, bottom, top, pointed=0)
 
 
-def columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
+def build_columns(widths: Sequence[int], heights: Sequence[int]) -> Ring:
     """The upper side of columns, from left to right, from x = 0 on."""
     xs = [x for x, _ in walk((width, 0) for width in widths)]
     return [(x, y) for k, y in enumerate(heights) for x in xs[k : k + 2]]
 
 
-def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
+def close_between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
     """The ring between two chains that run from x = 0 to the right, the top one lifted clear."""
     last = max(bottom[-1][0], top[-1][0])
     bottom, top = (
@@ -121,12 +123,12 @@ def between(random: Prng, bottom: Ring, top: Ring, pointed: int = 3) -> Ring:
     return [*bottom, *right, *((x, y + lift) for x, y in reversed(top)), *left]
 
 
-def turned(ring: Ring) -> Ring:
+def turn_half(ring: Ring) -> Ring:
     """The ring turned by half a turn."""
     return [(-x, -y) for x, y in ring]
 
 
-def untangle(points: Iterable[Pair]) -> Ring:
+def untangle(points: Iterable[IntegerPoint]) -> Ring:
     """A way through points on which parts are turned round until no two edges cross.
 
     Each turn makes the way shorter, so that it ends. Edges may still touch one another.
@@ -135,16 +137,16 @@ def untangle(points: Iterable[Pair]) -> Ring:
     [(0, 0), (2, 0), (2, 2), (0, 2)]
     """
     ring = list(points)
-    while pair := _crossing(ring):
+    while pair := _find_crossing(ring):
         i, j = pair
         ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
     return ring
 
 
-def _crossing(ring: Ring) -> Pair | None:
+def _find_crossing(ring: Ring) -> IntegerPoint | None:
     """Two edges that cross, by their first vertices, if there are any."""
 
-    def side(p: Pair, q: Pair, r: Pair) -> int:
+    def side(p: IntegerPoint, q: IntegerPoint, r: IntegerPoint) -> int:
         return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
     for i, j in combinations(range(len(ring)), 2):

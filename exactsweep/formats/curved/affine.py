@@ -53,13 +53,13 @@ class Affine(NamedTuple):
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
 
 
-def affine(*numbers: int | Fraction) -> Affine:
+def make_affine(*numbers: int | Fraction) -> Affine:
     """Make a map of its six numbers.
 
-    >>> affine(0, 1, -1, 0, 5, 0).point(Fraction(1), Fraction(0))
+    >>> make_affine(0, 1, -1, 0, 5, 0).point(Fraction(1), Fraction(0))
     Point(x=Fraction(5, 1), y=Fraction(1, 1))
     """
     return Affine(*map(Fraction, numbers))
 
 
-IDENTITY = affine(1, 0, 0, 1, 0, 0)
+IDENTITY = make_affine(1, 0, 0, 1, 0, 0)

@@ -13,8 +13,8 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from exactsweep.formats.curved.affine import Affine, affine
-from exactsweep.formats.curved.curves import flatten_arc, root_above
+from exactsweep.formats.curved.affine import Affine, make_affine
+from exactsweep.formats.curved.curves import bound_root, flatten_arc
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import ORIGIN, Point
@@ -42,12 +42,12 @@ class Arc(NamedTuple):
 
 def make_arc(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> Arc:
     """Make an arc of the unit circle's image, between two angles in degrees."""
-    stretch = root_above(image.a**2 + image.b**2 + image.c**2 + image.d**2)
+    stretch = bound_root(image.a**2 + image.b**2 + image.c**2 + image.d**2)
     allowed = reading.allow_curve() / (16 * max(stretch, Fraction(1, 10**30)))
-    return Arc(image, unit_point(start, allowed), unit_point(end, allowed))
+    return Arc(image, find_unit_point(start, allowed), find_unit_point(end, allowed))
 
 
-def rotation(degrees: Fraction, reading: Reading, power: int = 1) -> Affine:
+def make_rotation(degrees: Fraction, reading: Reading, power: int = 1) -> Affine:
     """Make the rotation by an angle: exactly by quarter turns, others as a tolerance allows.
 
     Args:
@@ -55,12 +55,12 @@ def rotation(degrees: Fraction, reading: Reading, power: int = 1) -> Affine:
         reading: says how far off it may be.
         power: to which power of that it is true.
 
-    >>> rotation(Fraction(90), Reading()).point(Fraction(1), Fraction(0))
+    >>> make_rotation(Fraction(90), Reading()).point(Fraction(1), Fraction(0))
     Point(x=Fraction(0, 1), y=Fraction(1, 1))
     """
     off = reading.allow_angle(degrees) ** power if degrees % 90 else Fraction(0)
-    c, s = unit_point(degrees, off)
-    return affine(c, s, -s, c, 0, 0)._replace(off=off)
+    c, s = find_unit_point(degrees, off)
+    return make_affine(c, s, -s, c, 0, 0)._replace(off=off)
 
 
 def to_degrees(radians: Fraction) -> Fraction:
@@ -70,7 +70,7 @@ def to_degrees(radians: Fraction) -> Fraction:
     return radians * 180 / _pi()
 
 
-def unit_point(degrees: Fraction, allowed: Fraction) -> Point:
+def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
     """Find a rational point of the unit circle near an angle.
 
     Args:
@@ -81,7 +81,7 @@ def unit_point(degrees: Fraction, allowed: Fraction) -> Point:
         A Point of the circle.
 
     Example:
-        >>> unit_point(Fraction(270), Fraction(1))
+        >>> find_unit_point(Fraction(270), Fraction(1))
         Point(x=Fraction(0, 1), y=Fraction(-1, 1))
     """
     quarter, rest = divmod(degrees % 360, 90)

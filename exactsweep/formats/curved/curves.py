@@ -23,10 +23,10 @@ from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
 
 
-def root_above(square: Fraction, scale: int = 1) -> Fraction:
+def bound_root(square: Fraction, scale: int = 1) -> Fraction:
     """Return a number not below the square root, by less than 1/scale plus a part in 2**30.
 
-    >>> root_above(Fraction(4)), root_above(Fraction(0))
+    >>> bound_root(Fraction(4)), bound_root(Fraction(0))
     (Fraction(2, 1), Fraction(0, 1))
     """
     n, d = square.as_integer_ratio()
@@ -113,7 +113,7 @@ def flatten_arc(
     require_sharp(image, corners, reading)
     (ux, uy), (vx, vy) = image.vector(x, y), image.vector(-side * y, side * x)
     # Frobenius' norm is not below the largest stretching of the unit circle.
-    bend = root_above(ux * ux + uy * uy + vx * vx + vy * vy) / 2
+    bend = bound_root(ux * ux + uy * uy + vx * vx + vy * vy) / 2
     along, across = (x * p + y * q) / radius, side * (x * q - y * p) / radius
     count = _count(bend, reading, quarters=1 if along > 0 and across > 0 else 4)
     middle = image.point(*center)
@@ -141,7 +141,7 @@ def place_points(points: Sequence[Point], image: Affine, reading: Reading) -> li
     return round_points(found, reading.allow_curve()) if image.off else found
 
 
-def chord_arc_center(start: Point, end: Point, height: Fraction) -> Point:
+def find_arc_center(start: Point, end: Point, height: Fraction) -> Point:
     """Return the center of an arc over a chord, `height` half chords to the left of its middle."""
     dx, dy = (end.x - start.x) / 2, (end.y - start.y) / 2
     return Point(start.x + dx - height * dy, start.y + dy + height * dx)
@@ -157,7 +157,7 @@ def round_points(points: Sequence[Point], tolerance: Fraction) -> list[Point]:
 
 def _count(bend: Fraction, reading: Reading, quarters: int = 1) -> int:
     """The least n for which bend / n**2 is at most half the tolerance, for each quarter."""
-    count = max(1, -(-root_above(2 * bend / reading.allow_curve()) // 1))
+    count = max(1, -(-bound_root(2 * bend / reading.allow_curve()) // 1))
     reading.allow_curve(count * quarters)
     return count
 
@@ -189,7 +189,7 @@ def _differences(points: Sequence[Point]) -> list[Point]:
 
 
 def _largest(vectors: Sequence[Point]) -> Fraction:
-    return root_above(max((x * x + y * y for x, y in vectors), default=Fraction(0)))
+    return bound_root(max((x * x + y * y for x, y in vectors), default=Fraction(0)))
 
 
 def _turns(x: Fraction, y: Fraction, count: int) -> list[tuple[Fraction, Fraction]]:

@@ -14,10 +14,10 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.formats.candidate import Candidate
-from exactsweep.formats.curved.affine import Affine, affine
+from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.arc import Arc, make_arc, to_degrees
 from exactsweep.formats.curved.curves import (
-    chord_arc_center,
+    find_arc_center,
     flatten_arc,
     place_points,
 )
@@ -34,13 +34,13 @@ _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEAD
 _NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL = Fraction(360)
-_Points = Callable[[], Sequence[Point]]
+_PointReader = Callable[[], Sequence[Point]]
 
 
 class _Drawn(NamedTuple):
     """What an entity draws: its points, and the ends and the shape of an OpenLine if it is open."""
 
-    points: _Points
+    points: _PointReader
     ends: Sequence[Point] = ()
     shape: Hashable = ()
     is_exact: bool = True
@@ -64,7 +64,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     """
     drawing = read_drawing(text)
     scale = reading.scale(drawing.unit)
-    image = affine(scale, 0, 0, scale, 0, 0)
+    image = make_affine(scale, 0, 0, scale, 0, 0)
     blocks = Blocks(drawing, reading)
     found: list[tuple[int, Candidate]] = []
     lines: defaultdict[str, list[OpenLine]] = defaultdict(list)
@@ -83,7 +83,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
                 refused = Candidate.refused(f"{place}: {error}", layer=layer)
                 found.append((order, refused))
                 continue
-            points = partial(_naming, place, drawn.points)
+            points = partial(_name_place, place, drawn.points)
             if drawn.ends:
                 ends = drawn.ends[0], drawn.ends[1]
                 line = OpenLine(order, place, ends, points, drawn.shape, drawn.is_exact)
@@ -104,7 +104,7 @@ def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
     return reader(placed.entity, placed.image, reading)
 
 
-def _naming(place: str, points: _Points) -> Sequence[Point]:
+def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
     try:
         return points()
     except FormatError as error:
@@ -151,7 +151,7 @@ def _follow(
     for k, ((start, bulge), (end, _)) in enumerate(pairwise(corners)):
         found.append(placed[k])
         if bulge and start != end:
-            center = chord_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
+            center = find_arc_center(start, end, (1 - bulge * bulge) / (2 * bulge))
             found += flatten_arc(center, start, end, bulge > 0, image, reading)[1:-1]
     return [*found, placed[-1]]
 
@@ -161,7 +161,7 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     center, radius = entity.point(10), entity.number(40)
     if radius <= 0:
         raise FormatError("the radius is not positive")
-    image = image @ entity.plane @ affine(radius, 0, 0, radius, *center)
+    image = image @ entity.plane @ make_affine(radius, 0, 0, radius, *center)
     if entity.kind == "CIRCLE":
         return _turn(image, Fraction(0), _FULL, reading)
     return _turn(image, entity.number(50), entity.number(51), reading)
@@ -176,7 +176,7 @@ def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
         raise FormatError("an axis has no length")
     if entity.plane.a < 0:
         ratio = -ratio
-    image = image @ affine(x, y, -ratio * y, ratio * x, *center)
+    image = image @ make_affine(x, y, -ratio * y, ratio * x, *center)
     start, end = (to_degrees(entity.number(code, 0)) for code in (41, 42))
     return _turn(image, start, end, reading)
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from exactsweep.formats.curved.affine import Affine, affine
-from exactsweep.formats.curved.arc import rotation
+from exactsweep.formats.curved.affine import Affine, make_affine
+from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.dxf_entity import Drawing, Entity
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 
 MAX_DEPTH = 32
 """How deeply blocks may be nested."""
@@ -80,9 +80,9 @@ class Blocks:
         """The maps of a block: as many as there are rows and columns of it."""
         insert = placed.entity
         if name not in self.blocks:
-            raise FormatError(f"there is no block {quoted(insert.name)}")
+            raise FormatError(f"there is no block {quote(insert.name)}")
         if name in around:
-            raise FormatError(f"the block {quoted(insert.name)} draws itself")
+            raise FormatError(f"the block {quote(insert.name)} draws itself")
         if len(around) == MAX_DEPTH:
             raise FormatError(f"nested in more than {MAX_DEPTH} blocks")
         if insert.line not in self._maps:
@@ -93,14 +93,14 @@ class Blocks:
         columns, rows = (max(1, int(insert.number(code, 1))) for code in (70, 71))
         if columns * rows * len(block) > MAX_PLACED:
             raise FormatError(f"draws more than {MAX_PLACED:,} entities")
-        turn = rotation(insert.number(50, 0), self.reading)
+        turn = make_rotation(insert.number(50, 0), self.reading)
         position, base = insert.point(10), block[0].point(10)
-        scale = affine(insert.number(41, 1), 0, 0, insert.number(42, 1), 0, 0)
-        outer = insert.plane @ affine(1, 0, 0, 1, *position) @ turn
-        own = scale @ affine(1, 0, 0, 1, -base.x, -base.y)
+        scale = make_affine(insert.number(41, 1), 0, 0, insert.number(42, 1), 0, 0)
+        outer = insert.plane @ make_affine(1, 0, 0, 1, *position) @ turn
+        own = scale @ make_affine(1, 0, 0, 1, -base.x, -base.y)
         step = insert.number(44, 0), insert.number(45, 0)
         return [
-            outer @ affine(1, 0, 0, 1, i * step[0], j * step[1]) @ own
+            outer @ make_affine(1, 0, 0, 1, i * step[0], j * step[1]) @ own
             for j in range(rows)
             for i in range(columns)
         ]

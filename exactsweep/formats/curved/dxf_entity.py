@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
-from exactsweep.formats.error import FormatError, needs
+from exactsweep.formats.error import FormatError, require_imports
 from exactsweep.formats.reading import UNITS
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import Point
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Entity:
         kind = self.tags[0].value
         self.kind, self.line = str(kind).strip(), kind.line
         self.layer = self._text(_LAYER, "0")
-        shown = self.kind if self.kind.isidentifier() else quoted(self.kind)
+        shown = self.kind if self.kind.isidentifier() else quote(self.kind)
         self.place = f"line {self.line}: {shown}"
         self.vertices: list[Entity] = []
 
@@ -167,7 +167,7 @@ def read_drawing(text: str) -> Drawing:
 
     Cost: linear.
     """
-    with needs("ezdxf", "dxf", "DXF"):
+    with require_imports("ezdxf", "dxf", "DXF"):
         from ezdxf.lldxf.const import DXFError
         from ezdxf.lldxf.loader import load_dxf_structure
 

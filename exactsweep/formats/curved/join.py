@@ -11,7 +11,7 @@ from exactsweep.formats.curved.curves import round_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.geometry.point import Point
-from exactsweep.words import pair
+from exactsweep.words import write_pair
 
 # Joints within reach of an end that are looked at before it is refused.
 _MAX_CROWD = 64
@@ -124,7 +124,9 @@ class Joints:
             j for i in (-1, 0, 1) for k in (-1, 0, 1) for j in self.cells.get((x + i, y + k), ())
         ]
         if len(close) > _MAX_CROWD:
-            raise FormatError(f"more than {_MAX_CROWD} ends within reach of the end {pair(end)}")
+            raise FormatError(
+                f"more than {_MAX_CROWD} ends within reach of the end {write_pair(end)}"
+            )
         near = [((j.x - end.x) ** 2 + (j.y - end.y) ** 2, j) for j in close]
         near = [(square, j) for square, j in near if square <= self.reach**2]
         if near:
@@ -178,7 +180,7 @@ def _fault(line: OpenLine, end: Point, count: int, reading: Reading) -> str:
     if count == 1:
         exactly = "" if reading.join else " exactly (--join allows a distance)"
         meets = f"meets no other end{exactly}"
-    return f"{line.place}: the end {pair(end)} {meets}"
+    return f"{line.place}: the end {write_pair(end)} {meets}"
 
 
 def _walk(lines: Sequence[_Joined]) -> list[Point]:

@@ -12,14 +12,14 @@ from exactsweep.formats.candidate import MAX_FAULTS, Candidate
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
-from exactsweep.formats.curved.svg_path import elliptic_arc, read_path
-from exactsweep.formats.curved.svg_placed import PlacedElement, kind
+from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
+from exactsweep.formats.curved.svg_placed import PlacedElement, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import MAX_VERTICES, Reading
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import ORIGIN, Point
 
 if TYPE_CHECKING:
@@ -61,8 +61,8 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         [('a', '(0, 0) (2, 0) (2, 1/2)')]
     """
     root = parse_xml(text)
-    if kind(root) != "svg":
-        raise FormatError(f"line {line(root)}: the root is {quoted(root.tag)}, not svg")
+    if name_kind(root) != "svg":
+        raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
     placed = PlacedElement(root, None, reading)
     if reading.unit is not None:
@@ -99,7 +99,7 @@ class _Document:
             yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
 
     def _drawn(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
-        element, name = placed.element, kind(placed.element)
+        element, name = placed.element, name_kind(placed.element)
         style = element.get("style", "").replace(" ", "")
         if element.get("display") == "none" or "display:none" in style:
             return
@@ -110,16 +110,16 @@ class _Document:
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":
-            plain = (e for e in element if kind(e) and _CONDITIONS.isdisjoint(e.attrib))
+            plain = (e for e in element if name_kind(e) and _CONDITIONS.isdisjoint(e.attrib))
             for child in (next(plain, None),):
                 if child is not None:
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
         elif name == "use":
-            yield from self._used(placed, depth + 1)
+            yield from self._follow_use(placed, depth + 1)
         elif name in _SHAPES:
             yield placed
 
-    def _used(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
+    def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
@@ -127,7 +127,7 @@ class _Document:
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
-        if kind(target) == "symbol":
+        if name_kind(target) == "symbol":
             yield from self.shapes(drawn, depth)
         else:
             yield from self._drawn(drawn, depth)
@@ -139,7 +139,7 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
     try:
         matrix = shape.matrix
         try:
-            found = _SHAPES[kind(shape.element)](shape, matrix, reading)
+            found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
             closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
             opened = [points for points in found if points[0] != points[-1]]
             # What a single ring is, is told when it is made a polygon.
@@ -190,7 +190,7 @@ def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[lis
     points = [Point(*pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
     if not points:
         raise FormatError("points: none")
-    if kind(shape.element) == "polygon":
+    if name_kind(shape.element) == "polygon":
         points.append(points[0])
     return [place_points(points, matrix, reading)]
 
@@ -229,12 +229,12 @@ def _round_rectangle(
     ]
     found: list[Point] = []
     for ends in corners:
-        found += elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
+        found += flatten_elliptic_arc(ends, radii, Fraction(0), (False, True), matrix, reading)
     return [*found, found[0]]
 
 
 def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
-    names = ("r", "r") if kind(shape.element) == "circle" else ("rx", "ry")
+    names = ("r", "r") if name_kind(shape.element) == "circle" else ("rx", "ry")
     rx, ry = (shape.size(name) for name in names)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))
@@ -246,7 +246,7 @@ def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[P
     return read_path(shape.element.get("d", ""), matrix, reading)
 
 
-def _nothing(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
+def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
 
@@ -259,5 +259,5 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     "line": _line,
     "path": _path,
     # One whose target is not there.
-    "use": _nothing,
+    "use": _refuse_shape,
 }

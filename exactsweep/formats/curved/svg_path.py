@@ -7,18 +7,18 @@ from math import ceil
 from typing import NoReturn
 
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.arc import rotation
+from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.curved.curves import (
-    chord_arc_center,
+    bound_root,
+    find_arc_center,
     flatten_arc,
     flatten_bezier,
     place_points,
-    root_above,
 )
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import MAX_VERTICES, Reading
-from exactsweep.geometry.number import NumberError, quoted
+from exactsweep.geometry.number import NumberError, quote
 from exactsweep.geometry.point import ORIGIN, Point
 
 _GAP = re.compile(r"[\s,]*")
@@ -70,9 +70,9 @@ class _Path:
                 self.place += 1
                 self.command = letter
                 if letter not in "MmLlHhVvZzCcSsQqTtAa":
-                    self._refuse(f"{quoted(letter)} is no command", start)
+                    self._refuse(f"{quote(letter)} is no command", start)
             elif not self.command or self.command in "Zz":
-                self._refuse(f"{quoted(self.data[start : start + 20])} instead of a command", start)
+                self._refuse(f"{quote(self.data[start : start + 20])} instead of a command", start)
             if self.command in "Mm":
                 found.append(self.points)
                 self.points = []
@@ -118,7 +118,7 @@ class _Path:
         elif kind == "A":
             self._arc(base, start)
         else:
-            controls = [self._mirrored(control)] if kind in "ST" else []
+            controls = [self._mirror(control)] if kind in "ST" else []
             while len(controls) < (2 if kind in "CS" else 1):
                 controls.append(self._point(base))
             end = self._point(base)
@@ -141,7 +141,7 @@ class _Path:
         self.points += found[1:]
         self.current = end
 
-    def _mirrored(self, control: tuple[str, Point]) -> Point:
+    def _mirror(self, control: tuple[str, Point]) -> Point:
         kinds, point = control
         at = self.current
         if self.command.upper() not in kinds:
@@ -157,7 +157,7 @@ class _Path:
             return
         self._curve(
             last,
-            lambda: elliptic_arc(
+            lambda: flatten_elliptic_arc(
                 (first, last),
                 (rx, ry),
                 angle if rx != ry else Fraction(0),
@@ -187,7 +187,7 @@ class _Path:
         start = self.place
         match = pattern.match(self.data, start)
         if match is None:
-            shown = "the end" if ended else quoted(self.data[start : start + 20])
+            shown = "the end" if ended else quote(self.data[start : start + 20])
             self._refuse(f"{shown} instead of {what}", start)
         self.place = match.end()
         return match[0], start
@@ -202,7 +202,7 @@ class _Path:
         raise FormatError(f"path data, character {place + 1}: {reason}")
 
 
-def elliptic_arc(
+def flatten_elliptic_arc(
     ends: tuple[Point, Point],
     radii: tuple[Fraction, Fraction],
     angle: Fraction,
@@ -232,7 +232,7 @@ def elliptic_arc(
     """
     (rx, ry), (large, left) = radii, flags
     # Half a chord's height is a root, so that it is as good as the root of the angle's error.
-    turn = rotation(angle, reading, power=2)
+    turn = make_rotation(angle, reading, power=2)
     # The inverse of a rotation has the same sine, negative.
     back = turn._replace(b=-turn.b, c=-turn.c)
     start, end = (Point(x / rx, y / ry) for x, y in (back.vector(*point) for point in ends))
@@ -241,10 +241,10 @@ def elliptic_arc(
     half = ((end.x - start.x) ** 2 + (end.y - start.y) ** 2) / 4
     height = zero
     if half < 1:
-        stretch = root_above(image.a**2 + image.b**2 + image.c**2 + image.d**2)
+        stretch = bound_root(image.a**2 + image.b**2 + image.c**2 + image.d**2)
         allowed = reading.allow_curve()
-        height = root_above((1 - half) / half, ceil(8 * stretch / allowed))
+        height = bound_root((1 - half) / half, ceil(8 * stretch / allowed))
     if large == left:
         height = -height
-    center = chord_arc_center(start, end, height)
+    center = find_arc_center(start, end, height)
     return flatten_arc(center, start, end, left, image, reading)

@@ -6,13 +6,13 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, affine
-from exactsweep.formats.curved.svg_transform import composed, read_transform
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
+from exactsweep.formats.curved.svg_transform import compose, read_transform
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS, Reading
-from exactsweep.geometry.number import quoted
+from exactsweep.geometry.number import quote
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -44,8 +44,8 @@ class PlacedElement:
     @cached_property
     def place(self) -> str:
         """What and where it is, for messages."""
-        name = f" {quoted(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
-        return f"line {line(self.element)}: {kind(self.element)}{name}"
+        name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
+        return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
     @cached_property
     def matrix(self) -> Affine:
@@ -55,13 +55,13 @@ class PlacedElement:
         try:
             if "transform" in attributes.get("style", ""):
                 raise FormatError("a transformation in a style cannot be read")
-            product = composed(outer, read_transform(attributes.get("transform", ""), self.reading))
+            product = compose(outer, read_transform(attributes.get("transform", ""), self.reading))
             if self.parent is None:
-                return composed(affine(*_diagonal(self._unit(), self._unit())), product)
-            if kind(self.element) == "use":
-                at = affine(1, 0, 0, 1, self.length("x"), self.length("y"))
-                return composed(product, at)
-            return composed(product, self._view()) if kind(self.element) in _VIEWS else product
+                return compose(make_affine(*_diagonal(self._unit(), self._unit())), product)
+            if name_kind(self.element) == "use":
+                at = make_affine(1, 0, 0, 1, self.length("x"), self.length("y"))
+                return compose(product, at)
+            return compose(product, self._view()) if name_kind(self.element) in _VIEWS else product
         except ValueError as error:
             raise FormatError(f"{self.place}: {error}") from None
 
@@ -86,7 +86,7 @@ class PlacedElement:
         if rule == "inherit":
             return self.parent is not None and self.parent.is_even_odd
         if rule not in ("evenodd", "nonzero"):
-            raise FormatError(f"the fill rule {quoted(rule)} is neither nonzero nor evenodd")
+            raise FormatError(f"the fill rule {quote(rule)} is neither nonzero nor evenodd")
         return rule == "evenodd"
 
     def length(self, name: str, default: str | None = "0") -> Fraction:
@@ -129,8 +129,8 @@ class PlacedElement:
     def _view(self) -> Affine:
         """What maps the inside of a nested svg, or of a symbol, to the outside."""
         attributes = self.element.attrib
-        x, y = (self.length(axis) if kind(self.element) == "svg" else 0 for axis in "xy")
-        at = affine(1, 0, 0, 1, x, y)
+        x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
+        at = make_affine(1, 0, 0, 1, x, y)
         if "viewBox" not in attributes:
             return at
         left, top, width, height = self._box()
@@ -146,15 +146,15 @@ class PlacedElement:
         if fit != "none":
             scale = max(scales) if how == "slice" else min(scales)
             if (fit[:1], fit[4:5]) != ("x", "Y") or not {fit[1:4], fit[5:]} <= _SHARES.keys():
-                raise FormatError(f"preserveAspectRatio is {quoted(fit)}")
+                raise FormatError(f"preserveAspectRatio is {quote(fit)}")
             shares = _SHARES[fit[1:4]], _SHARES[fit[5:]]
             rests = [
                 share * (own_scale - scale) * own
                 for share, own_scale, own in zip(shares, scales, (width, height), strict=True)
             ]
             scales = [scale, scale]
-        moved = affine(1, 0, 0, 1, *rests)
-        return at @ moved @ affine(*_diagonal(*scales)) @ affine(1, 0, 0, 1, -left, -top)
+        moved = make_affine(1, 0, 0, 1, *rests)
+        return at @ moved @ make_affine(*_diagonal(*scales)) @ make_affine(1, 0, 0, 1, -left, -top)
 
     def _extent(self, name: str) -> Fraction | None:
         """A size of a view: that of the `use` that draws it, or its own."""
@@ -169,7 +169,7 @@ class PlacedElement:
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
 
 
-def kind(element: Element) -> str:
+def name_kind(element: Element) -> str:
     """Return the name of an element of SVG."""
     # Comments and processing instructions have a function for a tag.
     return element.tag.removeprefix(_SPACE) if isinstance(element.tag, str) else ""

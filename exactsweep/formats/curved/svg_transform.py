@@ -4,12 +4,12 @@ import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from exactsweep.formats.curved.affine import IDENTITY, Affine, affine
-from exactsweep.formats.curved.arc import rotation
+from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
+from exactsweep.formats.curved.arc import make_rotation
 from exactsweep.formats.decimals import read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.number import abridged, quoted
+from exactsweep.geometry.number import abridge, quote
 
 _FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 # Products of long numbers get longer and longer.
@@ -41,20 +41,20 @@ def read_transform(text: str, reading: Reading) -> Affine:
         if match is None:
             if not text[place:].strip():
                 break
-            raise FormatError(f"{quoted(text[place : place + 40])} is not a transformation")
+            raise FormatError(f"{quote(text[place : place + 40])} is not a transformation")
         name, numbers = match.groups()
         make, counts = _FUNCTIONS.get(name, (None, ()))
         if make is None:
-            raise FormatError(f"{quoted(name)} is not a transformation")
+            raise FormatError(f"{quote(name)} is not a transformation")
         given = read_decimals(numbers)
         if len(given) not in counts:
             raise FormatError(f"{name} with {len(given)} numbers")
-        product = composed(product, make(given, reading))
+        product = compose(product, make(given, reading))
         place = match.end()
     return product
 
 
-def composed(outer: Affine, inner: Affine) -> Affine:
+def compose(outer: Affine, inner: Affine) -> Affine:
     """Return the map that does `inner` and then `outer`; refuse numbers that grow too long."""
     product = outer @ inner
     if any(n.numerator.bit_length() + n.denominator.bit_length() > _MAX_BITS for n in product):
@@ -63,29 +63,29 @@ def composed(outer: Affine, inner: Affine) -> Affine:
 
 
 def _translate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    return affine(1, 0, 0, 1, numbers[0], numbers[1] if len(numbers) > 1 else 0)
+    return make_affine(1, 0, 0, 1, numbers[0], numbers[1] if len(numbers) > 1 else 0)
 
 
 def _scale(numbers: Sequence[Fraction], reading: Reading) -> Affine:
-    return affine(numbers[0], 0, 0, numbers[-1], 0, 0)
+    return make_affine(numbers[0], 0, 0, numbers[-1], 0, 0)
 
 
 def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     angle, *center = numbers
     x, y = center or (0, 0)
-    turn = rotation(angle, reading)
-    return affine(1, 0, 0, 1, x, y) @ turn @ affine(1, 0, 0, 1, -x, -y)
+    turn = make_rotation(angle, reading)
+    return make_affine(1, 0, 0, 1, x, y) @ turn @ make_affine(1, 0, 0, 1, -x, -y)
 
 
 def _tangent(angle: Fraction, reading: Reading) -> Affine:
     """A map whose c is the tangent, within its `off`."""
     if angle % 45 == 0 and angle % 180 != 90:
-        return affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
-    turn = rotation(angle, reading)
+        return make_affine(1, 0, {0: 0, 45: 1, 135: -1}[int(angle % 180)], 1, 0, 0)
+    turn = make_rotation(angle, reading)
     if abs(turn.a) < Fraction(1, 10**6):
-        raise FormatError(f"a skew by {abridged(angle)} degrees")
+        raise FormatError(f"a skew by {abridge(angle)} degrees")
     # By the angle the tangent grows at 1 / cos**2.
-    return affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
+    return make_affine(1, 0, turn.b / turn.a, 1, 0, 0)._replace(off=2 * turn.off / turn.a**2)
 
 
 def _skew_y(numbers: Sequence[Fraction], reading: Reading) -> Affine:

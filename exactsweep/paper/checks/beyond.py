@@ -15,16 +15,14 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.geometry.segment import Segment, along, offset, segment
-from exactsweep.paper.checks.planar import free_parts, swept_polygons
+from exactsweep.geometry.point import Fit, Rational, Vertex
+from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
+from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
-from exactsweep.paper.claim import Effort, Evidence, first_failure
+from exactsweep.paper.claim import Effort, Evidence, find_first_failure
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
-
-Fits = Iterable[tuple[Point, Point]]
 
 # A square, and a cave that it fills, with a mouth half as wide: one position, free and held.
 HELD = SweepPair(
@@ -59,7 +57,7 @@ def no_fit_is_the_definition(pair: SweepPair) -> str:
     return ""
 
 
-def _show(fits: Fits) -> str:
+def _show(fits: Iterable[Fit]) -> str:
     return "; ".join(f"({p.x}, {p.y}) to ({q.x}, {q.y})" for p, q in fits) or "none"
 
 
@@ -90,7 +88,7 @@ def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
                 way = _minus(q, p)
                 turns = _cross(into, out), _cross(into, way), _cross(way, out)
                 if turns[0] > 0 and min(turns) >= 0:
-                    yield segment((_plus(at, p), _plus(at, q)))
+                    yield make_segment((_plus(at, p), _plus(at, q)))
 
 
 def _minus(p: Vertex, q: Vertex) -> Vertex:
@@ -119,7 +117,8 @@ def boundary_is_contact(pair: SweepPair) -> str:
         if p != q and not _lies_on((p, q), known):
             return f"off all contact segments: {_show([(p, q)])}"
         if p == q and not any(
-            offset(s.direction, p) == s.offset and s.low <= along(s.direction, p) <= s.high
+            find_offset(s.direction, p) == s.offset
+            and s.low <= measure_along(s.direction, p) <= s.high
             for s in known
         ):
             return f"off all contact segments: ({p.x}, {p.y})"
@@ -128,7 +127,7 @@ def boundary_is_contact(pair: SweepPair) -> str:
 
 def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
     """Whether segments of its line cover an edge."""
-    whole = segment(edge)
+    whole = make_segment(edge)
     reached = whole.low
     for piece in sorted(s for s in known if s[:2] == whole[:2]):
         if piece.low > reached:
@@ -231,7 +230,7 @@ def find_touching_loops(effort: Effort) -> Evidence:
             failures.append(f"a loop is off {place}")
         if len(found.exact_fits) != (not loops):
             failures.append(f"exact fits {_show(found.exact_fits)}")
-    return Evidence("And 3 cases by hand.", first_failure(iter(failures)))
+    return Evidence("And 3 cases by hand.", find_first_failure(iter(failures)))
 
 
 def find_room(effort: Effort) -> Evidence:
@@ -266,6 +265,8 @@ def swept_area_leaves_its_loops(pair: SweepPair) -> str:
     """What G passes over leaves as many parts of the plane free as there are loops."""
     s = sweep(*pair)
     corners = s.trajectory.vertices
-    parts = free_parts(swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]]))))
+    parts = count_free_parts(
+        list_swept_polygons(pair.generatrix, list(pairwise([*corners, corners[0]])))
+    )
     loops = 2 + len(s.unswept)
     return "" if parts == loops else f"{parts} parts of the plane are free, for {loops} loops"

@@ -16,30 +16,30 @@ from math import lcm
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
-from exactsweep.corpus.generator.shapes import Ring, hull
+from exactsweep.corpus.generator.shapes import Ring, take_hull
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 
-Piece = tuple[Point, Point]
-Opening = tuple[Piece | None, Piece | None]
+SegmentPiece = tuple[Point, Point]
+Opening = tuple[SegmentPiece | None, SegmentPiece | None]
 """What bounds a free interval of a vertical line below and above; None, nothing does."""
 
 T = TypeVar("T")
 
 
-def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Piece]:
+def find_contact_pieces(generatrix: Ring, directrix: Ring) -> list[SegmentPiece]:
     """The pieces of the positions of G in contact with D, connected with the leftmost one.
 
     Cost: O(m n) segments, cut where they meet, each piece classified: for small polygons.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> len(contact_pieces(triangle, triangle))
+    >>> len(find_contact_pieces(triangle, triangle))
     6
     """
     g, d = Polygon(generatrix).vertices, Polygon(directrix).vertices
-    segments = {_ordered(_minus(v, p), _minus(v, q)) for p, q in _edges(g) for v in d}
-    segments |= {_ordered(_minus(p, w), _minus(q, w)) for p, q in _edges(d) for w in g}
-    ends: defaultdict[Piece, set[Point]] = defaultdict(set)
+    segments = {_order(_minus(v, p), _minus(v, q)) for p, q in _edges(g) for v in d}
+    segments |= {_order(_minus(p, w), _minus(q, w)) for p, q in _edges(d) for w in g}
+    ends: defaultdict[SegmentPiece, set[Point]] = defaultdict(set)
     for segment in segments:
         ends[segment].update(segment)
     for one, other in combinations(sorted(segments), 2):
@@ -59,34 +59,34 @@ def contact_pieces(generatrix: Ring, directrix: Ring) -> list[Piece]:
     return [piece for piece in touching if groups.root(piece[0]) == first]
 
 
-def swept_polygons(generatrix: Ring, pieces: Iterable[Piece]) -> list[list[Point]]:
+def list_swept_polygons(generatrix: Ring, pieces: Iterable[SegmentPiece]) -> list[list[Point]]:
     """Convex polygons whose union is what an X-monotone G passes over along pieces of its path."""
-    cells = convex_cells(generatrix)
+    cells = cut_to_cells(generatrix)
     return [
-        hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
+        take_hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
         for piece in pieces
         for cell in cells
     ]
 
 
-def convex_cells(ring: Ring) -> list[list[Point]]:
+def cut_to_cells(ring: Ring) -> list[list[Point]]:
     """Convex polygons whose union is an X-monotone polygon: itself, or one for each slab.
 
-    >>> len(convex_cells([(0, 0), (1, 2), (2, 0), (2, 3), (0, 3)]))
+    >>> len(cut_to_cells([(0, 0), (1, 2), (2, 0), (2, 3), (0, 3)]))
     2
     """
     points = list(Polygon(ring).vertices)
     if Polygon(ring).is_convex:
         return [points]
-    edges = [_ordered(p, q) for p, q in _edges(points) if p.x != q.x]
+    edges = [_order(p, q) for p, q in _edges(points) if p.x != q.x]
     cells = []
     for left, right in pairwise(sorted({p.x for p in points})):
         across = [edge for edge in edges if edge[0].x <= left and right <= edge[1].x]
-        cells.append(hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
+        cells.append(take_hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
     return cells
 
 
-def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
+def count_free_parts(polygons: Sequence[Sequence[Point]]) -> int:
     """Into how many connected parts a union of closed convex polygons divides the rest.
 
     One for a disc, two for an annulus.
@@ -95,11 +95,11 @@ def free_parts(polygons: Sequence[Sequence[Point]]) -> int:
         polygons: their vertices, counter-clockwise.
 
     >>> triangle = [(0, 0), (1, 0), (0, 1)]
-    >>> free_parts(swept_polygons(triangle, contact_pieces(triangle, triangle)))
+    >>> count_free_parts(list_swept_polygons(triangle, find_contact_pieces(triangle, triangle)))
     2
     """
     scale = lcm(*(c.denominator for polygon in polygons for p in polygon for c in p))
-    shapes = [_Cell([_scale(p, scale) for p in polygon]) for polygon in polygons]
+    shapes = [_ConvexCell([_scale(p, scale) for p in polygon]) for polygon in polygons]
     edges = [edge for shape in shapes for edge in shape.edges]
     xs = {p.x for edge in edges for p in edge}
     for one, other in combinations(edges, 2):
@@ -157,7 +157,7 @@ class Groups(Generic[T]):
         return sum(item == parent for item, parent in self._parents.items())
 
 
-class _Cell:
+class _ConvexCell:
     """A convex polygon as a bottom and a top, made of edges from left to right."""
 
     def __init__(self, polygon: Sequence[Point]) -> None:
@@ -166,7 +166,7 @@ class _Cell:
         self.top = [(q, p) for p, q in self.edges if q.x < p.x]
         self.left, self.right = min(polygon).x, max(polygon).x
 
-    def section(self, x: Fraction) -> tuple[Piece, Piece] | None:
+    def section(self, x: Fraction) -> tuple[SegmentPiece, SegmentPiece] | None:
         """The bottom and the top edge over an x; None beside the polygon."""
         if not self.left <= x <= self.right:
             return None
@@ -175,13 +175,13 @@ class _Cell:
         return None if below is None or above is None else (below, above)
 
 
-def _openings(shapes: Sequence[_Cell], x: Fraction) -> list[Opening]:
+def _openings(shapes: Sequence[_ConvexCell], x: Fraction) -> list[Opening]:
     """The free intervals of a vertical line, from below."""
     found = [section for shape in shapes if (section := shape.section(x))]
     spans = sorted((_at(below, x), _at(above, x), below, above) for below, above in found)
     gaps: list[Opening] = []
     reached: Fraction | None = None
-    last: Piece | None = None
+    last: SegmentPiece | None = None
     for low, high, below, above in spans:
         if reached is None or low > reached:
             gaps.append((last, below))
@@ -202,7 +202,7 @@ def _holds(gap: Opening, x: Fraction, y: Fraction) -> bool:
     return (below is None or _at(below, x) < y) and (above is None or y < _at(above, x))
 
 
-def _at(edge: Piece, x: Fraction) -> Fraction:
+def _at(edge: SegmentPiece, x: Fraction) -> Fraction:
     p, q = edge
     return p.y + (q.y - p.y) * (x - p.x) / (q.x - p.x)
 
@@ -215,11 +215,11 @@ def _minus(p: Point, q: Point) -> Point:
     return Point(p.x - q.x, p.y - q.y)
 
 
-def _ordered(p: Point, q: Point) -> Piece:
+def _order(p: Point, q: Point) -> SegmentPiece:
     return (p, q) if p < q else (q, p)
 
 
-def _common(one: Piece, other: Piece) -> Iterator[Point]:
+def _common(one: SegmentPiece, other: SegmentPiece) -> Iterator[Point]:
     """Where two segments meet: a point, or the ends of what they share."""
     (p, q), (r, s) = one, other
     if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):

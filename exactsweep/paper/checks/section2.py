@@ -12,14 +12,18 @@ from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Step, explain
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.paper.checks.planar import contact_pieces, free_parts, swept_polygons
+from exactsweep.paper.checks.planar import (
+    count_free_parts,
+    find_contact_pieces,
+    list_swept_polygons,
+)
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,
     Evidence,
     Table,
-    first_failure,
+    find_first_failure,
 )
 from exactsweep.paper.functions import (
     find_common_points,
@@ -28,7 +32,7 @@ from exactsweep.paper.functions import (
     take_bottom,
     tell_difference,
 )
-from exactsweep.paper.pairs import SweepPair, random_pairs
+from exactsweep.paper.pairs import SweepPair, draw_pairs
 from exactsweep.paper.tiny import is_convex, search, search_grid
 from exactsweep.procedures.chain import split
 from exactsweep.procedures.lower_sweep import LowerSweep
@@ -91,7 +95,7 @@ def sweep_pieces(s: Sweep) -> list[tuple[Point, Point]]:
 
 def is_annulus(pair: SweepPair) -> str:
     """What G passes over leaves two parts of the plane free, D's and the outside."""
-    parts = free_parts(swept_polygons(pair.generatrix, sweep_pieces(sweep(*pair))))
+    parts = count_free_parts(list_swept_polygons(pair.generatrix, sweep_pieces(sweep(*pair))))
     return "" if parts == 2 else f"the swept area leaves {parts} parts of the plane free"
 
 
@@ -104,7 +108,9 @@ def find_void(effort: Effort) -> Evidence:
     """Count the free parts around a cave that G goes into."""
     directrix = scale(CAVE.directrix, 10)
     sizes = [scale(CAVE.generatrix, factor) for factor in ((10,) if effort.quick else (9, 10, 11))]
-    parts = {free_parts(swept_polygons(g, contact_pieces(g, directrix))) for g in sizes}
+    parts = {
+        count_free_parts(list_swept_polygons(g, find_contact_pieces(g, directrix))) for g in sizes
+    }
     against = None
     if parts == {3}:
         against = Counterexample(
@@ -152,10 +158,10 @@ def widths_add_up(pair: SweepPair) -> str:
 def steps_have_contacts(pair: SweepPair) -> str:
     """All along every edge of the trajectory there is an EV, VE or EE contact."""
     s = sweep(*pair)
-    return contacts_are_right(s) or first_failure(map(_uncovered, explain(s)))
+    return contacts_are_right(s) or find_first_failure(map(_find_uncovered, explain(s)))
 
 
-def _uncovered(step: Step) -> str:
+def _find_uncovered(step: Step) -> str:
     start, end = step.start, step.end
     reached = start
     forward = 1 if start < end else -1
@@ -173,7 +179,7 @@ def count_events(effort: Effort) -> Evidence:
     events = Counter(
         contact.event
         for kind in KINDS
-        for pair in random_pairs(effort, kind, effort.cases(150))
+        for pair in draw_pairs(effort, kind, effort.cases(150))
         for at in sweep(*pair).vertex_contacts
         for contact in at
     )

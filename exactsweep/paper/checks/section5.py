@@ -10,7 +10,7 @@ from itertools import pairwise
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.point import Edge, Vertex
-from exactsweep.geometry.segment import Segment, segment
+from exactsweep.geometry.segment import Segment, make_segment
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence
@@ -25,7 +25,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
-from exactsweep.procedures.chain import complement, convex_parts, inverse, split
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
@@ -46,7 +46,7 @@ def trajectory_mm_is_right(pair: SweepPair) -> str:
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
     return lowest("sub-trajectory", chains, take_bottom(look_up(pair).trajectory))
 
@@ -190,7 +190,7 @@ def edges_are_near(pair: SweepPair) -> str:
     s = sweep(*pair)
     if any(p.x == q.x for polygon in (s.generatrix, s.directrix) for p, q in _edges(polygon)):
         return ""
-    loops = [[segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
+    loops = [[make_segment(edge) for edge in _edges(loop)] for loop in (s.inner, s.outer)]
     for p, q in _edges(s.trajectory):
         normal = q.y - p.y, p.x - q.x
         heights = []
@@ -217,7 +217,7 @@ def _edges(polygon: Polygon) -> list[tuple[Point, Point]]:
 
 
 def _shares(edge: Edge, other: Segment) -> bool:
-    one = segment(edge)
+    one = make_segment(edge)
     return one[:2] == other[:2] and one.shares_piece(other)
 
 

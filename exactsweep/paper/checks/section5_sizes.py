@@ -19,24 +19,24 @@ from exactsweep.paper.checks.segments import (
     BEST,
     RECORDS,
     Stroke,
-    pieces,
+    build_windows,
+    build_windows_of_windows,
+    count_pieces,
     pieces_in,
-    windows,
-    windows_of_windows,
 )
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,
     Evidence,
     Table,
-    first_failure,
+    find_first_failure,
 )
 from exactsweep.paper.counting import grow_vertices
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference
 from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
-from exactsweep.procedures.chain import convex_parts, inverse
+from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -48,7 +48,7 @@ OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0)
 def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     sizes = [len(keep_corners(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
     found = len(keep_corners(trajectory_mm(top, directrix))) - 1
     if found <= sum(sizes):
@@ -61,13 +61,15 @@ def outgrows_its_parts(pair: SweepPair) -> str:
 
 def pieces_at_the_sides(segments: Sequence[Stroke]) -> int:
     """Pieces of the envelopes of the first and of the last 1, ..., s - 1 of s segments."""
-    return sum(pieces(segments[:k]) + pieces(segments[k:]) for k in range(1, len(segments)))
+    return sum(
+        count_pieces(segments[:k]) + count_pieces(segments[k:]) for k in range(1, len(segments))
+    )
 
 
 def window_is_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     """All windows come out in one trajectory: what fails, and a row of the table."""
-    pair, count = windows(segments), len(segments)
-    most = pieces(segments)
+    pair, count = build_windows(segments), len(segments)
+    most = count_pieces(segments)
     expected = (count + 1) * most + pieces_at_the_sides(segments)
     found = pieces_in(keep_corners(whole_trajectory(pair.chains)), segments)
     failure = trajectory_mm_is_right(pair) if count <= 3 else ""
@@ -100,8 +102,8 @@ def fill_windows(effort: Effort) -> Evidence:
         grow_vertices("trajectory", whole_trajectory, mm, MN, sizes_from(effort)),
         grow_vertices("trajectory", whole_trajectory, figure10, MN, sizes_from(effort)),
     )
-    failure = first_failure(text for text, _ in results) or rising
-    failure = failure or first_failure(g.failure for g in growth)
+    failure = find_first_failure(text for text, _ in results) or rising
+    failure = failure or find_first_failure(g.failure for g in growth)
     failure = failure or trajectory_mm_is_right(OUTGROWING)
     failure = failure or sub_trajectories_suffice(OUTGROWING)
     return replace(found, failure=failure, tables=(table,), growth=growth)
@@ -137,8 +139,8 @@ def outer_edges(pair: SweepPair) -> int:
 
 def windows_of_windows_are_full(segments: Sequence[Stroke]) -> tuple[str, list[str]]:
     """All windows come out in one outer boundary: what fails, and a row of the table."""
-    pair, count = windows_of_windows(segments), len(segments)
-    most, full = pieces(segments), count * (count - 1) + 1
+    pair, count = build_windows_of_windows(segments), len(segments)
+    most, full = count_pieces(segments), count * (count - 1) + 1
     outer = keep_corners(outer_boundary(pair.chains))
     # The ends of G may add some.
     least, found = full * most + pieces_at_the_sides(segments), pieces_in(outer, segments)
@@ -160,7 +162,7 @@ def beyond_mn2() -> tuple[str, Counterexample, Table]:
         f"boundary in {full} full windows, {rate} for each segment, peak and tip, which rises with "
         "the envelopes of segments (see Lemma 5.2)",
         "the segments of Lemma 5.2, laid over one another twice",
-        *windows_of_windows(BEST[len(results) - 1]),
+        *build_windows_of_windows(BEST[len(results) - 1]),
     )
     table = Table(
         "Outer boundaries of s segments in D_b, s peaks in G_t and s tips in G_b that hold "
@@ -168,7 +170,7 @@ def beyond_mn2() -> tuple[str, Counterexample, Table]:
         ("s", "pieces", "full windows", "pieces in all", "for each segment, peak and tip"),
         [row for _, row in results],
     )
-    return first_failure(text for text, _ in results) or rising, against, table
+    return find_first_failure(text for text, _ in results) or rising, against, table
 
 
 def fill_windows_of_windows(effort: Effort) -> Evidence:

@@ -85,10 +85,10 @@ RECORDS = (
 )
 
 
-def pieces(segments: Sequence[Stroke]) -> int:
+def count_pieces(segments: Sequence[Stroke]) -> int:
     """Pieces of the lower envelope of some segments, holes not counted.
 
-    >>> pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
+    >>> count_pieces([(0, 0, 4, 0), (1, -1, 2, -1)])
     3
     """
     lines = [
@@ -107,7 +107,7 @@ def pieces(segments: Sequence[Stroke]) -> int:
     return 1 + sum(p != q for p, q in pairwise(lowest))
 
 
-def windows(segments: Sequence[Stroke]) -> SweepPair:
+def build_windows(segments: Sequence[Stroke]) -> SweepPair:
     """A pair whose trajectory has the envelope of all s segments s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.
@@ -119,7 +119,7 @@ def windows(segments: Sequence[Stroke]) -> SweepPair:
     return SweepPair([top[0], (right // 2, low - high), *top[:0:-1]], directrix)
 
 
-def windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
+def build_windows_of_windows(segments: Sequence[Stroke]) -> SweepPair:
     """A pair whose outer boundary has the envelope of all s segments s^2 - s + 1 times.
 
     Left and right of these it has the envelopes of the first and of the last 1, ..., s - 1 of them.

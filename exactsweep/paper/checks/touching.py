@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from exactsweep import Polygon, Sweep
-from exactsweep.check.certificate import CertificateError, Contact
+from exactsweep.check.certificate import CertificateError
 from exactsweep.check.contacts import check_contacts
-from exactsweep.check.loop import Frame, Loop
+from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import ORIGIN
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.pairs import SweepPair
@@ -17,21 +17,17 @@ def contacts_are_right(s: Sweep) -> str:
     pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
     if s.trajectory.vertices != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
-    frame = Frame((1, 0), 1)
-    nodes = [(-x, -y, w) for x, y, w in frame.enter(g.vertices, ORIGIN)]
-    trajectory = Loop(frame.enter(s.trajectory.vertices, s.reference), "trajectory", frame)
-    directrix = Loop(frame.enter(d.vertices, ORIGIN), "directrix", frame)
+    frame = NodeFrame((1, 0), 1)
+    generatrix = MonotoneLoop(frame.enter(g.vertices, ORIGIN), "generatrix", frame)
+    trajectory = MonotoneLoop(frame.enter(s.trajectory.vertices, s.reference), "trajectory", frame)
+    directrix = MonotoneLoop(frame.enter(d.vertices, ORIGIN), "directrix", frame)
     of_g, of_d = _numbers(g), _numbers(d)
     listed = [
-        [
-            Contact(event, of_g[event[0], i], of_d[event[1], j])
-            for event, i, j in found
-            if event != "VV"
-        ]
+        [(event, of_g[event[0], i], of_d[event[1], j]) for event, i, j in found if event != "VV"]
         for found in s.contacts
     ]
     try:
-        check_contacts(trajectory, directrix, Loop(nodes, "generatrix", frame), listed, frame)
+        check_contacts(trajectory, directrix, generatrix.turn_half(), listed, frame)
     except CertificateError as flaw:
         return str(flaw)
     return ""

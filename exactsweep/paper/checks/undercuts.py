@@ -8,7 +8,7 @@ from exactsweep import Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
 from exactsweep.evidence.undercut import find_pockets
-from exactsweep.paper.claim import Counterexample, Effort, Evidence, first_failure
+from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.growth import MN2, Growth, double, grow
@@ -29,8 +29,8 @@ def find_long_undercut(effort: Effort) -> Evidence:
             double(8, 2 if effort.quick else 3),
         )
     )
-    failure = proved_case(needles, 10, 8) or first_failure(map(_fall_behind, growth))
-    failure = failure or first_failure(map(_undercut_falls_behind, (10, 20, 30)))
+    failure = proved_case(needles, 10, 8) or find_first_failure(map(_fall_behind, growth))
+    failure = failure or find_first_failure(map(_undercut_falls_behind, (10, 20, 30)))
     tried = f"{found.tried} A family of needles, one of them proved by its certificate."
     return replace(found, tried=tried, failure=failure, growth=growth)
 
@@ -115,5 +115,5 @@ def count_undercuts(effort: Effort) -> Evidence:
         "the family of terraces",
         *pair,
     )
-    failure = proved_case(terraces, 7, 20) or first_failure(few)
+    failure = proved_case(terraces, 7, 20) or find_first_failure(few)
     return Evidence("A family of terraces.", failure, against, growth=growth)

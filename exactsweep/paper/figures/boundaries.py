@@ -10,7 +10,7 @@ from exactsweep.canvas import style
 from exactsweep.draw import draw_undercuts
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
-from exactsweep.paper.figures.minkowski import example
+from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.figures.sheet import (
     COLUMN,
     INNER,
@@ -30,9 +30,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def _half() -> LowerSweep:
+def _sweep_half() -> LowerSweep:
     """The lower sweep of Figure 1."""
-    s = example()
+    s = sweep_example()
     bottom, top = split(s.generatrix.vertices)
     return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
 
@@ -49,14 +49,14 @@ def _top_chain(half: LowerSweep) -> list[Vertex]:
 
 def _stations(half: LowerSweep) -> list[Point]:
     """Where the reference point is when the sweep starts and when it stops."""
-    x, y = example().reference
+    x, y = sweep_example().reference
     path = list(half.trajectory)
     return [Point(px + x, py + y) for px, py in (path[0], path[-1])]
 
 
 def list_facts() -> Facts:
     """What the figure states."""
-    half = _half()
+    half = _sweep_half()
     start, stop = _stations(half)
     return [
         ("edges of the inner boundary", str(len(half.inner) - 1)),
@@ -67,7 +67,7 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s, half = example(), _half()
+    s, half = sweep_example(), _sweep_half()
     yield from loops_differ(s)
     yield from overlaps(s, _stations(half))
     left, right = (Fraction(x) for x, _ in (half.directrix[0], half.directrix[-1]))
@@ -84,7 +84,7 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    s, half = example(), _half()
+    s, half = sweep_example(), _sweep_half()
     top = _top_chain(half)
     low = min(y for _, y in half.outer) - 3
     start, stop = _stations(half)

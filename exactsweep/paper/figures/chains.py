@@ -21,7 +21,7 @@ from exactsweep.paper.figures.sheet import (
     Extent,
     Margins,
     Sheet,
-    middle,
+    find_middle,
 )
 from exactsweep.paper.functions import sample_between
 from exactsweep.procedures.chain import split
@@ -92,4 +92,6 @@ def draw() -> Figure:
 def _heads(panel: BarePicture, chain: Sequence[Vertex], look: Look) -> None:
     """Arrow heads in the middle of the edges, which run counter-clockwise."""
     for p, q in pairwise(chain):
-        panel.arrow(middle(p, q), middle(p, q, share=Fraction(5, 8)), replace(look, dash="-"))
+        panel.arrow(
+            find_middle(p, q), find_middle(p, q, share=Fraction(5, 8)), replace(look, dash="-")
+        )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.draw import Stretch, placed_generatrix, stretches
+from exactsweep.draw import ContactStretch, cut_trajectory, place_generatrix
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
@@ -19,10 +19,10 @@ from exactsweep.paper.figures.sheet import (
     Extent,
     Margins,
     Sheet,
-    half_way,
-    middle,
+    find_half_way,
+    find_middle,
 )
-from exactsweep.paper.figures.undercuts import examples, undercut
+from exactsweep.paper.figures.undercuts import find_undercut, sweep_examples
 from exactsweep.procedures.chain import split
 from exactsweep.sweep import Sweep
 
@@ -42,7 +42,7 @@ class Frozen(NamedTuple):
     right: Point
 
 
-def _at(s: Sweep, stretch: Stretch, at: Point) -> Frozen:
+def _at(s: Sweep, stretch: ContactStretch, at: Point) -> Frozen:
     """The contact at a position on a stretch, by the events that last there."""
     spots = [p for c in stretch.contacts for p in Features(s).spot(c, at)]
     return Frozen(at, min(spots), max(spots))
@@ -50,10 +50,10 @@ def _at(s: Sweep, stretch: Stretch, at: Point) -> Frozen:
 
 def motion() -> list[Frozen]:
     """The ends of the contact along the lower sweep of Figure 7b, at both ends of each stretch."""
-    s = examples()[1]
+    s = sweep_examples()[1]
     return [
         _at(s, stretch, at)
-        for stretch in stretches(s)
+        for stretch in cut_trajectory(s)
         if stretch.start.x < stretch.end.x
         for at in (stretch.start, stretch.end)
     ]
@@ -61,9 +61,9 @@ def motion() -> list[Frozen]:
 
 def freeze() -> Frozen:
     """Half-way along the segment of positions at which G closes the undercut of Figure 7b."""
-    s = examples()[1]
-    first, last = undercut(s).positions
-    at = half_way(first, last)
+    s = sweep_examples()[1]
+    first, last = find_undercut(s).positions
+    at = find_half_way(first, last)
     spots = [p for c in s.contacts_at(at) for p in Features(s).spot(c, at)]
     return Frozen(at, min(spots), max(spots))
 
@@ -86,7 +86,7 @@ def _text(p: Point) -> str:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = examples()[1]
+    s = sweep_examples()[1]
     yield from loops_differ(s)
     path = motion()
     yield from overlaps(s, [moment.at for moment in path])
@@ -97,8 +97,8 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    s, found = examples()[1], freeze()
-    ring = placed_generatrix(s, found.at).vertices
+    s, found = sweep_examples()[1], freeze()
+    ring = place_generatrix(s, found.at).vertices
     path = motion()
     first, travelled = path[0].at.x, path[-1].at.x - path[0].at.x
     width = s.directrix.bounding_box[1].x
@@ -120,9 +120,9 @@ def draw() -> Figure:
         picture.label(min(ring), "$v_l$", -9)
         picture.label((6, 6), "$D$")
         bottom = split(s.directrix.vertices)[0]
-        picture.label(middle(*bottom[:2]), "$D_b^l$", -9, -7)
-        picture.label(middle(*bottom[-2:]), "$D_b^r$", 13, -5)
-        picture.label(middle(min(ring), max(ring)), "$G$", 0, -8)
+        picture.label(find_middle(*bottom[:2]), "$D_b^l$", -9, -7)
+        picture.label(find_middle(*bottom[-2:]), "$D_b^r$", 13, -5)
+        picture.label(find_middle(min(ring), max(ring)), "$G$", 0, -8)
         chart.arrow((0, 0), (travelled + 1, 0))
         chart.arrow((0, 0), (0, width + 1))
         chart.line([(m.at.x - first, m.left.x) for m in path], LEFT)
@@ -131,7 +131,7 @@ def draw() -> Figure:
             chart.label((0, x), str(x), -4, ha="right", size=SMALL)
         chart.label((travelled / 2, 0), "distance that $G$ has travelled", 0, -8)
         chart.label((0, width), "$x$ on $D_b$", 6, 6, ha="left")
-        start, end = (p.x - first for p in undercut(s).positions)
+        start, end = (p.x - first for p in find_undercut(s).positions)
         chart.label(((start + end) / 2, found.left.x), "$p_l$", 0, -8)
         chart.label(((start + end) / 2, found.right.x), "$p_r$", 0, 8)
     return sheet.figure

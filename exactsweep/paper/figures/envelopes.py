@@ -25,7 +25,7 @@ from exactsweep.paper.figures.sheet import (
 )
 from exactsweep.paper.functions import keep_corners, take_bottom
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
@@ -43,22 +43,22 @@ GROUND = Look("white", 3.0, order=4.5)
 """Under dashes, so that other lines do not show between them."""
 
 
-def example() -> Sweep:
+def sweep_example() -> Sweep:
     """The CM sweep; the reference point is inside G."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(2, 0))
 
 
-def half() -> LowerSweep:
+def sweep_half() -> LowerSweep:
     """Its lower half."""
-    s = example()
+    s = sweep_example()
     bottom, top = split(s.generatrix.vertices)
     return LowerSweep(s.kind, top, bottom, split(s.directrix.vertices)[0])
 
 
 def _sub_chains() -> tuple[list[list[Vertex]], list[list[Vertex]]]:
     """Sub-trajectories of the reference point, and sub-outer chains."""
-    lower, reference = half(), example().reference
-    parts = convex_parts(lower.directrix)
+    lower, reference = sweep_half(), sweep_example().reference
+    parts = find_convex_parts(lower.directrix)
     return (
         [shift(trajectory_cc(lower.top, part), reference) for part in parts],
         [sweep_outer_cc(lower.top, lower.bottom, part) for part in parts],
@@ -67,16 +67,16 @@ def _sub_chains() -> tuple[list[list[Vertex]], list[list[Vertex]]]:
 
 def _envelopes() -> tuple[list[Vertex], list[Vertex]]:
     """The trajectory of the reference point, and the outer boundary."""
-    lower = half()
+    lower = sweep_half()
     return (
-        shift(trajectory_cm(lower.top, lower.directrix), example().reference),
+        shift(trajectory_cm(lower.top, lower.directrix), sweep_example().reference),
         list(sweep_outer_cm(lower.top, lower.bottom, lower.directrix)),
     )
 
 
 def list_facts() -> Facts:
     """What the figure states."""
-    parts = convex_parts(half().directrix)
+    parts = find_convex_parts(sweep_half().directrix)
     paths, outers = _sub_chains()
     path, outer = _envelopes()
     return [
@@ -86,13 +86,13 @@ def list_facts() -> Facts:
         ("edges of the trajectory", str(len(path) - 1)),
         ("edges of the sub-outer chains", ", ".join(str(len(p) - 1) for p in outers)),
         ("edges of the outer boundary", str(len(outer) - 1)),
-        ("undercuts", str(len(example().undercuts))),
+        ("undercuts", str(len(sweep_example().undercuts))),
     ]
 
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = example()
+    s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, s.undercuts[0].positions)
     path, outer = _envelopes()
@@ -107,10 +107,10 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    s = example()
+    s = sweep_example()
     paths, outers = _sub_chains()
     path, outer = _envelopes()
-    parts = convex_parts(half().directrix)
+    parts = find_convex_parts(sweep_half().directrix)
     d_top = split(s.directrix.vertices)[1]
     everything = [s.directrix.vertices, *paths, *outers]
     beside = shift(s.generatrix.vertices, (-5, 0))
@@ -134,7 +134,7 @@ def draw() -> Figure:
         a.label(parts[1][1], "$D_2$", 14, -8)
         a.dots([parts[0][-1]])
         for panel in (b, c):
-            panel.line(half().directrix, THIN)
+            panel.line(sweep_half().directrix, THIN)
         for look, one, two in zip(PARTS, paths, outers, strict=True):
             b.line(one, look)
             b.line(two, replace(look, width=1.0))
@@ -150,5 +150,5 @@ def draw() -> Figure:
         c.label(path[0], "trajectory", 4, 8)
         c.label((8, 3), "undercut", 34, 13, leader=True)
         for panel, words in ((b, "sub-outer chains"), (c, "outer boundary")):
-            panel.label((half().directrix[3][0] - 2, min(y for _, y in outer)), words, 0, -9)
+            panel.label((sweep_half().directrix[3][0] - 2, min(y for _, y in outer)), words, 0, -9)
     return sheet.figure

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Protocol, cast
 
 from exactsweep.check import classify, reference_loops
 from exactsweep.geometry.point import Vertex
-from exactsweep.paper.claim import Evidence, Table, first_failure
+from exactsweep.paper.claim import Evidence, Table, find_first_failure
 from exactsweep.sweep import Sweep
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def check_figure(name: str, against: str) -> Evidence:
     figure = load(name)
     rows = [list(fact) for fact in figure.list_facts()]
     table = Table("What the figure states", ("what", "value"), rows)
-    return Evidence(against, first_failure(figure.find_failures()), tables=(table,))
+    return Evidence(against, find_first_failure(figure.find_failures()), tables=(table,))
 
 
 def loops_differ(s: Sweep) -> Iterator[str]:

@@ -11,7 +11,7 @@ from exactsweep.canvas.style import Look
 from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
-from exactsweep.paper.figures.minkowski import example, inverse_generatrix
+from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
 from exactsweep.paper.figures.sheet import (
     INNER,
     OUTER,
@@ -34,26 +34,26 @@ if TYPE_CHECKING:
 INVERSE = Look(style.PURPLE, 1.0, fill="#cc79a740", order=4)
 
 
-def inverse_at(place: Vertex) -> list[Vertex]:
+def place_inverse(place: Vertex) -> list[Vertex]:
     """I(G), its reference point at a place."""
-    return shift(inverse_generatrix(example()).vertices, place)
+    return shift(invert_generatrix(sweep_example()).vertices, place)
 
 
 def _inside() -> list[Point]:
     """Where I(G) is drawn inside the trajectory: vertices of the inner loop."""
-    corners = example().inner.vertices
+    corners = sweep_example().inner.vertices
     return [corners[0], corners[2], corners[4], corners[7]]
 
 
 def _outside() -> list[Point]:
     """Where it is drawn outside: vertices of the outer loop."""
-    corners = example().outer.vertices
+    corners = sweep_example().outer.vertices
     return [corners[0], corners[4], corners[12], corners[20]]
 
 
 def list_facts() -> Facts:
     """What the figure states."""
-    s = example()
+    s = sweep_example()
     return [
         ("edges of the trajectory", str(len(s.trajectory))),
         ("edges of the inner loop, retraced inside", str(len(s.inner))),
@@ -63,12 +63,12 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = example()
+    s = sweep_example()
     yield from loops_differ(s)
-    outside = no_fit_polygon(s.trajectory, inverse_generatrix(s)).exterior
+    outside = no_fit_polygon(s.trajectory, invert_generatrix(s)).exterior
     yield differ("the loop outside is the outer one", outside == s.outer, True)
     for place in s.inner.vertices:
-        yield _sticks_out(inverse_at(place), s.trajectory)
+        yield _sticks_out(place_inverse(place), s.trajectory)
 
 
 def _sticks_out(ring: Sequence[Vertex], around: Polygon) -> str:
@@ -89,11 +89,11 @@ def _beside(x: Rational, chain: Sequence[Vertex]) -> bool:
 
 def draw() -> Figure:
     """The picture."""
-    s = example()
+    s = sweep_example()
     boxes = [
         Extent.around(
             s.outer.vertices,
-            *map(inverse_at, _outside()),
+            *map(place_inverse, _outside()),
             title=title,
             margins=Margins(4, 6, 4, 12),
         )
@@ -104,7 +104,7 @@ def draw() -> Figure:
         for panel, places, dx, dy in ((left, _inside(), -14, 26), (right, _outside(), 46, -16)):
             panel.line(s.trajectory.vertices, TRAJECTORY, closed=True)
             for place in places:
-                panel.area(inverse_at(place), INVERSE)
+                panel.area(place_inverse(place), INVERSE)
                 panel.label(place, "$I(G)$", 0, -10, size=SMALL)
             panel.dots(places, SMALL_DOT)
             panel.label((1, 10), "trajectory", dx, dy, leader=True)

@@ -15,7 +15,7 @@ from exactsweep.geometry.point import Point, Vertex
 from exactsweep.paper.checks.section5 import NARROW
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.inverses import INVERSE
-from exactsweep.paper.figures.minkowski import example, inverse_generatrix
+from exactsweep.paper.figures.minkowski import invert_generatrix, sweep_example
 from exactsweep.paper.figures.sheet import (
     INNER,
     OUTER,
@@ -24,7 +24,7 @@ from exactsweep.paper.figures.sheet import (
     BarePicture,
     Extent,
     Sheet,
-    middle,
+    find_middle,
     shift,
 )
 from exactsweep.paper.functions import evaluate, take_bottom
@@ -62,10 +62,10 @@ class Widths(NamedTuple):
 def measure(s: Sweep, p: Point, q: Point) -> Widths | None:
     """Measure at the middle of an edge; None if no vertex of I(G) is there from both sides."""
     dx, dy = _direction((p, q))
-    at = middle(p, q)
+    at = find_middle(p, q)
     found: list[tuple[Vertex, Fraction]] = []
     for loop in (s.inner, s.outer):
-        for w in inverse_generatrix(s).vertices:
+        for w in invert_generatrix(s).vertices:
             place = at[0] - w.x, at[1] - w.y
             if point_in_polygon(place, loop) == 0:
                 found.append((place, dx * w.y - dy * w.x))
@@ -83,9 +83,9 @@ def _measure_all(s: Sweep) -> list[Widths]:
     return [found for p, q in edges if (found := measure(s, p, q))]
 
 
-def widths() -> Widths:
+def measure_widths() -> Widths:
     """At the longest such edge of Figure 1's pair."""
-    return max(_measure_all(example()), key=lambda found: _length(*found.edge) or 0)
+    return max(_measure_all(sweep_example()), key=lambda found: _length(*found.edge) or 0)
 
 
 def narrow_widths() -> Widths:
@@ -105,17 +105,19 @@ def list_facts() -> Facts:
     """What the figure states."""
     return [
         (f"({letter}) {name}", str(value))
-        for letter, found in (("a", widths()), ("b", narrow_widths()))
+        for letter, found in (("a", measure_widths()), ("b", narrow_widths()))
         for name, value in (("d'", found.inner), ("d''", found.outer), ("d", found.width))
     ]
 
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    yield differ("(a) d' + d''", widths().inner + widths().outer, widths().width)
+    yield differ(
+        "(a) d' + d''", measure_widths().inner + measure_widths().outer, measure_widths().width
+    )
     near = narrow_widths()
     yield differ("(b) d' + d'', d", (near.inner + near.outer, near.width), (11 * THIRD, 16 * THIRD))
-    for found in (widths(), near):
+    for found in (measure_widths(), near):
         s, (p, q) = found.sweep, found.edge
         yield from loops_differ(s)
         for loop, point in ((s.inner, found.inside), (s.outer, found.outside)):
@@ -127,13 +129,13 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    first, second = widths(), narrow_widths()
+    first, second = measure_widths(), narrow_widths()
     boxes = []
     for found, beside, title in ((first, (4, 5), "(a)"), (second, (7, Fraction(5, 2)), "(b)")):
         x, y = found.at
         half = Fraction(1, 2)
         corners = [(x - beside[0], y - 4 - half), (x + beside[1], y + 3 + half)]
-        box = Extent.around(*_placed(found), corners, title=title)
+        box = Extent.around(*_place(found), corners, title=title)
         boxes.append(box._replace(is_cut=True))
     with Sheet([boxes], PAGE) as sheet:
         left, right = sheet.panels
@@ -144,17 +146,19 @@ def draw() -> Figure:
         foot = _along(first, Fraction(-14, 5))
         ends = _across(first, foot, first.inner), _across(first, foot, -first.outer)
         left.arrow(*ends, both=True)
-        left.label(middle(*ends, share=Fraction(3, 4)), _equal("d", first.width), 5, 2, ha="left")
-        high, side = max(y for _, y in _placed(second)[1]), second.at[0] - 4
+        left.label(
+            find_middle(*ends, share=Fraction(3, 4)), _equal("d", first.width), 5, 2, ha="left"
+        )
+        high, side = max(y for _, y in _place(second)[1]), second.at[0] - 4
         low = high - second.width
         right.arrow((side, high), (side, low), both=True)
         right.label((side, (high + 2 * low) / 3), _equal("d", second.width), -4, 0, ha="right")
     return sheet.figure
 
 
-def _placed(found: Widths) -> tuple[list[Vertex], list[Vertex]]:
+def _place(found: Widths) -> tuple[list[Vertex], list[Vertex]]:
     """I(G) inside and outside."""
-    turned = inverse_generatrix(found.sweep).vertices
+    turned = invert_generatrix(found.sweep).vertices
     return shift(turned, found.inside), shift(turned, found.outside)
 
 
@@ -170,7 +174,7 @@ def _draw_widths(panel: BarePicture, found: Widths) -> None:
     panel.line(s.inner.vertices, INNER, closed=True)
     panel.line(s.outer.vertices, OUTER, closed=True)
     panel.line(s.trajectory.vertices, TRAJECTORY, closed=True)
-    for ring in _placed(found):
+    for ring in _place(found):
         panel.area(ring, INVERSE)
     for end, letters, distance, side in (
         (found.inside, "d'", found.inner, "right"),
@@ -179,7 +183,11 @@ def _draw_widths(panel: BarePicture, found: Widths) -> None:
         foot = _along(found, _ahead(found, end))
         panel.arrow(end, foot, both=True)
         panel.label(
-            middle(end, foot), _equal(letters, distance), -4 if side == "right" else 4, 0, ha=side
+            find_middle(end, foot),
+            _equal(letters, distance),
+            -4 if side == "right" else 4,
+            0,
+            ha=side,
         )
     panel.dots([found.at, found.inside, found.outside])
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
-from exactsweep.draw import placed_generatrix
+from exactsweep.draw import place_generatrix
 from exactsweep.geometry.point import Edge
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
@@ -25,7 +25,7 @@ from exactsweep.paper.figures.sheet import (
     Extent,
     Margins,
     Sheet,
-    middle,
+    find_middle,
 )
 from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.chain import split
@@ -41,7 +41,7 @@ TIP = [(25, -120), (33, -135), (40, -142), (47, -135), (55, -120)]
 SIZES = ((2, 4, 6), (4, 4, 6), (4, 6, 8), (6, 6, 6), (6, 8, 8))
 
 
-def example(teeth: int) -> Sweep:
+def sweep_example(teeth: int) -> Sweep:
     """The pair of the paper's sizes (2 teeth, 4, 6), flatter and with a wider tip than `bumps`."""
     bottom = [(40 * k, -120 if k % 2 else 0) for k in range(2 * teeth + 1)]
     rings = PEAKS + TIP, [*bottom, (40 * teeth, 60)]
@@ -49,27 +49,27 @@ def example(teeth: int) -> Sweep:
     return sweep(g, d)
 
 
-def sizes(s: Sweep) -> tuple[int, int, int]:
+def count_sizes(s: Sweep) -> tuple[int, int, int]:
     """m_b, n_t and n_b, counted."""
     g_bottom, g_top = split(s.generatrix.vertices)
     return len(split(s.directrix.vertices)[0]) - 1, len(g_top) - 1, len(g_bottom) - 1
 
 
-def outer_edges(s: Sweep) -> list[Edge]:
+def list_outer_edges(s: Sweep) -> list[Edge]:
     """The edges of the outer boundary of the lower sweep."""
     return list(pairwise(take_bottom(s.outer.vertices)))
 
 
 def measure() -> tuple[tuple[tuple[int, int, int], int], ...]:
     """Sizes in the family of `bumps`, and the edges of its outer boundary."""
-    return tuple((size, len(outer_edges(sweep(*bumps(*size))))) for size in SIZES)
+    return tuple((size, len(list_outer_edges(sweep(*bumps(*size))))) for size in SIZES)
 
 
 def list_facts() -> Facts:
     """What the figure states."""
     rows = [
-        (f"({letter}) (m_b, n_t, n_b): edges", f"{sizes(s)}: {len(outer_edges(s))}")
-        for letter, s in (("a", example(1)), ("b", example(2)))
+        (f"({letter}) (m_b, n_t, n_b): edges", f"{count_sizes(s)}: {len(list_outer_edges(s))}")
+        for letter, s in (("a", sweep_example(1)), ("b", sweep_example(2)))
     ]
     return [
         *rows,
@@ -82,11 +82,13 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    for s in (example(1), example(2)):
+    for s in (sweep_example(1), sweep_example(2)):
         yield from loops_differ(s)
-        yield differ(f"edges for {sizes(s)}", len(outer_edges(s)), edges_of_bumps(*sizes(s)))
-    yield differ("sizes", sizes(example(1)), (2, 4, 6))
-    yield differ("edges", len(outer_edges(example(1))), printed_count(2, 4, 6))
+        yield differ(
+            f"edges for {count_sizes(s)}", len(list_outer_edges(s)), edges_of_bumps(*count_sizes(s))
+        )
+    yield differ("sizes", count_sizes(sweep_example(1)), (2, 4, 6))
+    yield differ("edges", len(list_outer_edges(sweep_example(1))), printed_count(2, 4, 6))
     for size, edges in measure():
         g, d = (Polygon(ring) for ring in bumps(*size))
         (bottom, top), (directrix, _) = split(g.vertices), split(d.vertices)
@@ -97,19 +99,19 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    first, second = example(1), example(2)
+    first, second = sweep_example(1), sweep_example(2)
     boxes = [[_box(first, "a"), Extent((0, 0), (18, 18), "(c)")], [_box(second, "b")]]
     with Sheet(boxes, PAGE) as sheet:
         a, table, b = sheet.panels
         for panel, s in ((a, first), (b, second)):
             _draw_pair(panel, s)
-        _number(a, outer_edges(first))
+        _number(a, list_outer_edges(first))
         _draw_table(table)
     return sheet.figure
 
 
 def _box(s: Sweep, letter: str) -> Extent:
-    lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(outer_edges(s))} edges"
+    lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(list_outer_edges(s))} edges"
     return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
 
 
@@ -117,8 +119,8 @@ def _draw_pair(panel: BarePicture, s: Sweep) -> None:
     """D, G where a peak of it is under a tooth, and the edges of the outer boundary."""
     place = min(s.trajectory.vertices, key=lambda p: (p.y, p.x))
     panel.area(s.directrix.vertices, style.DIRECTRIX)
-    panel.area(placed_generatrix(s, place).vertices, PLACED)
-    panel.lines(outer_edges(s), replace(OUTER, order=5))
+    panel.area(place_generatrix(s, place).vertices, PLACED)
+    panel.lines(list_outer_edges(s), replace(OUTER, order=5))
     panel.dots(take_bottom(s.outer.vertices), SMALL_DOT)
     panel.label((10, -2), "$D$")
     panel.label((place.x + 10, place.y), "$G$", 0, -12)
@@ -131,7 +133,7 @@ def _number(panel: BarePicture, edges: Sequence[Edge]) -> None:
     for k, (edge, (dx, dy)) in enumerate(zip(edges, vectors, strict=True)):
         is_scarce = any(right[max(k - 1, 0) : k + 1])
         shift = 0 if is_scarce else 7 * float(dy) / (float(dx) + abs(float(dy)))
-        panel.label(middle(*edge), str(k + 1), shift, -7, size=SMALL)
+        panel.label(find_middle(*edge), str(k + 1), shift, -7, size=SMALL)
 
 
 def _draw_table(panel: BarePicture) -> None:

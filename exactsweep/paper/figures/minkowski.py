@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
-from exactsweep.draw import Picture, draw_undercuts, placed_generatrix
+from exactsweep.draw import Picture, draw_undercuts, place_generatrix
 from exactsweep.evidence.undercut import find_pockets
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.paper.checks.planar import free_parts, swept_polygons
+from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Extent, Margins, Sheet
 from exactsweep.procedures.chain import complement, inverse, split
@@ -31,12 +31,12 @@ DIRECTRIX = [(0, 5), (4, 0), (8, 4), (12, -1), (20, 5), (17, 10), (11, 6), (8, 1
 ALONG = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 5), (12, -1), (16, 2), (11, 6)]]
 
 
-def example() -> Sweep:
+def sweep_example() -> Sweep:
     """The sweep, which Figure 8 shows, too."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(2, 1))
 
 
-def inverse_generatrix(s: Sweep) -> Polygon:
+def invert_generatrix(s: Sweep) -> Polygon:
     """I(G), its reference point at the origin."""
     return s.generatrix.translated((-s.reference.x, -s.reference.y)).reflected()
 
@@ -48,8 +48,8 @@ def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:
     for which p + I(G) lies inside D, off its boundary: between the greatest and the least height
     at which I(G) touches D_b and D_t from inside.
     """
-    s = example()
-    inverted = inverse_generatrix(s)
+    s = sweep_example()
+    inverted = invert_generatrix(s)
     outer = no_fit_polygon(s.directrix, inverted).exterior.vertices
     i_bottom, i_top = split(inverted.vertices)
     d_bottom, d_top = split(s.directrix.vertices)
@@ -79,9 +79,9 @@ def draw_sweep(picture: Picture, s: Sweep) -> None:
 
 def list_facts() -> Facts:
     """What the figure states."""
-    s = example()
+    s = sweep_example()
     _, holes = sum_boundary()
-    met = [classify(s.directrix, placed_generatrix(s, t), (0, 0)).verdict for t in ALONG]
+    met = [classify(s.directrix, place_generatrix(s, t), (0, 0)).verdict for t in ALONG]
     return [
         ("class of the sweep", s.kind),
         ("edges of the trajectory", str(len(s.trajectory))),
@@ -94,16 +94,16 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = example()
+    s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))
     outer, holes = sum_boundary()
     yield differ(
-        "boundary of the sum", outer, reference_loops(inverse_generatrix(s), s.directrix).trajectory
+        "boundary of the sum", outer, reference_loops(invert_generatrix(s), s.directrix).trajectory
     )
     corners = s.directrix.vertices
     edges = list(pairwise([*corners, corners[0]]))
-    around = free_parts(swept_polygons(GENERATRIX, edges))
+    around = count_free_parts(list_swept_polygons(GENERATRIX, edges))
     yield differ("holes of the sum", len(holes), around - 1)
 
 
@@ -114,7 +114,7 @@ def _positions(s: Sweep) -> list[Point]:
 
 def draw() -> Figure:
     """The picture."""
-    s = example()
+    s = sweep_example()
     sum_outer, holes = sum_boundary()
     shapes = s.outer.vertices, sum_outer
     margins = Margins(top=22)

@@ -19,17 +19,17 @@ from exactsweep.paper.figures.sheet import (
     Extent,
     Margins,
     Sheet,
-    middle,
+    find_middle,
     shift,
 )
 from exactsweep.paper.figures.slopes import (
     Move,
-    by_slope,
-    edges,
-    example,
+    find_stations,
     lay,
-    slope_text,
-    stations,
+    list_edges,
+    sort_by_slope,
+    sweep_example,
+    write_slope,
 )
 from exactsweep.procedures.cc import sweep_outer_cc
 from exactsweep.procedures.chain import split
@@ -46,41 +46,44 @@ LOOKS = {
 
 def _turn() -> int:
     """The number of the vertex of the trajectory between whose edges most edges of G_b fall."""
-    path = by_slope("D_b", "G_t")
-    return max(range(1, len(path)), key=lambda k: len(_between(path[k - 1], path[k])))
+    path = sort_by_slope("D_b", "G_t")
+    return max(range(1, len(path)), key=lambda k: len(_take_between(path[k - 1], path[k])))
 
 
-def _between(before: Move, after: Move) -> list[Move]:
-    return [m for m in edges()["G_b"] if before.slope < m.slope < after.slope]
+def _take_between(before: Move, after: Move) -> list[Move]:
+    return [m for m in list_edges()["G_b"] if before.slope < m.slope < after.slope]
 
 
 def _outer() -> list[Vertex]:
     """The outer boundary by Lemma 3.2."""
-    s = example()
+    s = sweep_example()
     (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
     start = shift([d_bottom[0]], (g_bottom[0][0] - g_top[0][0], g_bottom[0][1] - g_top[0][1]))[0]
-    return lay(start, by_slope("D_b", "G_t", "G_b"))
+    return lay(start, sort_by_slope("D_b", "G_t", "G_b"))
 
 
 def list_facts() -> Facts:
     """What the figure states."""
-    path, k = by_slope("D_b", "G_t"), _turn()
+    path, k = sort_by_slope("D_b", "G_t"), _turn()
     before, after = path[k - 1], path[k]
     return [
-        ("edges of D_b, G_t, G_b", ", ".join(str(len(moves)) for moves in edges().values())),
+        ("edges of D_b, G_t, G_b", ", ".join(str(len(moves)) for moves in list_edges().values())),
         ("edges of the outer boundary", str(len(_outer()) - 1)),
         ("slopes of t_i and t_(i+1)", f"{before.slope}, {after.slope}"),
-        ("slopes of G_b between them", ", ".join(str(m.slope) for m in _between(before, after))),
+        (
+            "slopes of G_b between them",
+            ", ".join(str(m.slope) for m in _take_between(before, after)),
+        ),
     ]
 
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = example()
+    s = sweep_example()
     yield from loops_differ(s)
     (g_bottom, g_top), (d_bottom, _) = (split(p.vertices) for p in (s.generatrix, s.directrix))
     yield differ("outer boundary", sweep_outer_cc(g_top, g_bottom, d_bottom), _outer())
-    yield differ("edges", len(_outer()) - 1, sum(map(len, edges().values())))
+    yield differ("edges", len(_outer()) - 1, sum(map(len, list_edges().values())))
 
 
 def _apart(moves: Sequence[Move]) -> list[list[Vertex]]:
@@ -95,9 +98,9 @@ def _apart(moves: Sequence[Move]) -> list[list[Vertex]]:
 
 def draw() -> Figure:
     """The picture."""
-    s, k = example(), _turn()
-    path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
-    outer, order = _outer(), by_slope("D_b", "G_t", "G_b")
+    s, k = sweep_example(), _turn()
+    path = [Point(Fraction(x), Fraction(y)) for x, y in find_stations()]
+    outer, order = _outer(), sort_by_slope("D_b", "G_t", "G_b")
     apart = _apart(order)
     boxes = [
         Extent.around(s.directrix.vertices, outer, path, title="(a)", margins=Margins(2, 4, 2, 4)),
@@ -111,16 +114,16 @@ def draw() -> Figure:
         for edge, piece, move in zip(pairwise(outer), apart, order, strict=True):
             panel.line(edge, LOOKS[move.owner])
             row.line(piece, LOOKS[move.owner])
-            lowest = middle(*piece)[0], min(y for _, y in piece)
+            lowest = find_middle(*piece)[0], min(y for _, y in piece)
             row.label(
-                lowest, f"{slope_text(move.slope)}\n${move.owner}$", 0, -4, va="top", size=SMALL
+                lowest, f"{write_slope(move.slope)}\n${move.owner}$", 0, -4, va="top", size=SMALL
             )
         panel.dots(path[1:-1], SMALL_DOT)
         panel.label((6, 3), "$D$")
         panel.label(path[k], "$G$", -36, -9)
         for number, name in ((k - 1, "$t_i$"), (k, "$t_{i+1}$")):
-            panel.label(middle(path[number], path[number + 1]), name, -1, -9)
-            piece = apart[order.index(by_slope("D_b", "G_t")[number])]
-            highest = middle(*piece)[0], max(y for _, y in piece)
+            panel.label(find_middle(path[number], path[number + 1]), name, -1, -9)
+            piece = apart[order.index(sort_by_slope("D_b", "G_t")[number])]
+            highest = find_middle(*piece)[0], max(y for _, y in piece)
             row.label(highest, name, 0, 8)
     return sheet.figure

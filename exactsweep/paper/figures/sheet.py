@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.draw import Picture, Scale, placed_generatrix
+from exactsweep.draw import Picture, Scale, place_generatrix
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.geometry.point import Point, Vertex
 
@@ -137,7 +137,7 @@ class BarePicture(Picture):
     def generatrix(self, s: Sweep, positions: Iterable[Point]) -> None:
         """Draw G with its reference point at each of some positions, and that point."""
         for position in positions:
-            self.area(placed_generatrix(s, position).vertices, PLACED)
+            self.area(place_generatrix(s, position).vertices, PLACED)
             self.dots([position])
 
     def dots(self, points: Iterable[Vertex], look: Look = DOT) -> None:
@@ -168,7 +168,7 @@ class Sheet(ExitStack):
         require_matplotlib()
         from matplotlib.figure import Figure
 
-        self.enter_context(style.in_style())
+        self.enter_context(style.use_style())
         across = self.width * _POINTS
         self.unit = min(map(self._unit_of, self.rows))
         heights = [max(self._outside(box)[1] for box in row) for row in self.rows]
@@ -221,19 +221,19 @@ class Sheet(ExitStack):
         self.panels.append(panel)
 
 
-def middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Vertex:
+def find_middle(p: Vertex, q: Vertex, *, share: Fraction = Fraction(1, 2)) -> Vertex:
     """A point of the segment p q, the middle unless another share is named.
 
-    >>> middle((0, 0), (2, 4)) == (1, 2)
+    >>> find_middle((0, 0), (2, 4)) == (1, 2)
     True
     """
     return p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])
 
 
-def half_way(p: Point, q: Point) -> Point:
+def find_half_way(p: Point, q: Point) -> Point:
     """The middle of two positions.
 
-    >>> half_way(Point(Fraction(0), Fraction(0)), Point(Fraction(2), Fraction(4))) == (1, 2)
+    >>> find_half_way(Point(Fraction(0), Fraction(0)), Point(Fraction(2), Fraction(4))) == (1, 2)
     True
     """
     return Point((p.x + q.x) / 2, (p.y + q.y) / 2)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from exactsweep.canvas import style
-from exactsweep.draw import placed_generatrix
+from exactsweep.draw import place_generatrix
 from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
@@ -23,7 +23,7 @@ from exactsweep.paper.figures.sheet import (
     BarePicture,
     Extent,
     Sheet,
-    middle,
+    find_middle,
     shift,
 )
 from exactsweep.procedures.cc import trajectory_cc
@@ -52,14 +52,14 @@ class Move(NamedTuple):
         return Fraction(self.by[1]) / self.by[0]
 
 
-def example() -> Sweep:
+def sweep_example() -> Sweep:
     """The CC sweep of Figures 4 and 5; the reference point is the right end of G."""
     return sweep(GENERATRIX, DIRECTRIX, reference=(6, 1))
 
 
-def edges() -> dict[Owner, list[Move]]:
+def list_edges() -> dict[Owner, list[Move]]:
     """The edges of D_b, of reversed G_t and of G_b, each from left to right."""
-    s = example()
+    s = sweep_example()
     g_bottom, g_top = split(s.generatrix.vertices)
     chains: dict[Owner, list[Vertex]] = {
         "D_b": split(s.directrix.vertices)[0],
@@ -72,9 +72,9 @@ def edges() -> dict[Owner, list[Move]]:
     }
 
 
-def by_slope(*owners: Owner) -> list[Move]:
+def sort_by_slope(*owners: Owner) -> list[Move]:
     """The edges of some chains, sorted."""
-    found = edges()
+    found = list_edges()
     return sorted((move for owner in owners for move in found[owner]), key=lambda m: m.slope)
 
 
@@ -86,19 +86,21 @@ def lay(start: Vertex, moves: Sequence[Move]) -> list[Vertex]:
     return path
 
 
-def stations() -> list[Vertex]:
+def find_stations() -> list[Vertex]:
     """The path of the right end of G, from the left end of D_b on, by Lemma 3.1."""
-    return lay(split(example().directrix.vertices)[0][0], by_slope("D_b", "G_t"))
+    return lay(split(sweep_example().directrix.vertices)[0][0], sort_by_slope("D_b", "G_t"))
 
 
-def _upcoming(step: int) -> tuple[Move, Move]:
+def _find_upcoming(step: int) -> tuple[Move, Move]:
     """The next edges of D_b and of reversed G_t before a move."""
-    done = by_slope("D_b", "G_t")[:step]
-    waiting = [[m for m in moves if m not in done] for o, moves in edges().items() if o != "G_b"]
+    done = sort_by_slope("D_b", "G_t")[:step]
+    waiting = [
+        [m for m in moves if m not in done] for o, moves in list_edges().items() if o != "G_b"
+    ]
     return waiting[0][0], waiting[1][0]
 
 
-def slope_text(value: Rational) -> str:
+def write_slope(value: Rational) -> str:
     """A slope, with a true minus sign."""
     return format_fraction(Fraction(value)).replace("-", "\N{MINUS SIGN}")
 
@@ -107,38 +109,38 @@ def list_facts() -> Facts:
     """What the figure states."""
     rows = []
     for step in range(STEPS):
-        ours, theirs = _upcoming(step)
-        taken = by_slope("D_b", "G_t")[step]
+        ours, theirs = _find_upcoming(step)
+        taken = sort_by_slope("D_b", "G_t")[step]
         rows.append(
             (
                 f"({'abcd'[step]}) slopes ahead on D_b and on G_t",
                 f"{ours.slope}, {theirs.slope}: {taken.owner} is next",
             )
         )
-    return [*rows, ("edges of the trajectory", str(len(stations()) - 1))]
+    return [*rows, ("edges of the trajectory", str(len(find_stations()) - 1))]
 
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = example()
+    s = sweep_example()
     yield from loops_differ(s)
-    yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in stations()])
+    yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in find_stations()])
     half = [split(p.vertices) for p in (s.generatrix, s.directrix)]
     yield differ(
-        "trajectory", shift(trajectory_cc(half[0][1], half[1][0]), s.reference), stations()
+        "trajectory", shift(trajectory_cc(half[0][1], half[1][0]), s.reference), find_stations()
     )
     for step in range(STEPS):
-        first = min(_upcoming(step), key=lambda move: move.slope)
-        yield differ(f"edge taken in step {step}", by_slope("D_b", "G_t")[step], first)
-        contacts = [c.event for c in s.contacts_at(stations()[step])]
+        first = min(_find_upcoming(step), key=lambda move: move.slope)
+        yield differ(f"edge taken in step {step}", sort_by_slope("D_b", "G_t")[step], first)
+        contacts = [c.event for c in s.contacts_at(find_stations()[step])]
         yield differ(f"contacts before step {step}", contacts, ["VV"])
 
 
 def draw() -> Figure:
     """The picture."""
-    s = example()
-    path = [Point(Fraction(x), Fraction(y)) for x, y in stations()]
-    placed = [placed_generatrix(s, place).vertices for place in path[: STEPS + 1]]
+    s = sweep_example()
+    path = [Point(Fraction(x), Fraction(y)) for x, y in find_stations()]
+    placed = [place_generatrix(s, place).vertices for place in path[: STEPS + 1]]
     across = [(x, 0) for ring in placed for x, _ in ring]
     boxes = [
         Extent.around(s.directrix.vertices, across, *placed[k : k + 2], title=f"({'abcd'[k]})")
@@ -159,18 +161,18 @@ def draw() -> Figure:
 
 def _show_step(panel: BarePicture, step: int) -> None:
     """Mark the vertices that have met, the edge along which G goes on, and both slopes."""
-    ours, theirs = _upcoming(step)
-    x, y = _meeting(step)
+    ours, theirs = _find_upcoming(step)
+    x, y = _find_meeting(step)
     on_d = (x, y), (x + ours.by[0], y + ours.by[1])
     on_g = (x, y), (x - theirs.by[0], y - theirs.by[1])
-    edge = on_d if by_slope("D_b", "G_t")[step] == ours else on_g
+    edge = on_d if sort_by_slope("D_b", "G_t")[step] == ours else on_g
     panel.line(edge, BOLD)
     panel.dots([(x, y)])
-    panel.label(middle(*on_d), slope_text(ours.slope), 3, 6, ha="left", size=SMALL)
-    panel.label(middle(*on_g), slope_text(theirs.slope), -7, -9, size=SMALL)
+    panel.label(find_middle(*on_d), write_slope(ours.slope), 3, 6, ha="left", size=SMALL)
+    panel.label(find_middle(*on_g), write_slope(theirs.slope), -7, -9, size=SMALL)
 
 
-def _meeting(step: int) -> Vertex:
+def _find_meeting(step: int) -> Vertex:
     """The vertex of D_b at which G's vertex is before a move."""
-    done = [move for move in by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
-    return lay(split(example().directrix.vertices)[0][0], done)[-1]
+    done = [move for move in sort_by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
+    return lay(split(sweep_example().directrix.vertices)[0][0], done)[-1]

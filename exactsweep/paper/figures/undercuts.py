@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
-from exactsweep.draw import draw_undercuts, placed_generatrix
-from exactsweep.evidence.swept import Vertices
+from exactsweep.draw import draw_undercuts, place_generatrix
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.region import Vertices
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,
@@ -21,12 +21,12 @@ from exactsweep.paper.figures.sheet import (
     TRAJECTORY,
     Extent,
     Sheet,
-    middle,
+    find_middle,
     shift,
 )
 from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ GENERATRICES: tuple[Vertices, ...] = (
 REFERENCES = ((5, -4), (6, -4))
 
 
-def examples() -> tuple[Sweep, Sweep]:
+def sweep_examples() -> tuple[Sweep, Sweep]:
     """The two sweeps; the reference points are the lowest vertices of G."""
     first, second = (
         sweep(g, DIRECTRIX, reference=r) for g, r in zip(GENERATRICES, REFERENCES, strict=True)
@@ -49,7 +49,7 @@ def examples() -> tuple[Sweep, Sweep]:
     return first, second
 
 
-def undercut(s: Sweep) -> Undercut:
+def find_undercut(s: Sweep) -> Undercut:
     """The only one."""
     (found,) = s.undercuts
     return found
@@ -58,8 +58,8 @@ def undercut(s: Sweep) -> Undercut:
 def list_facts() -> Facts:
     """What the figure states."""
     facts = []
-    for letter, s in zip("ab", examples(), strict=True):
-        found = undercut(s)
+    for letter, s in zip("ab", sweep_examples(), strict=True):
+        found = find_undercut(s)
         facts += [
             (f"({letter}) undercuts", str(len(s.undercuts))),
             (f"({letter}) the sub-trajectories meet in a", found.intersection),
@@ -71,8 +71,8 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    for s, kind in zip(examples(), ("point", "segment"), strict=True):
-        found = undercut(s)
+    for s, kind in zip(sweep_examples(), ("point", "segment"), strict=True):
+        found = find_undercut(s)
         yield from loops_differ(s)
         yield from overlaps(s, found.positions)
         yield differ("kind", found.intersection, kind)
@@ -81,27 +81,27 @@ def find_failures() -> Iterator[str]:
         yield differ("area between D and the inner loop", gap, found.polygon.area)
 
 
-def sub_trajectories(s: Sweep) -> list[list[Vertex]]:
+def sweep_sub_trajectories(s: Sweep) -> list[list[Vertex]]:
     """The paths of the reference point along the two convex chains of D_b."""
     top, d_bottom = split(s.generatrix.vertices)[1], split(s.directrix.vertices)[0]
-    return [shift(trajectory_cc(top, part), s.reference) for part in convex_parts(d_bottom)]
+    return [shift(trajectory_cc(top, part), s.reference) for part in find_convex_parts(d_bottom)]
 
 
 def draw() -> Figure:
     """The picture."""
     boxes = []
-    for letter, s in zip("ab", examples(), strict=True):
-        placed = [placed_generatrix(s, place).vertices for place in undercut(s).positions]
-        shapes = s.directrix.vertices, *placed, *sub_trajectories(s)
+    for letter, s in zip("ab", sweep_examples(), strict=True):
+        placed = [place_generatrix(s, place).vertices for place in find_undercut(s).positions]
+        shapes = s.directrix.vertices, *placed, *sweep_sub_trajectories(s)
         boxes.append(Extent.around(*shapes, title=f"({letter})"))
     with Sheet([boxes], PAGE) as sheet:
-        for panel, s in zip(sheet.panels, examples(), strict=True):
-            found = undercut(s)
+        for panel, s in zip(sheet.panels, sweep_examples(), strict=True):
+            found = find_undercut(s)
             panel.area(s.directrix.vertices, style.DIRECTRIX)
             for place, look in zip(found.positions, (PLACED, GHOST), strict=False):
-                panel.area(placed_generatrix(s, place).vertices, look)
+                panel.area(place_generatrix(s, place).vertices, look)
             draw_undercuts(panel, [found])
-            for chain in sub_trajectories(s):
+            for chain in sweep_sub_trajectories(s):
                 panel.line(chain, style.SUB_TRAJECTORY)
             panel.line(take_bottom(s.trajectory.vertices), TRAJECTORY)
             panel.line(found.bottom, BOLD)
@@ -110,7 +110,7 @@ def draw() -> Figure:
             panel.label((6, Fraction(13, 2)), "$D$")
             panel.label(found.positions[0], "$G$", 0, 22)
             panel.label((6, 4), "undercut", 94, -2, leader=True)
-            panel.label(middle(*found.bottom[:2]), "bottom chain", -72, 4, leader=True)
-        one, other = undercut(examples()[1]).positions
-        sheet.panels[1].label(middle(one, other), "$l$", 2, -8)
+            panel.label(find_middle(*found.bottom[:2]), "bottom chain", -72, 4, leader=True)
+        one, other = find_undercut(sweep_examples()[1]).positions
+        sheet.panels[1].label(find_middle(one, other), "$l$", 2, -8)
     return sheet.figure

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.draw import Stretch, placed_generatrix, stretches
+from exactsweep.draw import ContactStretch, cut_trajectory, place_generatrix
 from exactsweep.draw.features import Features
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
@@ -17,10 +17,10 @@ from exactsweep.paper.figures.sheet import (
     WIDE,
     Extent,
     Sheet,
-    half_way,
-    middle,
+    find_half_way,
+    find_middle,
 )
-from exactsweep.paper.figures.undercuts import examples
+from exactsweep.paper.figures.undercuts import sweep_examples
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,11 +31,11 @@ OFFSETS = {"VE": (-10, 6), "EV": (4, -10)}
 """Where the name of an event is written, in points from the contact."""
 
 
-def moment(event: str, contacts: int) -> Stretch:
+def find_moment(event: str, contacts: int) -> ContactStretch:
     """The last stretch of the lower sweep of Figure 7b with an event and so many contacts."""
     found = [
         stretch
-        for stretch in stretches(examples()[1])
+        for stretch in cut_trajectory(sweep_examples()[1])
         if stretch.event == event
         and len(stretch.contacts) == contacts
         and stretch.start.x < stretch.end.x
@@ -45,7 +45,7 @@ def moment(event: str, contacts: int) -> Stretch:
 
 def list_facts() -> Facts:
     """What the figure states."""
-    every = stretches(examples()[1])
+    every = cut_trajectory(sweep_examples()[1])
     alone = [s for s in every if s.event == "VE"]
     several = [s for s in every if len(s.contacts) > 1]
     return [
@@ -59,10 +59,10 @@ def list_facts() -> Facts:
 
 def find_failures() -> Iterator[str]:
     """What is not borne out."""
-    s = examples()[1]
+    s = sweep_examples()[1]
     yield from loops_differ(s)
-    for stretch in stretches(s):
-        t = half_way(stretch.start, stretch.end)
+    for stretch in cut_trajectory(s):
+        t = find_half_way(stretch.start, stretch.end)
         yield from overlaps(s, [t])
         missing = set(stretch.contacts) - set(s.contacts_at(t))
         yield differ(f"contacts missing at ({t.x}, {t.y})", missing, set())
@@ -74,10 +74,10 @@ def find_failures() -> Iterator[str]:
 
 def draw() -> Figure:
     """The picture."""
-    s = examples()[1]
-    moments = moment("VE", 1), moment("EV", 2)
-    places = [half_way(m.start, m.end) for m in moments]
-    placed = [placed_generatrix(s, place).vertices for place in places]
+    s = sweep_examples()[1]
+    moments = find_moment("VE", 1), find_moment("EV", 2)
+    places = [find_half_way(m.start, m.end) for m in moments]
+    placed = [place_generatrix(s, place).vertices for place in places]
     boxes = [
         Extent.around(s.directrix.vertices, ring, title=title)
         for ring, title in zip(placed, ("(a)", "(b)"), strict=True)
@@ -90,7 +90,7 @@ def draw() -> Figure:
             share = 2 / max(dx, abs(dy))
             by = share * dx, share * dy
             panel.label((6, 6), "$D$")
-            panel.label(middle(min(ring), max(ring)), "$G$", 0, -6)
+            panel.label(find_middle(min(ring), max(ring)), "$G$", 0, -6)
             for contact in stretch.contacts:
                 spot = Features(s).spot(contact, place)[0]
                 panel.line([_plus(spot, by, -2), _plus(spot, by, 3)], LINE)

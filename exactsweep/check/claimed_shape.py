@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
-from exactsweep.check.certificate import CertificateError, Loop
-from exactsweep.check.claim import Outline
-from exactsweep.check.cone import Pair, cross, minus
+from exactsweep.check.certificate import CertificateError
+from exactsweep.check.claim import ClaimedShape
+from exactsweep.check.cone import cross, subtract
 from exactsweep.check.location import locate
 from exactsweep.check.meeting import split_where_touching
-from exactsweep.check.shape import Ring, edges_of
+from exactsweep.check.shape import LatticeRing, list_edges
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 
 
@@ -27,8 +27,8 @@ def check_loop(loop: Loop, name: str) -> None:
         raise CertificateError(f"{name}: not canonical", loop[0])
 
 
-def check_outline(outline: Outline, name: str) -> None:
-    """Check that an outline is a polygon with holes, sorted, whose interior is connected.
+def check_shape(shape: ClaimedShape, name: str) -> None:
+    """Check that a shape is a polygon with holes, sorted, whose interior is connected.
 
     Holes and the exterior may touch each other in points, as long as they do not part the interior.
 
@@ -37,18 +37,18 @@ def check_outline(outline: Outline, name: str) -> None:
 
     Cost: O(n log n) for one ring, O(n**2) for several.
     """
-    rings = [outline.exterior, *outline.holes]
-    names = [f"{name}.exterior", *(f"{name}.holes[{k}]" for k in range(len(outline.holes)))]
+    rings = [shape.exterior, *shape.holes]
+    names = [f"{name}.exterior", *(f"{name}.holes[{k}]" for k in range(len(shape.holes)))]
     for ring, which in zip(rings, names, strict=True):
         check_loop(ring, which)
-    if list(outline.holes) != sorted(outline.holes):
-        raise CertificateError(f"{name}.holes: not sorted", outline.holes[0][0])
+    if list(shape.holes) != sorted(shape.holes):
+        raise CertificateError(f"{name}.holes: not sorted", shape.holes[0][0])
     for i, j in combinations(range(len(rings)), 2):
-        if (met := _crossing(rings[i], rings[j])) is not None:
+        if (met := _find_crossing(rings[i], rings[j])) is not None:
             raise CertificateError(f"{names[i]} and {names[j]} meet in more than points", met)
     split = split_where_touching(tuple(rings))
     # No other ring passes through the middle of an edge.
-    middles = [[_middle(*edge) for edge in edges_of([ring])] for ring in split]
+    middles = [[_find_middle(*edge) for edge in list_edges([ring])] for ring in split]
     for i, j in combinations(range(len(rings)), 2):
         if i == 0 and any(locate(p, rings[0]) < 0 for p in middles[j]):
             raise CertificateError(f"{names[j]} is not inside the exterior", rings[j][0])
@@ -57,26 +57,26 @@ def check_outline(outline: Outline, name: str) -> None:
     _check_connected(split, name)
 
 
-def _crossing(one: Ring, other: Ring) -> Point | None:
+def _find_crossing(one: LatticeRing, other: LatticeRing) -> Point | None:
     """A point by which to see that two simple rings cross or share part of an edge."""
-    for a, b in edges_of([one]):
-        way = minus(b, a)
-        for p, q in edges_of([other]):
-            from_p, from_q = cross(way, minus(p, a)), cross(way, minus(q, a))
+    for a, b in list_edges([one]):
+        way = subtract(b, a)
+        for p, q in list_edges([other]):
+            from_p, from_q = cross(way, subtract(p, a)), cross(way, subtract(q, a))
             if from_p == from_q == 0:
                 low, high = max(min(a, b), min(p, q)), min(max(a, b), max(p, q))
                 if low < high:
                     return _point(low)
             elif from_p * from_q < 0:
-                along = minus(q, p)
-                if cross(along, minus(a, p)) * cross(along, minus(b, p)) < 0:
+                along = subtract(q, p)
+                if cross(along, subtract(a, p)) * cross(along, subtract(b, p)) < 0:
                     return _point(a)
     return None
 
 
-def _check_connected(rings: Sequence[Ring], name: str) -> None:
+def _check_connected(rings: Sequence[LatticeRing], name: str) -> None:
     """Check that rings and the points in which they touch form no circle."""
-    places: dict[Pair, list[int]] = {}
+    places: dict[Vertex, list[int]] = {}
     for k, ring in enumerate(rings):
         for p in ring:
             places.setdefault(p, []).append(k)
@@ -89,9 +89,9 @@ def _check_connected(rings: Sequence[Ring], name: str) -> None:
             parts = [first if part == second else part for part in parts]
 
 
-def _middle(a: Pair, b: Pair) -> Pair:
+def _find_middle(a: Vertex, b: Vertex) -> Vertex:
     return Fraction(a[0] + b[0]) / 2, Fraction(a[1] + b[1]) / 2
 
 
-def _point(p: Pair) -> Point:
+def _point(p: Vertex) -> Point:
     return Point(*map(Fraction, p))

@@ -1,0 +1,108 @@
+"""What a small pair is spent on: counts of what the interpreter does, the same on every run.
+
+Seconds of a pair that takes less than a millisecond say little about where they go, and profilers
+add more to a call than most functions take. So the instructions are counted, by what they do.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dis import get_instructions
+from functools import cache, partial
+from types import CodeType, FrameType
+from typing import Any, NamedTuple
+
+from rich.table import Table
+
+from benchmarks.families import FAMILIES
+from exactsweep import Polygon, sweep
+from exactsweep.evidence.swept import Swept, pause_collector
+
+PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
+COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
+
+
+class Step(NamedTuple):
+    """One step of a sweep, and what it is called; it may use what the steps before it made."""
+
+    name: str
+    run: Callable[[Swept], object]
+
+
+STEPS = (
+    Step("chains of both", lambda s: s._halves),
+    Step("trajectory, lower envelopes", lambda s: [half.trajectory for half in s._halves]),
+    Step("trajectory, its vertices", lambda s: s.trajectory.vertices),
+    Step("inner loop, chains", lambda s: [half.inner for half in s._halves]),
+    Step("inner loop, its vertices", lambda s: s.inner.vertices),
+    Step("outer loop, chains", lambda s: [half.outer for half in s._halves]),
+    Step("outer loop, its vertices", lambda s: s.outer.vertices),
+)
+
+
+def count(run: Callable[[], object]) -> Counter[str]:
+    """Count instructions, calls, objects, Fractions, products and comparisons.
+
+    Calls are those of functions in Python; objects those that an instruction builds, or a class;
+    products are multiplications and divisions.
+    """
+    found: Counter[str] = Counter()
+
+    def trace(frame: FrameType, event: str, argument: Any) -> Any:
+        if event == "call":
+            found["calls"] += 1
+            found["objects"] += frame.f_code.co_name == "__init__"
+            frame.f_trace_opcodes = True
+        elif event == "opcode":
+            found["instructions"] += 1
+            kind = _kinds(frame.f_code).get(frame.f_lasti)
+            if kind:
+                found[kind] += 1
+        return trace
+
+    def profile(frame: FrameType, event: str, argument: Any) -> None:
+        if event == "c_call" and argument.__name__ == "__new__":
+            found["objects"] += 1
+            found["Fractions"] += argument == object.__new__
+
+    before = sys.gettrace(), sys.getprofile()
+    # Others may have asked to be called by the collector, which runs when it likes.
+    with pause_collector():
+        sys.setprofile(profile)
+        sys.settrace(trace)
+        try:
+            run()
+        finally:
+            sys.settrace(before[0])
+            sys.setprofile(before[1])
+    return found
+
+
+@cache
+def _kinds(code: CodeType) -> dict[int, str]:
+    """Which instructions of a function are counted for what they do."""
+    kinds = {}
+    for instruction in get_instructions(code):
+        if instruction.opname == "COMPARE_OP":
+            kinds[instruction.offset] = "comparisons"
+        elif instruction.opname.startswith("BUILD_"):
+            kinds[instruction.offset] = "objects"
+        elif instruction.opname == "BINARY_OP" and instruction.argrepr.strip("=") in ("*", "//"):
+            kinds[instruction.offset] = "products"
+    return kinds
+
+
+def tabulate() -> Iterator[Table]:
+    """One table a pair: what each step of its sweep is spent on."""
+    for family, size in PAIRS:
+        generatrix, directrix = map(Polygon, FAMILIES[family](size, size, 0))
+        table = Table("step", *COUNTED, title=f"{family} ({size}, {size})")
+        swept = sweep(generatrix, directrix)
+        steps = [("classes and direction", count(partial(sweep, generatrix, directrix)))]
+        steps += [(step.name, count(partial(step.run, swept))) for step in STEPS]
+        steps.append(("all", sum((found for _, found in steps), Counter())))
+        for name, found in steps:
+            table.add_row(name, *(f"{found[what]:,}" for what in COUNTED))
+        yield table

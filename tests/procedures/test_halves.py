@@ -1,0 +1,120 @@
+"""What the procedures of all classes promise alike, of the lower half that each of them sweeps."""
+
+from collections.abc import Callable
+from fractions import Fraction
+
+import pytest
+import strategies as own
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exactsweep import Polygon, sweep
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
+from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+
+Half = list[Vertex]
+Trajectory = Callable[[Half, Half], Half]
+Boundaries = Callable[[Half, Half, Half], tuple[Half, Half]]
+usually = settings(max_examples=100)
+
+# Of G's top and D's bottom the trajectory; of G's top and bottom and D's bottom what is swept.
+TRAJECTORY: dict[str, Trajectory] = {
+    "CC": trajectory_cc,
+    "CM": lambda top, wall: list(trajectory_cm(top, wall)),
+    "MM": lambda top, wall: list(trajectory_mm(top, wall)),
+}
+BOUNDARIES: dict[str, Boundaries] = {
+    "CC": lambda top, floor, wall: (sweep_inner_cc(top, wall), sweep_outer_cc(top, floor, wall)),
+    "CM": lambda top, floor, wall: (
+        sweep_inner_cm(top, wall),
+        list(sweep_outer_cm(top, floor, wall)),
+    ),
+    "MM": sweep_mm,
+}
+KINDS: list[own.Kind] = ["CC", "CM", "MM"]
+
+
+def chains(kind: own.Kind) -> st.SearchStrategy[tuple[Half, Half, Half]]:
+    """The top and the bottom of G, and the bottom of D, on a lattice."""
+
+    def take(pair: tuple[Polygon, Polygon]) -> tuple[Half, Half, Half]:
+        (floor, top), (wall, _) = (split(polygon.lattice()[1]) for polygon in pair)
+        return top, floor, wall
+
+    return own.pairs(kind).map(take)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_halves_are_those_of_the_whole_sweep(kind: own.Kind) -> None:
+    @given(own.pairs(kind))
+    @usually
+    def check(pair: tuple[Polygon, Polygon]) -> None:
+        (floor, top), (wall, _) = (split(polygon.vertices) for polygon in pair)
+        s = sweep(*pair, direction=(1, 0))
+        found = TRAJECTORY[kind](top, wall), *BOUNDARIES[kind](top, floor, wall)
+        for chain, loop in zip(found, (s.trajectory, s.inner, s.outer), strict=True):
+            assert chain == split(loop.vertices)[0]
+
+    check()
+
+
+@pytest.mark.parametrize(("kind", "other"), [("CC", "CM"), ("CC", "MM"), ("CM", "MM")])
+def test_a_wider_class_gives_the_same(kind: own.Kind, other: own.Kind) -> None:
+    @given(chains(kind))
+    @usually
+    def check(drawn: tuple[Half, Half, Half]) -> None:
+        top, _, wall = drawn
+        assert TRAJECTORY[other](top, wall) == TRAJECTORY[kind](top, wall)
+        assert BOUNDARIES[other](*drawn) == BOUNDARIES[kind](*drawn)
+
+    check()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_outer_boundary_is_the_trajectory_swept_by_the_inverse(kind: own.Kind) -> None:
+    """The outer loop bounds T plus G: Lemma 5.3."""
+
+    @given(chains(kind))
+    @usually
+    def check(drawn: tuple[Half, Half, Half]) -> None:
+        top, floor, wall = drawn
+        _, outer = BOUNDARIES[kind](*drawn)
+        assert TRAJECTORY[kind](inverse(floor), TRAJECTORY[kind](top, wall)) == outer
+
+    check()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_inner_boundary_closes_and_never_opens(kind: own.Kind) -> None:
+    """Swept again, it is its own inner boundary, and has the same trajectory."""
+
+    @given(chains(kind))
+    @usually
+    def check(drawn: tuple[Half, Half, Half]) -> None:
+        top, floor, wall = drawn
+        inner, outer = BOUNDARIES[kind](*drawn)
+        assert (inner[0], inner[-1]) == (wall[0], wall[-1])
+        assert BOUNDARIES[kind](top, floor, inner) == (inner, outer)
+        assert TRAJECTORY[kind](top, inner) == TRAJECTORY[kind](top, wall)
+
+    check()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_ints_and_fractions_give_the_same(kind: own.Kind) -> None:
+    def shrink(chain: Half) -> Half:
+        return [(Fraction(x) / 7, Fraction(y) / 7) for x, y in chain]
+
+    @given(chains(kind))
+    @usually
+    def check(drawn: tuple[Half, Half, Half]) -> None:
+        top, _, wall = drawn
+        small = [shrink(chain) for chain in drawn]
+        assert shrink(TRAJECTORY[kind](top, wall)) == TRAJECTORY[kind](small[0], small[2])
+        inner, outer = map(shrink, BOUNDARIES[kind](*drawn))
+        assert BOUNDARIES[kind](*small) == (inner, outer)
+
+    check()
