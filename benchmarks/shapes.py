@@ -16,10 +16,10 @@ from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import Point
 from exactsweep.paper.growth import MN, MN_LOG, Growth, Size
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import free_positions
+from exactsweep.procedures.free_positions import find_free_positions
 
 SIZES = {"radial": (16, 32, 64, 128), "tangled": (12, 24, 48)}
 STEPS = (
@@ -36,7 +36,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
     """What the STEPS come to on the pair of a family with m = n = size."""
     generatrix, directrix = ANY_SHAPE[family](size, size, 0)
     moving = [inverse(generatrix)]
-    stretches = contact_stretches([directrix], moving)
+    stretches = find_contact_stretches([directrix], moving)
     left = leave_out_covered(stretches, [directrix], moving)
     cut_at_crossings(left)
     overlap, asked = Overlap([directrix], [generatrix]), [0]
@@ -45,7 +45,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
         asked[0] += 1
         return overlap.at(t)
 
-    free_positions(left, ask)
+    find_free_positions(left, ask)
     crossings = sum(len(stretch.cuts) for stretch in left) // 2
     return len(stretches), len(left), crossings, asked[0]
 

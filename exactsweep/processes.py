@@ -178,14 +178,14 @@ class Pool:
     def start(self) -> None:
         """Take fresh processes, the old ones having been killed."""
         own = {name: os.environ.get(name) for name in _SPAWNED}
-        with _spawning():
+        with _allow_spawn():
             given = (self._lifeline, self._context.Barrier(self.count), own, *self._prepare)
             self._executor = ProcessPoolExecutor(self.count, self._context, _begin, given)
 
     def submit(self, function: Callable[..., _T], *arguments: object) -> Future[_T]:
         """Call a function in whichever process is idle."""
         # This may start processes.
-        with _spawning():
+        with _allow_spawn():
             return self._executor.submit(function, *arguments)
 
     def call_in_each(self, function: Callable[..., _T], *arguments: object) -> list[_T]:
@@ -201,7 +201,7 @@ class Pool:
 
 
 @contextmanager
-def _spawning() -> Iterator[None]:
+def _allow_spawn() -> Iterator[None]:
     """Let processes be started that neither Control-C nor files of the working directory reach.
 
     Control-C is for the process that starts them, and comes through afterwards.

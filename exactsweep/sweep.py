@@ -7,7 +7,7 @@ Definitions 1.1 to 1.3, Theorems 2.1 and 2.2. The lower sweep (G_t, D_b) and the
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
@@ -77,74 +77,56 @@ class Sweep(EqualByQuestion, Swept):
         return InlinePage(self, height)
 
     def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import sweep_svg
+        from exactsweep.draw.notebook import draw_sweep
 
-        return sweep_svg(self)
+        return draw_sweep(self)
 
     def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import sweep_html
+        from exactsweep.draw.notebook import show_sweep
 
-        return sweep_html(self)
+        return show_sweep(self)
 
 
 class ShapeSweep(SweptShape, Sweep):
     """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
 
 
-class NoFitPolygon(EqualByQuestion, no_fit.NoFitPositions):
+class FoundPositions(EqualByQuestion):
+    """Positions that show themselves: those of a no-fit polygon, or of an inner fit."""
+
+    def plot(
+        self: Any,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
+    ) -> Axes:
+        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_positions`."""
+        from exactsweep.draw import plot_positions
+
+        return plot_positions(self, axes, positions=positions, y_down=y_down)
+
+    def _repr_svg_(self: Any) -> str:
+        from exactsweep.draw.notebook import draw_positions
+
+        return draw_positions(self)
+
+    def _repr_html_(self: Any) -> str:
+        from exactsweep.draw.notebook import show_positions
+
+        return show_positions(self)
+
+
+class NoFitPolygon(FoundPositions, no_fit.NoFitPositions):
     """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
 
     asked = ("stationary", "orbiting", "reference")
 
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw it with matplotlib, the `plot` extra: see `exactsweep.draw.plot_no_fit`."""
-        from exactsweep.draw import plot_no_fit
 
-        return plot_no_fit(self, axes, positions=positions, y_down=y_down)
-
-    def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import draw_positions
-
-        return draw_positions(self)
-
-    def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import show_no_fit
-
-        return show_no_fit(self)
-
-
-class InnerFit(EqualByQuestion, no_fit.InnerFitPositions):
+class InnerFit(FoundPositions, no_fit.InnerFitPositions):
     """An inner fit that shows itself; made by `inner_fit_polygon`."""
 
     asked = ("container", "part", "reference")
-
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_inner_fit`."""
-        from exactsweep.draw import plot_inner_fit
-
-        return plot_inner_fit(self, axes, positions=positions, y_down=y_down)
-
-    def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import draw_positions
-
-        return draw_positions(self)
-
-    def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import show_inner_fit
-
-        return show_inner_fit(self)
 
 
 def sweep(

@@ -13,7 +13,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {"geometry.error", "geometry.number", "geometry.point"}
+NUMBERS = {"geometry.digits", "geometry.error", "geometry.number", "geometry.point"}
 GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
@@ -22,8 +22,12 @@ RULES: dict[str, tuple[set[str], str]] = {
     "words": (NUMBERS, "plain words stand on numbers"),
     "processes": (set(), "starting and ending processes knows nothing of geometry"),
     "geometry.error": (set(), "refusals stand on nothing"),
-    "geometry.number": ({"geometry.error"}, "numbers stand on nothing but refusals"),
-    "geometry.point": ({"geometry.number"}, "points stand on numbers alone"),
+    "geometry.digits": (set(), "digits stand on nothing"),
+    "geometry.number": (
+        {"geometry.digits", "geometry.error"},
+        "numbers stand on nothing but digits and refusals",
+    ),
+    "geometry.point": ({"geometry.digits"}, "points stand on digits alone"),
     "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
     "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
     "procedures": (
@@ -192,8 +196,9 @@ def named_types(source: str) -> Iterator[str]:
         if isinstance(node, ast.ClassDef):
             yield node.name.lstrip("_")
     for node in tree.body:
-        if isinstance(node, ast.Assign):
-            names = [ast.unparse(target).lstrip("_") for target in node.targets]
+        if isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = [ast.unparse(target).lstrip("_") for target in targets]
             # Constants are in capitals; what holds a value of a type is in small letters.
             yield from (name for name in names if name[:1].isupper() and not name.isupper())
 
@@ -216,7 +221,9 @@ def test_no_two_types_have_one_name() -> None:
 def test_namesakes_are_found() -> None:
     one = "class Ring: ...\n"
     other = "LIMIT = 3\n_Ring = tuple[int, int]\nclass Loop:\n    class LIMIT: ...\n"
-    assert namesakes([("a", one), ("b", other)]) == {"Ring": ["a", "b"]}
+    third = "Loop: TypeAlias = list[int]\n"
+    found = namesakes([("a", one), ("b", other), ("c", third)])
+    assert found == {"Ring": ["a", "b"], "Loop": ["b", "c"]}
 
 
 ORDER = (("Args", "Attributes"), ("Returns", "Yields"), ("Raises",), ("Cost",), ("Source",))

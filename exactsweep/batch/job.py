@@ -45,7 +45,7 @@ class Job(NamedTuple):
     path: str | None
 
     def chunks(self, start: int) -> Iterator[Chunk]:
-        """Yield the pairs from one on, in order."""
+        """Yield the pairs in order, beginning with one of them."""
         size = min(max(CHUNK_PAIRS, self.total // _CHUNKS), _MAX_CHUNK_PAIRS)
         if self.path is not None:
             return _chunks_of_lines(self.path, start, self.total, size)
@@ -79,9 +79,11 @@ def take_all_pairs(
         >>> take_all_pairs([square], [square, square]).total
         2
     """
-    work = Work(_known(what), _unique(generatrices), _unique(directrices), rounding)
+    work = Work(
+        _require_known(what), _make_unique(generatrices), _make_unique(directrices), rounding
+    )
     total = len(work.generatrices) * len(work.directrices)
-    return Job(work, total, _digest(work, b"all pairs"), None)
+    return Job(work, total, _digest_input(work, b"all pairs"), None)
 
 
 def take_listed_pairs(
@@ -116,11 +118,11 @@ def take_listed_pairs(
     for line in _lines(path):
         seen.update(line)
         total += 1
-    work = Work(_known(what), listed, listed, rounding)
-    return Job(work, total, _digest(work, seen.digest()), path)
+    work = Work(_require_known(what), listed, listed, rounding)
+    return Job(work, total, _digest_input(work, seen.digest()), path)
 
 
-def _known(what: str) -> Quantities:
+def _require_known(what: str) -> Quantities:
     for known in QUANTITIES:
         if what == known:
             return known
@@ -133,13 +135,13 @@ def _parts(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
     )
 
 
-def _unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
+def _make_unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
     parts = _parts(polygons)
     names = make_unique([part.name for part in parts])
     return tuple(part._replace(name=name) for part, name in zip(parts, names, strict=True))
 
 
-def _digest(work: Work, source: bytes) -> str:
+def _digest_input(work: Work, source: bytes) -> str:
     rounded = "" if work.rounding is None else f"{tuple(work.rounding)} "
     digest = sha256(f"{__version__} {work.what} {rounded}".encode() + source)
     for part in (*work.generatrices, None, *work.directrices):

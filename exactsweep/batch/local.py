@@ -26,7 +26,7 @@ class LocalProcesses:
     def __init__(self, work: Work, count: int | None = None) -> None:
         self.count = count or count_cores()
         # A worker may need the module that was run for classes of the caller's own.
-        self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hiding_main
+        self._around = nullcontext if b"__main__" in pickle.dumps(work) else _hide_main
         with self._around():
             self._pool = Pool(self.count, _hold, work)
 
@@ -45,7 +45,7 @@ class LocalProcesses:
 
 
 @contextmanager
-def _hiding_main() -> Iterator[None]:
+def _hide_main() -> Iterator[None]:
     """Let processes be started that do not import the module that was run.
 
     They would run it again where it has no main guard.

@@ -33,7 +33,7 @@ class Counts(NamedTuple):
 
 
 class PendingRecords(Protocol):
-    """What a chunk gives, some time."""
+    """The records of a chunk, once they are computed."""
 
     def result(self) -> Sequence[bytes]:
         """Wait for it, and return it."""
@@ -88,9 +88,9 @@ def run(
         if progress is not None:
             progress(resumed)
         if resumed < job.total:
-            processes = _processes(job.work, workers, scheduler)
+            processes = _start_processes(job.work, workers, scheduler)
             try:
-                for lines in _in_order(job.chunks(resumed), processes, job.work):
+                for lines in _take_in_order(job.chunks(resumed), processes, job.work):
                     records.write(lines)
                     if progress is not None:
                         progress(records.done)
@@ -109,7 +109,7 @@ def run(
         return Counts(job.total, records.refused, resumed)
 
 
-def _processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:
+def _start_processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:
     if scheduler is None:
         from exactsweep.batch.local import LocalProcesses
 
@@ -123,29 +123,29 @@ def _processes(work: Work, workers: int | None, scheduler: str | None) -> Proces
 _Pending = tuple[Chunk, PendingRecords]
 
 
-def _in_order(
+def _take_in_order(
     chunks: Iterator[Chunk], processes: Processes, work: Work
 ) -> Iterator[Sequence[bytes]]:
     pending: deque[_Pending] = deque()
     for chunk in chunks:
         pending.append((chunk, processes.submit(chunk)))
         if len(pending) >= _CHUNKS_AHEAD * processes.count:
-            yield _result(*pending.popleft(), processes, work)
+            yield _take_result(*pending.popleft(), processes, work)
     while pending:
-        yield _result(*pending.popleft(), processes, work)
+        yield _take_result(*pending.popleft(), processes, work)
 
 
-def _result(
+def _take_result(
     chunk: Chunk, answer: PendingRecords, processes: Processes, work: Work
 ) -> Sequence[bytes]:
     try:
         return answer.result()
     except processes.lost:
         # One of its pairs, or of another chunk, is too much for a process: one at a time, then.
-        return [_alone(single, processes, work) for single in chunk.singles()]
+        return [_compute_alone(single, processes, work) for single in chunk.singles()]
 
 
-def _alone(chunk: Chunk, processes: Processes, work: Work) -> bytes:
+def _compute_alone(chunk: Chunk, processes: Processes, work: Work) -> bytes:
     for _ in range(_TRIES):
         try:
             (line,) = processes.submit(chunk).result()

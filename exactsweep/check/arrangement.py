@@ -58,7 +58,7 @@ def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSe
 
     Cost: O(p**2) for p pieces, and the number of sets for each edge.
     """
-    cuts = _cuts(pieces)
+    cuts = _find_cuts(pieces)
     ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
     slits: list[list[Edge]] = []
     for piece, at in zip(pieces, cuts, strict=True):
@@ -74,9 +74,9 @@ def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSe
             else:
                 slits[-1].append((p, q))
     on_loops = set(ahead)
-    fits = [fit for edges in slits for fit in _joined(edges, on_loops)]
+    fits = [fit for edges in slits for fit in _join(edges, on_loops)]
     fits += [(p, p) for p in points if not any(_is_on(p, piece) for piece in pieces)]
-    return Boundary(_loops(ahead), fits)
+    return Boundary(_walk_loops(ahead), fits)
 
 
 def _is_on(p: Vertex, piece: LinePiece) -> bool:
@@ -84,7 +84,7 @@ def _is_on(p: Vertex, piece: LinePiece) -> bool:
     return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
 
 
-def _cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
+def _find_cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
     order = sorted(range(len(pieces)), key=lambda k: pieces[k].ends[0])
@@ -93,14 +93,14 @@ def _cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
         start = pieces[k].ends[0][0]
         active = [j for j in active if pieces[j].ends[1][0] >= start]
         for j in active:
-            if (p := _common_point(pieces[j], pieces[k])) is not None:
+            if (p := _find_common_point(pieces[j], pieces[k])) is not None:
                 for i in (j, k):
                     cuts[i][p[pieces[i].line.axis]] = p
         active.append(k)
     return cuts
 
 
-def _common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
+def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     """Where two pieces of different lines meet."""
     (dx, dy, c), (ex, ey, e) = one.line, other.line
     turn = dx * ey - dy * ex
@@ -111,7 +111,7 @@ def _common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
     return p if on_both else None
 
 
-def _joined(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
+def _join(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
     """Join edges that follow each other on a line, except where a loop passes."""
     joined: list[Edge] = []
     for p, q in edges:
@@ -123,7 +123,7 @@ def _joined(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
         yield (q, p) if q in on_loops and p not in on_loops else (p, q)
 
 
-def _loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
+def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
     """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
     behind: dict[Vertex, list[Vertex]] = defaultdict(list)
     for p, ends in ahead.items():
@@ -138,17 +138,17 @@ def _loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
             left.discard((p, q))
             if q in walk:
                 k = walk.index(q)
-                loops.append(_loop(walk[k:]))
+                loops.append(_make_loop(walk[k:]))
                 del walk[k + 1 :]
             else:
                 walk.append(q)
-            p, q = q, _next(p, q, ahead[q])
+            p, q = q, _choose_next(p, q, ahead[q])
             if (p, q) == start:
                 break
     return loops
 
 
-def _next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
+def _choose_next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
     """The next edge around what is free: the first one clockwise from the way back."""
     if len(ends) == 1:
         return ends[0]
@@ -159,7 +159,7 @@ def _next(p: Vertex, q: Vertex, ends: Sequence[Vertex]) -> Vertex:
     return q[0] + dx, q[1] + dy
 
 
-def _loop(points: Sequence[Vertex]) -> WalkedLoop:
+def _make_loop(points: Sequence[Vertex]) -> WalkedLoop:
     (ax, ay), (bx, by) = points[:2]
     corners = [
         q

@@ -12,24 +12,19 @@ from itertools import chain, pairwise
 from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
-from exactsweep.check.length import answer_digits, area_digits
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import (
     NumberError,
-    allowed_digits,
     divide_all,
     format_fraction,
-    limits,
-    to_fraction,
+    read_any_length,
 )
 from exactsweep.geometry.point import Fit, Loop, Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1
 
-# Of a number of the input, if no larger one is in force: it may have been an int from the start.
-INPUT_DIGITS = 20_000
 DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
 _SHORT = 600  # digits of an int that Python reads whatever its own limit is
 
@@ -87,18 +82,14 @@ def read(certificate: Any) -> Certificate:
     check_keys(certificate, Certificate._fields)
     if not any(is_exactly(certificate["kind"], str, kind) for kind in ("CC", "CM", "MM")):
         raise CertificateError("kind is not CC, CM or MM")
-    with limits(max_digits=max(INPUT_DIGITS, allowed_digits())):
-        g, d = (read_loop(certificate[name], name) for name in ("generatrix", "directrix"))
-        reference = _point(certificate["reference"], "reference")
-    inputs = (certificate[name] for name in ("generatrix", "directrix", "reference"))
-    with limits(max_digits=answer_digits(*inputs)):
-        direction = _direction(certificate["direction"])
-        t, inner, outer = (
-            read_loop(certificate[name], name) for name in ("trajectory", "inner", "outer")
-        )
-        fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
-    with limits(max_digits=area_digits(certificate["inner"], certificate["outer"])):
-        area = read_number(certificate["area"], "area")
+    g, d = (read_loop(certificate[name], name) for name in ("generatrix", "directrix"))
+    reference = _point(certificate["reference"], "reference")
+    direction = _direction(certificate["direction"])
+    t, inner, outer = (
+        read_loop(certificate[name], name) for name in ("trajectory", "inner", "outer")
+    )
+    fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
+    area = read_number(certificate["area"], "area")
 
     def contact(item: Any, place: KeyPath) -> ListedContact:
         event, i, j = read_tuple(item, place, 3)
@@ -179,7 +170,7 @@ def read_number(item: Any, place: KeyPath) -> Fraction:
     if type(item) is not str:
         raise flaw(place, f"a {type(item).__name__}, not a number in a string")
     try:
-        value = to_fraction(item)
+        value = read_any_length(item)
     except NumberError as error:
         raise flaw(place, str(error)) from None
     # What is only digits has been read as an int.
@@ -201,7 +192,7 @@ def _read_ints(item: Any) -> Loop | None:
     if type(item) is not list or set(map(type, item)) != {list} or set(map(len, item)) != {2}:
         return None
     texts = [*chain.from_iterable(item)]
-    if set(map(type, texts)) != {str} or max(map(len, texts)) > min(_SHORT, allowed_digits()):
+    if set(map(type, texts)) != {str} or max(map(len, texts)) > _SHORT:
         return None
     try:
         numbers = [*map(int, texts)]

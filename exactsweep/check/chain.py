@@ -93,7 +93,9 @@ def turn(one: Line, other: Line) -> int:
     return one[0] * other[1] - one[1] * other[0]
 
 
-def heights(first: LowerChain, second: LowerChain, o: Node, side: int) -> Iterator[tuple[int, int]]:
+def walk_heights(
+    first: LowerChain, second: LowerChain, o: Node, side: int
+) -> Iterator[tuple[int, int]]:
     """Walk along A(u) + B(x - u) - y for a point o = (x, y), through all u with both defined.
 
     Between breakpoints this is linear in u; so its limits at breakpoints are given, from left to

@@ -16,7 +16,6 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from exactsweep.check.certificate import (
-    INPUT_DIGITS,
     CertificateError,
     KeyPath,
     check_keys,
@@ -27,8 +26,6 @@ from exactsweep.check.certificate import (
     read_loop,
     read_number,
 )
-from exactsweep.check.length import answer_digits, area_digits
-from exactsweep.geometry.number import allowed_digits, limits
 from exactsweep.geometry.point import Fit, Loop
 
 
@@ -94,25 +91,19 @@ def read_claim(certificate: dict[Any, Any]) -> ShapeClaim:
         raise CertificateError(f"claim is not {', '.join(_KEYS)}")
     check_keys(certificate, ("claim", *_KEYS[name]))
     shapes = ("container", "part") if name == "inner_fit" else ("directrix", "generatrix")
-    with limits(max_digits=max(INPUT_DIGITS, allowed_digits())):
-        d, g = (_read_shape(certificate[key], key) for key in shapes)
-    with limits(max_digits=answer_digits(*(certificate[key] for key in shapes))):
-        fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
-        if name == "inner_fit":
-            regions = read_list(certificate["regions"], "regions", _read_shape)
-            return InnerFitClaim(d, g, regions, fits)
-        exterior = read_loop(certificate["exterior"], "exterior")
-        no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
-        if name == "no_fit":
-            return no_fit
-        if not is_exactly(certificate["kind"], str, "SS"):
-            raise CertificateError("kind is not SS")
-        inner, outer = (read_loop(certificate[k], k) for k in ("inner", "outer"))
-        unswept = _loops(certificate["unswept"], "unswept")
-    loops = (certificate[key] for key in ("inner", "outer", "unswept"))
-    with limits(max_digits=area_digits(*loops)):
-        area = read_number(certificate["area"], "area")
-    return SweepClaim(no_fit, inner, outer, unswept, area)
+    d, g = (_read_shape(certificate[key], key) for key in shapes)
+    fits = read_list(certificate["exact_fits"], "exact_fits", read_fit)
+    if name == "inner_fit":
+        return InnerFitClaim(d, g, read_list(certificate["regions"], "regions", _read_shape), fits)
+    exterior = read_loop(certificate["exterior"], "exterior")
+    no_fit = NoFitClaim(d, g, exterior, _loops(certificate["holes"], "holes"), fits)
+    if name == "no_fit":
+        return no_fit
+    if not is_exactly(certificate["kind"], str, "SS"):
+        raise CertificateError("kind is not SS")
+    inner, outer = (read_loop(certificate[k], k) for k in ("inner", "outer"))
+    unswept = _loops(certificate["unswept"], "unswept")
+    return SweepClaim(no_fit, inner, outer, unswept, read_number(certificate["area"], "area"))
 
 
 def _loops(item: Any, place: KeyPath) -> tuple[Loop, ...]:

@@ -44,11 +44,11 @@ def check_shape(shape: ClaimedShape, name: str) -> None:
     if list(shape.holes) != sorted(shape.holes):
         raise CertificateError(f"{name}.holes: not sorted", shape.holes[0][0])
     for i, j in combinations(range(len(rings)), 2):
-        if (met := _crossing(rings[i], rings[j])) is not None:
+        if (met := _find_crossing(rings[i], rings[j])) is not None:
             raise CertificateError(f"{names[i]} and {names[j]} meet in more than points", met)
     split = split_where_touching(tuple(rings))
     # No other ring passes through the middle of an edge.
-    middles = [[_middle(*edge) for edge in list_edges([ring])] for ring in split]
+    middles = [[_find_middle(*edge) for edge in list_edges([ring])] for ring in split]
     for i, j in combinations(range(len(rings)), 2):
         if i == 0 and any(locate(p, rings[0]) < 0 for p in middles[j]):
             raise CertificateError(f"{names[j]} is not inside the exterior", rings[j][0])
@@ -57,7 +57,7 @@ def check_shape(shape: ClaimedShape, name: str) -> None:
     _check_connected(split, name)
 
 
-def _crossing(one: LatticeRing, other: LatticeRing) -> Point | None:
+def _find_crossing(one: LatticeRing, other: LatticeRing) -> Point | None:
     """A point by which to see that two simple rings cross or share part of an edge."""
     for a, b in list_edges([one]):
         way = subtract(b, a)
@@ -89,7 +89,7 @@ def _check_connected(rings: Sequence[LatticeRing], name: str) -> None:
             parts = [first if part == second else part for part in parts]
 
 
-def _middle(a: Vertex, b: Vertex) -> Vertex:
+def _find_middle(a: Vertex, b: Vertex) -> Vertex:
     return Fraction(a[0] + b[0]) / 2, Fraction(a[1] + b[1]) / 2
 
 

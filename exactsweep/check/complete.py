@@ -25,6 +25,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import lcm
 
+from exactsweep.check.area import check_area
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
 from exactsweep.check.claim import ClaimedShape, InnerFitClaim, NoFitClaim, ShapeClaim, SweepClaim
@@ -34,7 +35,7 @@ from exactsweep.check.difference import LoopOrFit, compare
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
 from exactsweep.check.size import check_size
-from exactsweep.geometry.canonical import find_doubled_area, find_turns
+from exactsweep.geometry.canonical import find_turns
 from exactsweep.geometry.point import Fit, Loop, Point
 
 
@@ -97,9 +98,7 @@ def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
     _check_loops(claimed)
     true = _parts_of_sweep(*reference_swept(d, g, c.no_fit.exterior))
     compare(claimed, true, lambda _: "it is not on the boundary of the area swept")
-    doubled = find_doubled_area(c.outer) - sum(map(find_doubled_area, (c.inner, *c.unswept)))
-    if doubled != 2 * c.area:
-        raise CertificateError("area: it is not that of the outer loop minus those inside it")
+    check_area(c.area, _nodes(c.outer), [*map(_nodes, (c.inner, *c.unswept))])
 
 
 # --- Size and form -------------------------------------------------------------------------------

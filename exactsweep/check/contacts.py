@@ -24,10 +24,10 @@ from exactsweep.check.cone import by_turn
 from exactsweep.check.cover import (
     LineInterval,
     check_covered,
-    edge_extent,
-    middle,
+    find_edge_extent,
+    find_middle,
+    find_sum_extent,
     share_a_part,
-    sum_extent,
 )
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
@@ -57,7 +57,7 @@ def check_contacts(
     Cost: O((m + n) log(m + n)), a look-up of a line for each edge of one polygon and each convex
     corner of the other that may touch so, and O(c log k) for c contacts of k edges.
     """
-    edges = [edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
+    edges = [find_edge_extent(trajectory, k) for k in range(len(trajectory.lines))]
     # Edges of a simple loop on one line do not overlap.
     rows: dict[Line, list[tuple[LineInterval, int]]] = defaultdict(list)
     for k, line in enumerate(trajectory.lines):
@@ -75,7 +75,7 @@ def check_contacts(
                 break
             if contact not in expected[k]:
                 part = max(edge[0], piece[0]), min(edge[1], piece[1])
-                witness = frame.leave(middle(part, line))
+                witness = frame.leave(find_middle(part, line))
                 raise flaw(("contacts", k), f"{_name(contact)} is missing", witness)
             found[k][contact] = piece
     for k, contacts in enumerate(listed):
@@ -138,7 +138,7 @@ def _extent_of(
     event, i, j = contact
     of_g: ListedFeature = ("edge" if event[0] == "E" else "vertex", i)
     of_d: ListedFeature = ("edge" if event[1] == "E" else "vertex", j)
-    extent = sum_extent(directrix, of_d, inverse, of_g, line)
+    extent = find_sum_extent(directrix, of_d, inverse, of_g, line)
     assert extent is not None  # its line is how it was found
     return extent
 

@@ -24,14 +24,14 @@ def share_a_part(one: LineInterval, other: LineInterval) -> bool:
     return max(one[0], other[0]) < min(one[1], other[1])
 
 
-def edge_extent(loop: MonotoneLoop, k: int) -> LineInterval:
+def find_edge_extent(loop: MonotoneLoop, k: int) -> LineInterval:
     """The extent of an edge on its own line."""
     axis = 0 if loop.lines[k][1] else 1
     one, other = (_ratio(node[axis], node[2]) for node in _ends(loop, ("edge", k)))
     return (one, other) if one < other else (other, one)
 
 
-def sum_extent(
+def find_sum_extent(
     first: MonotoneLoop,
     feature: ListedFeature,
     second: MonotoneLoop,
@@ -53,7 +53,7 @@ def sum_extent(
     return min(along), max(along)
 
 
-def middle(extent: LineInterval, line: Line) -> Node:
+def find_middle(extent: LineInterval, line: Line) -> Node:
     """The point of a line half-way along an extent."""
     a, b, c = line
     along = Fraction(extent[0] + extent[1], 2)
@@ -77,7 +77,7 @@ def check_covered(
     if reach < end:
         # To the next piece, or to the end if there is no piece beyond.
         gap = reach, min([end, *(low for low, _ in pieces if low > reach)])
-        witness = frame.leave(middle(gap, line))
+        witness = frame.leave(find_middle(gap, line))
         raise flaw(place, "nothing that is listed draws all of the edge", witness)
 
 
@@ -105,11 +105,11 @@ def check_drawings(
     Cost: O(d log d) for d drawings of one edge, summed over the edges.
     """
     for k, drawings in enumerate(listed):
-        line, edge = loop.lines[k], edge_extent(loop, k)
+        line, edge = loop.lines[k], find_edge_extent(loop, k)
         pieces = []
         for drawing in drawings:
             position, feature = drawing
-            piece = sum_extent(trajectory, position, generatrix, feature, line)
+            piece = find_sum_extent(trajectory, position, generatrix, feature, line)
             if piece is None:
                 raise flaw((name, k), f"{_name(drawing)} is not on the line of the edge")
             if not share_a_part(piece, edge):

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
 
-from exactsweep.check.chain import LowerChain, Node, heights
+from exactsweep.check.chain import LowerChain, Node, walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import Fit
 
@@ -66,4 +66,4 @@ def _jumps(chain: LowerChain) -> tuple[list[int], list[int]]:
 
 def _least(a: LowerChain, b: LowerChain, x: int, side: int) -> Fraction:
     origin: Node = (x, 0, 1)
-    return min(Fraction(*height) for height in heights(a, b, origin, side))
+    return min(Fraction(*height) for height in walk_heights(a, b, origin, side))

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import Line, LowerChain, Node, heights, turn
+from exactsweep.check.chain import Line, LowerChain, Node, turn, walk_heights
 from exactsweep.geometry.number import split_ratios
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -97,21 +97,6 @@ class MonotoneLoop:
         turned.halves = self.halves[1], self.halves[0]
         return turned
 
-    def doubled_area(self) -> tuple[int, int]:
-        """Twice the area, numerator and denominator, not in lowest terms."""
-        terms = [
-            (px * qy - qx * py, pw * qw)
-            for (px, py, pw), (qx, qy, qw) in zip(
-                self.nodes, self.nodes[1:] + self.nodes[:1], strict=True
-            )
-        ]
-        # In pairs, so that factors are of equal length.
-        while len(terms) > 1:
-            odd = terms[len(terms) & ~1 :]
-            pairs = zip(terms[::2], terms[1::2], strict=False)
-            terms = [(a * d + c * b, b * d) for (a, b), (c, d) in pairs] + odd
-        return terms[0]
-
     def _chain(self, nodes: list[Node], lines: list[Line], start: int, end: int) -> LowerChain:
         """The chain from node `start` to the end of the last edge that does not go back."""
         n = len(nodes)
@@ -138,7 +123,9 @@ def _is_below(lower: LowerChain, turned_upper: LowerChain) -> bool:
     """Whether a lower chain is below an upper one, except for a common first and last point."""
     # Without jumps the limits from both sides are the same.
     for side in (-1, 1) if lower.jumps or turned_upper.jumps else (1,):
-        first, *inside, last = (gap for gap, _ in heights(lower, turned_upper, (0, 0, 1), side))
+        first, *inside, last = (
+            gap for gap, _ in walk_heights(lower, turned_upper, (0, 0, 1), side)
+        )
         if max(first, last) > 0 or max(inside, default=-1) >= 0:
             return False
     return True

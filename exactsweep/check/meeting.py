@@ -72,12 +72,12 @@ def list_meetings(
         onward.sort(key=_BY_SLOPE)
         status[low:high] = onward
         for k in {low, low + len(onward)}:
-            if 0 < k < len(status) and (crossing := _crossing(status[k - 1], status[k])):
+            if 0 < k < len(status) and (crossing := _find_crossing(status[k - 1], status[k])):
                 a, b = sorted(status[k - 1 : k + 1], key=lambda edge: edge.owner)
                 yield crossing, (find_cones(a.rays), find_cones(b.rays))
 
 
-def _crossing(e: _StatusEdge, f: _StatusEdge) -> Vertex | None:
+def _find_crossing(e: _StatusEdge, f: _StatusEdge) -> Vertex | None:
     """The point inside both edges in which they cross; touching is left to the events."""
     if e.owner == f.owner:
         return None

@@ -35,7 +35,7 @@ from collections.abc import Iterator
 from itertools import islice
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import ChainCorner, Line, LowerChain, Node, heights, turn
+from exactsweep.check.chain import ChainCorner, Line, LowerChain, Node, turn, walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
@@ -61,7 +61,7 @@ def check_sum_within(
         CertificateError: the witness is the sum of the corners, or a point of the loop inside
             A + B, at or near the corner of the loop.
 
-    Cost: `steps_within`.
+    Cost: `count_steps`.
     """
     for sign, chain, a, b in zip((1, -1), loop.halves, first.halves, second.halves, strict=True):
         if found := _corner_outside(chain, a, b) or _corner_inside(chain, a, b):
@@ -70,7 +70,7 @@ def check_sum_within(
             raise CertificateError(reason.format(*numbers), frame.leave((sign * x, sign * y, w)))
 
 
-def steps_within(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -> int:
+def count_steps(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -> int:
     """Count the steps of `check_sum_within`.
 
     For (a) each run of convex corners of A is walked along with each of B; for (b), at each concave
@@ -135,7 +135,7 @@ def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> 
 
 
 def _passes_below(first: LowerChain, second: LowerChain, node: Node, side: int) -> bool:
-    return any(height < 0 for height, _ in heights(first, second, node, side))
+    return any(height < 0 for height, _ in walk_heights(first, second, node, side))
 
 
 def _middle(p: Node, q: Node) -> Node:

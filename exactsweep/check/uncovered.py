@@ -70,8 +70,8 @@ class OpenSets:
 
     def __init__(self, rings: Iterable[LatticeRing]) -> None:
         # Large sets first: few of them cover most of what is covered.
-        boxed = [(_box(ring), ring) for ring in dict.fromkeys(rings)]
-        boxed.sort(key=lambda pair: _width(pair[0]), reverse=True)
+        boxed = [(_find_bounds(ring), ring) for ring in dict.fromkeys(rings)]
+        boxed.sort(key=lambda pair: _measure_width(pair[0]), reverse=True)
         self._rings = [ring for _, ring in boxed]
         self._boxes = [box for box, _ in boxed]
         # By the direction of a line and the number of the set.
@@ -97,7 +97,7 @@ class OpenSets:
             by_line[line].append((low, high))
         pieces, points = [], set()
         for line, spans in by_line.items():
-            for low, high in self._left_on(line, _joined(spans)):
+            for low, high in self._left_on(line, _unite(spans)):
                 if low < high:
                     pieces.append(LinePiece(line, low, high))
                 else:
@@ -112,12 +112,12 @@ class OpenSets:
             if box[2 * axis] >= spans[-1][1] or box[2 * axis + 1] <= spans[0][0]:
                 continue
             if k not in reaches:
-                reaches[k] = _reach(self._rings[k], line)
+                reaches[k] = _measure_reach(self._rings[k], line)
             reach = reaches[k]
             if not reach.low < line.c < reach.high:
                 continue
-            low, high = _shadow(self._rings[k], reach.values, line)
-            spans = [part for span in spans for part in _without(span, low, high)]
+            low, high = _find_shadow(self._rings[k], reach.values, line)
+            spans = [part for span in spans for part in _cut_away(span, low, high)]
             if not spans:
                 break
         return spans
@@ -154,21 +154,21 @@ class OpenSets:
         return False
 
 
-def _reach(ring: LatticeRing, line: LatticeLine) -> _Reach:
+def _measure_reach(ring: LatticeRing, line: LatticeLine) -> _Reach:
     values = [line.dx * y - line.dy * x for x, y in ring]
     return _Reach(min(values), max(values), values)
 
 
-def _box(ring: LatticeRing) -> Rectangle:
+def _find_bounds(ring: LatticeRing) -> Rectangle:
     xs, ys = zip(*ring, strict=True)
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def _width(box: Rectangle) -> Rational:
+def _measure_width(box: Rectangle) -> Rational:
     return box[1] - box[0] + box[3] - box[2]
 
 
-def _shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) -> Interval:
+def _find_shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) -> Interval:
     """The open interval in which the inside of a ring, on both sides of a line, meets it."""
     axis = line.axis
     ends: list[Rational] = []
@@ -183,7 +183,7 @@ def _shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) ->
     return min(ends), max(ends)
 
 
-def _joined(spans: Iterable[Interval]) -> list[Interval]:
+def _unite(spans: Iterable[Interval]) -> list[Interval]:
     """The union of closed intervals."""
     joined: list[Interval] = []
     for low, high in sorted(spans):
@@ -194,7 +194,7 @@ def _joined(spans: Iterable[Interval]) -> list[Interval]:
     return joined
 
 
-def _without(span: Interval, low: Rational, high: Rational) -> Iterator[Interval]:
+def _cut_away(span: Interval, low: Rational, high: Rational) -> Iterator[Interval]:
     """What an open interval leaves of a closed one, which may be a point."""
     start, end = span
     if high <= start or end <= low:

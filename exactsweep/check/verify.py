@@ -29,9 +29,9 @@ That the loops are nested follows: D is in E, for D + I(G) = P; E is in P + G, f
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any, NamedTuple
 
+from exactsweep.check.area import check_area
 from exactsweep.check.certificate import Certificate, CertificateError, read
 from exactsweep.check.claim import read_claim
 from exactsweep.check.complete import prove_claim
@@ -39,8 +39,8 @@ from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.check.size import check_reading, check_size, common_scale
-from exactsweep.check.sums import check_sum_within, steps_within
+from exactsweep.check.size import check_reading, check_size, find_common_scale
+from exactsweep.check.sums import check_sum_within, count_steps
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
@@ -94,7 +94,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = NodeFrame(c.direction, common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix, max_steps))
     placed = {
         "generatrix": frame.enter(c.generatrix, ORIGIN),
         "directrix": frame.enter(c.directrix, ORIGIN),
@@ -108,7 +108,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
     )
     inverse = g.turn_half()
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
-    check_size(placed.values(), sum(steps_within(*loops) for loops in sums), max_steps)
+    check_size(placed.values(), sum(count_steps(*loops) for loops in sums), max_steps)
 
     kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
     if c.kind != kind:
@@ -135,7 +135,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "inner: at vertex {} generatrix vertex {} can be put, and G is free of D",
         "inner: at trajectory vertex {}, or beside it, G cuts into the region inside",
     )
-    _check_area(c.area, outer, inner, frame)
+    check_area(c.area, outer.nodes, [inner.nodes], frame.unit_area)
 
 
 def _check_fits(found: list[Fit], c: Certificate) -> None:
@@ -152,11 +152,3 @@ def _check_fits(found: list[Fit], c: Certificate) -> None:
             raise CertificateError("exact_fits: one is missing", fit[1])
     if listed != found:
         raise CertificateError("exact_fits: not sorted, or one is listed twice")
-
-
-def _check_area(area: Fraction, outer: MonotoneLoop, inner: MonotoneLoop, frame: NodeFrame) -> None:
-    # Denominators of many crossings have hardly a common factor: reducing would only cost time.
-    (n_out, d_out), (n_in, d_in) = outer.doubled_area(), inner.doubled_area()
-    doubled, unit = n_out * d_in - n_in * d_out, 2 * frame.unit_area * d_out * d_in
-    if doubled * area.denominator != area.numerator * unit:
-        raise CertificateError("area: it is not that of the outer loop minus that of the inner one")

@@ -88,7 +88,7 @@ def offer(*sources: Callable[[], Iterable[str]], files: bool = False) -> Offer:
     ) -> list[CompletionItem]:
         names = (name for source in sources for name in source())
         found = [
-            CompletionItem(_escaped(name))
+            CompletionItem(_escape(name))
             for name in names
             if name.lower().startswith(incomplete.lower())
         ]
@@ -97,7 +97,7 @@ def offer(*sources: Callable[[], Iterable[str]], files: bool = False) -> Offer:
     return complete
 
 
-def _escaped(name: str) -> str:
+def _escape(name: str) -> str:
     # Other shells do that themselves.
     is_bash = os.environ.get("_EXACTSWEEP_COMPLETE", "").startswith("bash")
     return name.replace(" ", "\\ ") if is_bash else name

@@ -128,7 +128,7 @@ def conform_command(
         total = sum(1 for _ in selection.shipped())
     cases = require_distinct(selection.shipped() if given is None else selection.among(given))
     with ExitStack() as stack:
-        stack.enter_context(_terminated_as_interrupted())
+        stack.enter_context(_end_as_interrupted())
         judges = stack.enter_context(
             Judges(command, seconds=timeout, workers=workers, rounding=rounding, most=most)
         )
@@ -153,7 +153,7 @@ def conform_command(
 
 
 @contextmanager
-def _terminated_as_interrupted() -> Iterator[None]:
+def _end_as_interrupted() -> Iterator[None]:
     """Let a polite request to end do what Ctrl-C does."""
 
     def interrupt(number: int, frame: object) -> NoReturn:

@@ -147,7 +147,7 @@ def export_command(
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
-    chosen = _chosen(names, flags, kind, max_size)
+    chosen = _choose(names, flags, kind, max_size)
     match form:
         case "json":
             parts: Iterable[str] = map(case_to_line, chosen)
@@ -193,7 +193,7 @@ def schema_command() -> None:
     write(read_schema(), "-")
 
 
-def _chosen(
+def _choose(
     names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
 ) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""

@@ -9,7 +9,8 @@ from typing import Any
 
 from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
-from exactsweep.formats.exact_json import describe_kind, read_number, read_point, read_vertices
+from exactsweep.formats.exact_json import describe_kind, read_point, read_vertices
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import format_fraction, quote
 from exactsweep.geometry.point import Fit, Loop, Point
@@ -135,7 +136,8 @@ def _read(document: object) -> Case:
         inner=inner,
         outer=outer,
         exact_fits=_fits(expected, "$.expected"),
-        area=read_number(_member(expected, "area", "$.expected"), "$.expected.area"),
+        # What is written there, of however many digits, is held against this one.
+        area=outer.area - add_up(loop.area for loop in (inner, *(p for _, p in unswept))),
         directrix_holes=tuple(points for points, _ in d_holes),
         generatrix_holes=tuple(points for points, _ in g_holes),
         holes=tuple(hole for _, hole in holes),

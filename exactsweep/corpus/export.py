@@ -14,7 +14,7 @@ from exactsweep.canvas.scale import Scale
 from exactsweep.corpus.case import Case
 from exactsweep.corpus.facts import is_clockwise
 from exactsweep.corpus.representable import find_types
-from exactsweep.draw.notebook import sweep_svg
+from exactsweep.draw.notebook import draw_sweep
 from exactsweep.draw.sweeps import trace_anchor
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.writing import write_wkt_points, write_wkt_polygon
@@ -194,7 +194,7 @@ def cases_to_svg(cases: Iterable[Case]) -> Iterator[str]:
         if not Scale.of(s.outer.vertices, trace_anchor(s).vertices).is_true:
             note += ", axes scaled apart"
         yield (
-            f'<g transform="translate({x} {y})">\n{sweep_svg(s)}\n'
+            f'<g transform="translate({x} {y})">\n{draw_sweep(s)}\n'
             f'<text x="12" y="{_HEIGHT - 34}">{escape(case.id)}</text>\n'
             f'<text x="12" y="{_HEIGHT - 16}" fill="#777">{note}</text>\n</g>\n'
         )

@@ -1,4 +1,4 @@
-"""Flags that can be seen from a pair and its answer, so that nobody has to be believed for them."""
+"""Flags that can be seen from a pair and its answer, so that none is taken on trust."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -55,7 +55,7 @@ def is_clockwise(ring: Sequence[Point]) -> bool:
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
-def _repeated(rings: PointRings) -> bool:
+def _repeats(rings: PointRings) -> bool:
     return any(p == q for ring in rings for p, q in _edges(ring))
 
 
@@ -65,7 +65,7 @@ def _collinear(rings: PointRings) -> bool:
 
 _SPELLING: dict[str, Callable[[PointRings], bool]] = {
     "clockwise": lambda rings: is_clockwise(rings[0]),
-    "repeated-vertex": _repeated,
+    "repeated-vertex": _repeats,
     "collinear-vertex": _collinear,
     "hole": lambda rings: len(rings) > 1,
 }
@@ -93,14 +93,14 @@ def _is_long(s: Sweep) -> bool:
     return any(len(ring) > MANY for ring in (*loops, *s.directrix.rings, *s.generatrix.rings))
 
 
-def _touching(s: Sweep) -> bool:
+def _touch(s: Sweep) -> bool:
     return classify(s.directrix, s.generatrix, (0, 0)).verdict == "CONTACT"
 
 
 _ANSWER: dict[str, Callable[[Sweep], bool]] = {
     "identical": _identical,
     "inverse": _inverse,
-    "touching": _touching,
+    "touching": _touch,
     "reference-point": lambda s: any(s.reference),
     "turned": lambda s: s.kind != "SS" and s.direction != (1, 0),
     "exact-fit": lambda s: bool(s.exact_fits),

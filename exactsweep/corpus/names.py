@@ -8,7 +8,7 @@ from exactsweep.words import suggest
 
 
 class UnknownNameError(ExactSweepError):
-    """A name that there is not; the message suggests one that there is."""
+    """A name that does not exist; the message suggests one that does."""
 
 
 def require_known(name: str, names: Collection[str], thing: str) -> str:

@@ -53,7 +53,7 @@ def cases(
         >>> [case.kind for case in cases(prefix="figures-10-")][0]
         'MM'
     """
-    return map(case_from_json, _matching(prefix, flags, kind, max_size))
+    return map(case_from_json, _match(prefix, flags, kind, max_size))
 
 
 class Summary(NamedTuple):
@@ -78,11 +78,11 @@ def list_summaries(
         >>> next(list_summaries(prefix="fits-")).title
         'A square into a slot as wide'
     """
-    for data in _matching(prefix, flags, kind, max_size):
+    for data in _match(prefix, flags, kind, max_size):
         yield Summary(data["id"], data["class"], _size(data), data["title"])
 
 
-def _matching(
+def _match(
     prefix: str, flags: Iterable[str], kind: str | None, max_size: int | None
 ) -> Iterator[dict[str, Any]]:
     wanted = {require_known(flag, notes(), "flag") for flag in flags}

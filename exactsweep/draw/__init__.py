@@ -1,8 +1,7 @@
 """Pictures, drawn with matplotlib (the `plot` extra) at an exact scale.
 
-`plot_sweep` draws all of a sweep, `plot_no_fit` and `plot_inner_fit` all of a no-fit polygon and
-of an inner fit. For other pictures make a `Picture` on an Axes, with the `Scale` of what it is to
-hold, and draw on it:
+`plot_sweep` draws all of a sweep, `plot_positions` all of a no-fit polygon or of an inner fit. For
+other pictures make a `Picture` on an Axes, with the `Scale` of what it is to hold, and draw on it:
 
     figure = make_figure()
     picture = Picture(figure.axes[0], Scale.of(d.vertices, *chains))
@@ -20,7 +19,7 @@ from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.scale import AxisScale, Scale
 from exactsweep.draw.chains import draw_chains, draw_sub_trajectories
 from exactsweep.draw.figure import SUFFIXES, make_figure, read_suffix, save, save_svg
-from exactsweep.draw.no_fits import plot_inner_fit, plot_no_fit
+from exactsweep.draw.no_fits import plot_positions
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import ContactStretch, cut_trajectory
 from exactsweep.draw.sweeps import (
@@ -56,8 +55,7 @@ __all__ = [
     "draw_undercuts",
     "make_figure",
     "place_generatrix",
-    "plot_inner_fit",
-    "plot_no_fit",
+    "plot_positions",
     "plot_sweep",
     "read_suffix",
     "save",

@@ -53,14 +53,14 @@ class Features:
         if event[1] == "V":
             return self.d_vertices[j], self.d_vertices[j]
         if event[0] == "V":
-            touching = self._moved(self.g_vertices[i], position)
+            touching = self._move(self.g_vertices[i], position)
             return touching, touching
         ends = [self.d_vertices[k] for k in self._d_ends[j]]
-        ends += [self._moved(self.g_vertices[k], position) for k in self._g_ends[i]]
+        ends += [self._move(self.g_vertices[k], position) for k in self._g_ends[i]]
         _, low, high, _ = sorted(ends)
         return low, high
 
-    def _moved(self, point: Point, position: Point) -> Point:
+    def _move(self, point: Point, position: Point) -> Point:
         """Where a point of G is when the reference point is at a position."""
         return Point(
             point.x + position.x - self._reference.x, point.y + position.y - self._reference.y

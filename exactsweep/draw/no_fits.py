@@ -87,20 +87,20 @@ class Positions(NamedTuple):
         return list(dict.fromkeys(found))
 
 
-def plot_no_fit(
-    n: NoFitPositions,
+def plot_positions(
+    found: NoFitPositions | InnerFitPositions,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
     y_down: bool = False,
 ) -> Axes:
-    """Draw a no-fit polygon: both polygons, its exterior, its holes, and its exact fits.
+    """Draw a no-fit polygon or an inner fit: both polygons, all loops, and the exact fits.
 
     Args:
-        n: a NoFitPolygon.
+        found: a NoFitPolygon or an InnerFit.
         axes: as for `plot_sweep`.
-        positions: pairs of numbers, where the reference point of G is when G is drawn; if left
-            out, some in exact fits and in holes, and one on the exterior.
+        positions: pairs of numbers, where the reference point of what moves is when that is drawn;
+            if left out, some in exact fits and among free positions, and one on the exterior.
         y_down: as for `plot_sweep`.
 
     Returns:
@@ -109,61 +109,18 @@ def plot_no_fit(
     Raises:
         DrawError, PolygonError, NumberError: as by `plot_sweep`.
 
-    Cost: that of the no-fit polygon, and linear in its size.
+    Cost: that of all that was found, and linear in its size.
 
     Example:
         >>> from exactsweep import no_fit_polygon
         >>> from exactsweep.draw import make_figure
         >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_no_fit(no_fit_polygon(square, square), make_figure().axes[0])
+        >>> axes = plot_positions(no_fit_polygon(square, square), make_figure().axes[0])
         >>> [text.get_text() for text in axes.get_legend().get_texts()]
         ['stationary D', 'exterior', 'orbiting G', 'reference point of G']
     """
-    return _plot(Positions.of(n), axes, positions, y_down)
-
-
-def plot_inner_fit(
-    f: InnerFitPositions,
-    axes: Axes | None = None,
-    *,
-    positions: Iterable[Iterable[object]] | None = None,
-    y_down: bool = False,
-) -> Axes:
-    """Draw an inner fit: the container with its defects, the part, and where the part may be.
-
-    Args:
-        f: an InnerFit.
-        axes: as for `plot_sweep`.
-        positions: as for `plot_no_fit`.
-        y_down: as for `plot_sweep`.
-
-    Returns:
-        The Axes.
-
-    Raises:
-        DrawError, PolygonError, NumberError: as by `plot_sweep`.
-
-    Cost: that of the inner fit, and linear in its size.
-
-    Example:
-        >>> from exactsweep import inner_fit_polygon
-        >>> from exactsweep.draw import make_figure
-        >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
-        >>> axes = plot_inner_fit(inner_fit_polygon(bin, unit), make_figure().axes[0])
-        >>> [text.get_text() for text in axes.get_legend().get_texts()]
-        ['container D', 'free positions', 'part G', 'reference point of G']
-    """
-    return _plot(Positions.of(f), axes, positions, y_down)
-
-
-def _plot(
-    shown: Positions,
-    axes: Axes | None,
-    positions: Iterable[Iterable[object]] | None,
-    y_down: bool,
-) -> Axes:
     require_matplotlib()
-    axes = axes or make_axes()
+    axes, shown = axes or make_axes(), Positions.of(found)
     places = shown.choose_positions() if positions is None else read_positions(positions)
     fixed, moving, free = shown.called
     by = find_shift(shown)

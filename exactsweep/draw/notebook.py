@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from exactsweep.geometry.point import Fit
 
 
-def sweep_svg(s: Swept) -> str:
+def draw_sweep(s: Swept) -> str:
     """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits.
 
     Cost: that of the loops and the undercuts, and linear in their sizes.
@@ -87,35 +87,28 @@ def draw_positions(found: NoFitPositions | InnerFitPositions) -> str:
     return write_svg([shape for shape in shapes if shape.loops], title)
 
 
-def show_no_fit(n: NoFitPositions) -> str:
-    """Show a no-fit polygon as HTML: its picture, class, and sizes."""
+def show_positions(found: NoFitPositions | InnerFitPositions) -> str:
+    """Show a no-fit polygon or an inner fit as HTML: its picture, and sizes."""
+    from exactsweep.evidence.no_fit import NoFitPositions
+
+    shown = Positions.of(found)
+    fixed, moving, _ = (name.split()[0] for name in shown.called)
     rows = [
-        ("class", CLASSES[n.kind]),
-        ("reference", write_pair(n.reference)),
-        ("stationary", write_size(len(n.stationary), n.stationary.area)),
-        ("orbiting", write_size(len(n.orbiting), n.orbiting.area)),
-        ("exterior", write_size(len(n.exterior), n.exterior.area)),
-        ("holes", str(len(n.holes))),
-        ("exact fits", str(len(n.exact_fits))),
-        ("area", abridge(n.area)),
+        ("reference", write_pair(found.reference)),
+        (fixed, write_size(len(shown.directrix), shown.directrix.area)),
+        (moving, write_size(len(shown.generatrix), shown.generatrix.area)),
     ]
-    return put_beside(draw_positions(n), rows)
+    if isinstance(found, NoFitPositions):
+        exterior = write_size(len(found.exterior), found.exterior.area)
+        rows = [("class", CLASSES[found.kind]), *rows, ("exterior", exterior)]
+        rows.append(("holes", str(len(found.holes))))
+    else:
+        rows.append(("regions", str(len(found.regions))))
+    rows += [("exact fits", str(len(found.exact_fits))), ("area", abridge(found.area))]
+    return put_beside(draw_positions(found), rows)
 
 
-def show_inner_fit(f: InnerFitPositions) -> str:
-    """Show an inner fit as HTML: its picture and sizes."""
-    rows = [
-        ("reference", write_pair(f.reference)),
-        ("container", write_size(len(f.container), f.container.area)),
-        ("part", write_size(len(f.part), f.part.area)),
-        ("regions", str(len(f.regions))),
-        ("exact fits", str(len(f.exact_fits))),
-        ("area", abridge(f.area)),
-    ]
-    return put_beside(draw_positions(f), rows)
-
-
-def sweep_html(s: Swept) -> str:
+def show_sweep(s: Swept) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),
@@ -136,4 +129,4 @@ def sweep_html(s: Swept) -> str:
         ("undercuts", str(len(s.undercuts))),
         ("exact fits", str(len(s.exact_fits))),
     ]
-    return put_beside(sweep_svg(s), rows)
+    return put_beside(draw_sweep(s), rows)

@@ -261,16 +261,16 @@ def draw_exact_fits(
     segments, points = part_fits(fits)
     if segments:
         look = style.MANY_EXACT_FITS if len(segments) > _MANY else style.EXACT_FIT
-        picture.lines([_moved(fit, s) for fit in segments], look, "exact fit")
+        picture.lines([_move(fit, s) for fit in segments], look, "exact fit")
     if 0 < len(segments) <= _MANY:
         hanging = [
             [p]
             for p in dict.fromkeys(p for fit in segments for p in fit)
             if any(is_on(p, loop.vertices) for loop in loops)
         ]
-        picture.lines([_moved(end, s) for end in hanging], style.HANGING_END)
+        picture.lines([_move(end, s) for end in hanging], style.HANGING_END)
     if points:
-        picture.lines([_moved([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
+        picture.lines([_move([p], s) for p in points], style.POINT_FIT, "exact fit, one position")
 
 
 def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
@@ -279,7 +279,7 @@ def part_fits(fits: Iterable[Fit]) -> tuple[list[Fit], list[Point]]:
     return [fit for fit in listed if fit[0] != fit[1]], [p for p, q in listed if p == q]
 
 
-def _moved(points: Iterable[Point], s: Moving) -> list[Point]:
+def _move(points: Iterable[Point], s: Moving) -> list[Point]:
     """Positions of the reference point as those of the anchor."""
     dx, dy = find_shift(s)
     return [Point(p.x + dx, p.y + dy) for p in points]
@@ -292,7 +292,7 @@ def draw_generatrix(
     dots = []
     for position in positions:
         draw_shape(picture, place_generatrix(s, position), style.GENERATRIX, label)
-        dots.append(_moved([position], s))
+        dots.append(_move([position], s))
     if dots:
         picture.lines(dots, style.REFERENCE, name_anchor(s))
 

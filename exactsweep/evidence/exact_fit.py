@@ -19,8 +19,8 @@ from itertools import pairwise
 
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.procedures.chain import graph_edges
-from exactsweep.procedures.envelope import Envelope, point_on
+from exactsweep.procedures.chain import list_graph_edges
+from exactsweep.procedures.envelope import Envelope, find_point_on
 
 
 def find_exact_fits(
@@ -50,7 +50,7 @@ def find_exact_fits(
         d - g for d in _discontinuities(directrix) for g in _discontinuities(generatrix)
     )
     (start, _), (end, _) = trajectory.breaks[0], trajectory.breaks[-1]
-    top, bottom = graph_edges(generatrix[::-1]), graph_edges(directrix)
+    top, bottom = list_graph_edges(generatrix[::-1]), list_graph_edges(directrix)
     fits: list[tuple[Vertex, Vertex]] = []
     for x, count in sorted(meetings.items()):
         if count < 2 or not start < x < end:
@@ -105,4 +105,4 @@ def _right(edge: Edge) -> Rational:
 
 
 def _value(edge: Edge, x: Rational) -> Rational:
-    return point_on(edge, x.as_integer_ratio())[1]
+    return find_point_on(edge, x.as_integer_ratio())[1]

@@ -10,6 +10,7 @@ from typing import Any
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -136,7 +137,7 @@ class NoFitPositions:
     @property
     def area(self) -> Fraction:
         """The area of the positions of overlap."""
-        return self.exterior.area - sum((hole.area for hole in self.holes), Fraction(0))
+        return self.exterior.area - add_up(hole.area for hole in self.holes)
 
     def __str__(self) -> str:
         lines = [f"exterior, {len(self.exterior)} vertices: {self.exterior}"]
@@ -200,7 +201,7 @@ class InnerFitPositions:
     @property
     def area(self) -> Fraction:
         """The area of the free regions."""
-        return sum((region.area for region in self.regions), Fraction(0))
+        return add_up(region.area for region in self.regions)
 
     def __str__(self) -> str:
         lines = [f"region, {len(region)} vertices: {region}" for region in self.regions]

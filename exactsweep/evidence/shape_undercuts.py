@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.point import Edge, Vertex
-from exactsweep.procedures.chain import corners
+from exactsweep.procedures.chain import take_corners
 
 
 class Mouth(NamedTuple):
@@ -62,7 +62,7 @@ def find_mouths(loop: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[Mou
     ]
     leaving = {q: p for p, q in pieces[1]}
     return [
-        Mouth(corners(bottom), corners(_way(bottom, leaving)))
+        Mouth(take_corners(bottom), take_corners(_way(bottom, leaving)))
         for bottom in _chains(pieces[0], {p for edge in others for p in edge}, shared[1])
     ]
 

@@ -22,6 +22,7 @@ from exactsweep.evidence.contact import (
 from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
@@ -132,7 +133,7 @@ class Swept:
     @cached_property
     def area(self) -> Fraction:
         """The swept area: the outer loop without the inner one and what is not swept."""
-        return self.outer.area - sum((loop.area for loop in self.unswept), self.inner.area)
+        return self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept))
 
     @cached_property
     def _boundaries(self) -> tuple[Outline, Outline]:

@@ -15,8 +15,8 @@ from typing import Literal, NamedTuple
 from exactsweep.evidence.trace import Tracer
 from exactsweep.geometry.point import Edge, Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.procedures.chain import corners, graph_edges
-from exactsweep.procedures.envelope import point_on
+from exactsweep.procedures.chain import list_graph_edges, take_corners
+from exactsweep.procedures.envelope import find_point_on
 
 Intersection = Literal["point", "segment"]
 
@@ -69,7 +69,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
     found: list[Pocket] = []
     ends: list[list[Vertex]] = []
     is_open = False
-    low, high = graph_edges(inner), graph_edges(directrix)
+    low, high = list_graph_edges(inner), list_graph_edges(directrix)
     i = j = 0
     b1 = a1 = None
     while i < len(low) and j < len(high):
@@ -116,7 +116,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
 def _close(chain: list[Vertex], last: Vertex, end: Vertex) -> list[Vertex]:
     """A chain with its end; where it is cut at either end, points may be there twice."""
     chain += [last, end]
-    return corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
+    return take_corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
 
 
 def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:
@@ -162,4 +162,4 @@ def _point(edge: Edge, x: Rational) -> Vertex:
     for end in edge:
         if end[0] == x:
             return end
-    return point_on(edge, x.as_integer_ratio())
+    return find_point_on(edge, x.as_integer_ratio())

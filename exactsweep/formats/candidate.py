@@ -7,11 +7,14 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, quote
+from exactsweep.geometry.number import NumberError, answer_digits, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.words import count, suggest
+
+MAX_FAULTS = 10_000
+"""The most things of one file that are no polygon, each with a reason."""
 
 _SHOWN = 4
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
@@ -78,18 +81,34 @@ class Candidate(NamedTuple):
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
         for hole in self.holes():
             raise FormatError(f"{hole.place}: an inner ring: with it, this is a Region, no Polygon")
-        return self._read(lambda: Polygon(self.vertices()))
+        return self._read(lambda: Polygon(self._short_vertices()))
 
     def region(self) -> Region:
         """Read the polygon with its holes; refuses as `polygon` does, but no hole for being one."""
         holes = self.holes()
         if not holes:
             return Region(self.polygon())
-        return self._read(lambda: Region(self.vertices(), [hole.vertices() for hole in holes]))
+        return self._read(
+            lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
+        )
 
     def shape(self) -> Polygon | Region:
         """Read it as the Region that it is if there are holes, else as a Polygon."""
         return self.region() if self.holes() else self.polygon()
+
+    def _short_vertices(self) -> Sequence[Point]:
+        """Read the vertices, or refuse those that could be written and not be read again.
+
+        Only transformations and curves make them: a product of numbers has the digits of all.
+        """
+        points = self.vertices()
+        bits = max(
+            (n.bit_length() for p in points for c in p for n in c.as_integer_ratio()), default=0
+        )
+        # A bit is 0.30103 digits, rounded up.
+        if bits * 30_103 > answer_digits() * 100_000:
+            raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")
+        return points
 
     def _read(self, shape: Callable[[], _PolygonOrRegion]) -> _PolygonOrRegion:
         try:
@@ -110,26 +129,38 @@ class Candidate(NamedTuple):
 
 def read_each(candidates: Sequence[Candidate], read: Callable[[Candidate], _Read]) -> list[_Read]:
     """Read all candidates, or refuse all that cannot be read in one message."""
-    found, refused = sift(candidates, read)
-    if not refused:
-        return found
-    first, *others = refused
-    more = "".join(f"; {error}" for error in others[: _SHOWN - 1])
-    more += f"; and {len(refused) - _SHOWN} more" * (len(refused) > _SHOWN)
-    raise type(first)(f"{first}{more}") from None
-
-
-def sift(
-    candidates: Iterable[Candidate], read: Callable[[Candidate], _Read]
-) -> tuple[list[_Read], list[ValueError]]:
-    """Read what can be read; return the refusals of all else beside it."""
-    found, refused = [], []
+    found: list[_Read] = []
+    # Of a refusal no more than its words: it holds on to all that it came from.
+    refusals: list[tuple[type[ValueError], str]] = []
+    more = 0
     for candidate in candidates:
         try:
             found.append(read(candidate))
         except ValueError as error:
-            refused.append(error)
-    return found, refused
+            if len(refusals) < _SHOWN:
+                refusals.append((type(error), str(error)))
+            else:
+                more += 1
+    if refusals:
+        kind, reason = refusals[0][0], "; ".join(reason for _, reason in refusals)
+        raise kind(f"{reason}; and {more} more" if more else reason)
+    return found
+
+
+def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
+    """List candidates, of which some are known to be no polygons.
+
+    Raises:
+        FormatError: more than MAX_FAULTS of them are, with the first one.
+    """
+    found, faults = [], 0
+    for candidate in candidates:
+        found.append(candidate)
+        faults += bool(candidate.fault)
+        if faults > MAX_FAULTS:
+            first = next(one.fault for one in found if one.fault)
+            raise FormatError(f"more than {MAX_FAULTS:,} things that are no polygon, first {first}")
+    return found
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:

@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from io import StringIO
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.reading import MAX_VERTICES
 from exactsweep.geometry.point import Point
 
+MAX_POLYGONS = MAX_VERTICES // 3
+"""The most polygons of one table: each has three vertices at least."""
+
 _NAMES = ("name", "id", "part", "polygon")
+_COLUMNS = {"x", "y", "ring", *_NAMES}
 _NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
 _RowsByRing = dict[str, list[tuple[int, str, str]]]
@@ -52,6 +58,21 @@ def parse_csv(text: str) -> list[Candidate]:
         >>> [(c.name, len(c.vertices())) for c in parse_csv("name,x,y\na,0,0\na,1,0\na,0,1\n")]
         [('a', 3)]
     """
+    with _cells_of_any_length(len(text)):
+        return _parse(text)
+
+
+@contextmanager
+def _cells_of_any_length(length: int) -> Iterator[None]:
+    """Python's limit, 131,072 characters, is below what numbers of answers may have."""
+    before = csv.field_size_limit(length)
+    try:
+        yield
+    finally:
+        csv.field_size_limit(before)
+
+
+def _parse(text: str) -> list[Candidate]:
     sample = text.lstrip().partition("\n")[0]
     separator = max(",;\t", key=sample.count)
     rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
@@ -63,7 +84,8 @@ def parse_csv(text: str) -> list[Candidate]:
                 continue
             if columns is None:
                 head = [cell.strip().lower() for cell in row]
-                columns = {cell: k for k, cell in enumerate(head)}
+                # Of two columns of one name the latter; others are of no use here.
+                columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
                 if {"x", "y"} <= columns.keys():
                     continue
                 columns = {"x": 0, "y": 1}
@@ -71,6 +93,8 @@ def parse_csv(text: str) -> list[Candidate]:
                 raise FormatError(f"line {rows.line_num}: {len(row)} cells, without x and y")
             named = {word: row[k] for word, k in columns.items() if k < len(row)}
             name = next((named[word] for word in _NAMES if word in named), "")
+            if len(polygons) > MAX_POLYGONS:
+                raise FormatError(f"more than {MAX_POLYGONS:,} polygons")
             rings = polygons.setdefault((named.get("polygon", ""), name), {})
             cells = rows.line_num, row[columns["x"]], row[columns["y"]]
             rings.setdefault(named.get("ring", ""), []).append(cells)

@@ -2,8 +2,10 @@
 
 import re
 from fractions import Fraction
+from math import ceil, log2
 
 from exactsweep.formats.error import FormatError
+from exactsweep.geometry.digits import write_int
 from exactsweep.geometry.number import abridge, format_fraction, quote, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
@@ -64,7 +66,7 @@ def format_decimal(value: Fraction) -> str:
     Raises:
         FormatError: not a finite decimal, such as 1/3.
 
-    Cost: that of a division of its length.
+    Cost: that of a product of its length.
 
     Example:
         >>> format_decimal(Fraction(-7, 2)), format_decimal(Fraction(1, 1024))
@@ -72,11 +74,14 @@ def format_decimal(value: Fraction) -> str:
     """
     if value.denominator == 1:
         return format_fraction(value)
-    # A divisor of any power of ten divides this one: no prime's exponent is above log2.
-    places = value.denominator.bit_length()
-    scaled = value * 10**places
-    if scaled.denominator != 1:
+    twos = (value.denominator & -value.denominator).bit_length() - 1
+    rest = value.denominator >> twos
+    # Of as many bits there is one power of five at most.
+    fives = ceil((rest.bit_length() - 1) / log2(5))
+    if 5**fives != rest:
         raise FormatError(f"{abridge(value)} is not a finite decimal")
-    digits = format_fraction(abs(scaled)).zfill(places + 1)
+    places = max(twos, fives)
+    scaled = abs(value.numerator) * 2 ** (places - twos) * 5 ** (places - fives)
+    digits = write_int(scaled).zfill(places + 1)
     sign = "-" if value < 0 else ""
-    return f"{sign}{digits[:-places]}.{digits[-places:].rstrip('0')}"
+    return f"{sign}{digits[:-places]}.{digits[-places:]}"

@@ -12,7 +12,7 @@ class FormatError(ExactSweepError):
 
 @contextmanager
 def require_imports(package: str, extra: str, what: str) -> Iterator[None]:
-    """Refuse, where the imports inside fail, with what is to be installed.
+    """Refuse, if an import inside the `with` block fails, and say what to install.
 
     Args:
         package: the library.

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import partial
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
@@ -31,7 +31,7 @@ def parse_json(text: str) -> object:
         >>> parse_json('[0.10, 1e400, "1/3"]')
         ['0.10', '1e400', '1/3']
     """
-    return _parsed(text, str)
+    return _parse(text, str)
 
 
 def parse_certificate(text: str) -> object:
@@ -52,7 +52,7 @@ def parse_certificate(text: str) -> object:
         >>> parse_certificate('[0, "1/3"]')
         [0, '1/3']
     """
-    return _parsed(text, None)
+    return _parse(text, None)
 
 
 def read_vertices(value: object, path: str) -> list[Point]:
@@ -114,7 +114,7 @@ def read_exact(document: object, path: str = "$") -> list[Candidate]:
 def _each(value: object, path: str, what: str) -> list[Candidate]:
     if not isinstance(value, list):
         raise FormatError(f"{path} is {describe_kind(value)}, not a list of {what}")
-    return [_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value)]
+    return allow_faults(_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value))
 
 
 def _is_list_of_rings(value: list[object]) -> bool:
@@ -155,8 +155,10 @@ def read_record_name(document: Mapping[str, object]) -> str | None:
 
 
 def _read_one(value: object, path: str) -> Candidate:
-    if not isinstance(value, dict):
+    if isinstance(value, list):
         return Candidate(path, partial(read_vertices, value, path))
+    if not isinstance(value, dict):
+        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
     member = "vertices" if "vertices" in value else "exterior"
     if member not in value:
         raise FormatError(
@@ -165,9 +167,15 @@ def _read_one(value: object, path: str) -> Candidate:
             else f'{path} has no "vertices"'
         )
     name = read_name(value.get("id"), f"{path}.id")
+    if not isinstance(value[member], list):
+        fault = f"{path}.{member} is {describe_kind(value[member])}, not a list of vertices"
+        return Candidate.refused(fault, name)
     holes = value.get("holes", []) if member == "exterior" else []
     if not isinstance(holes, list):
         raise FormatError(f"{path}.holes is {describe_kind(holes)}, not a list of holes")
+    for k, hole in enumerate(holes):
+        if not isinstance(hole, list):
+            raise FormatError(f"{path}.holes[{k}] is {describe_kind(hole)}, not a list of vertices")
     exterior, *inner = (
         Candidate(place, partial(read_vertices, ring, place))
         for place, ring in [
@@ -200,7 +208,7 @@ def describe_kind(value: object) -> str:
     return json.dumps(value)
 
 
-def _parsed(text: str, number: Callable[[str], object] | None) -> object:
+def _parse(text: str, number: Callable[[str], object] | None) -> object:
     try:
         document: object = json.loads(
             text,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import partial
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_name, read_vertices
 from exactsweep.geometry.point import Point
@@ -13,17 +13,17 @@ from exactsweep.geometry.point import Point
 _MAX_DEPTH = 100
 
 
-def read_geojson(document: Mapping[str, object], path: str = "$") -> Iterator[Candidate]:
+def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candidate]:
     """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
         path: where it is, for messages.
 
-    Yields:
-        Candidate, for each Polygon, the name being the id of its Feature. That of another geometry
-        refuses, and so does that of a Polygon with more than two coordinates or a ring that is not
-        closed.
+    Returns:
+        list of Candidate, for each Polygon, the name being the id of its Feature. That of another
+        geometry refuses, and so does that of a Polygon with more than two coordinates or a ring
+        that is not closed.
 
     Raises:
         FormatError: an id that is no string and no number, a collection without its list, nested
@@ -37,7 +37,7 @@ def read_geojson(document: Mapping[str, object], path: str = "$") -> Iterator[Ca
         >>> len(outline.vertices())
         4
     """
-    return _read(document, path, None, 0)
+    return allow_faults(_read(document, path, None, 0))
 
 
 def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:
@@ -76,6 +76,11 @@ def _outline(rings: object, path: str, name: str | None) -> Candidate:
     """Make the outline of the rings of a Polygon."""
     if not isinstance(rings, list):
         return Candidate.refused(f"{path} is {describe_kind(rings)}, not a list of rings", name)
+    for k, ring in enumerate(rings):
+        if not isinstance(ring, list):
+            return Candidate.refused(
+                f"{path}[{k}] is {describe_kind(ring)}, not a list of vertices", name
+            )
     if not rings:
         return Candidate.refused(f"{path} is empty", name)
     exterior, *inner = (

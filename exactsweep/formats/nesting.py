@@ -2,61 +2,65 @@
 
 from __future__ import annotations
 
+from bisect import insort
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from functools import partial
-from math import lcm
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point, Vertex
+from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
-
-MAX_DEPTH = 100
-"""How many rings may be around one, lest a small file keeps its reader busy."""
+from exactsweep.geometry.region import common_lattice
 
 
-def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[list[int]]:
-    """Find the rings around each ring.
+def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
+    """Find the ring just around each ring.
 
     Args:
         rings: Polygons, whose boundaries may touch and run along each other.
         names: what messages call them.
 
     Returns:
-        For each ring, the indices of those that it lies in, in order; of equal ones, the later lies
-        in the earlier.
+        For each ring the index of the innermost one that it lies in, or None; of equal ones, the
+        later lies in the earlier.
 
     Raises:
-        PolygonError: two rings cross, so that neither lies in the other, nor outside of it; more
-            than MAX_DEPTH rings around one.
+        PolygonError: two rings cross, so that neither lies in the other, nor outside of it.
 
-    Cost: O(m n) at worst for each two rings of m and n vertices whose bounds meet.
+    Cost: O(m n) at worst for two rings of m and n vertices, of those only whose bounds meet, and of
+        the larger ones only up to the innermost around; O(n) to find them for each ring that others
+        are above or below of.
 
     Example:
         >>> squares = [Polygon([(0, 0), (k, 0), (k, k), (0, k)]) for k in (2, 1, 3)]
         >>> nest(squares, "abc")
-        [[2], [0, 2], []]
+        [2, 0, None]
     """
-    lattices = [ring.lattice() for ring in rings]
-    scale = lcm(*(own for own, _ in lattices))
-    points = [[(x * (scale // own), y * (scale // own)) for x, y in p] for own, p in lattices]
-    found: list[list[int]] = [[] for _ in rings]
-    boxes = sorted((ring.bounding_box, k) for k, ring in enumerate(rings))
-    active: list[int] = []
-    for (low, _), k in boxes:
-        active = [j for j in active if rings[j].bounding_box[1].x > low.x]
-        for j in active:
-            if _may_overlap(rings[j], rings[k]):
-                # The larger one is the one around; of equal ones, the earlier.
-                outer, inner = sorted((j, k), key=lambda i: (-rings[i].area, i))
-                if _is_around(points[outer], points[inner], (names[outer], names[inner])):
-                    found[inner].append(outer)
-                    if len(found[inner]) > MAX_DEPTH:
-                        raise PolygonError(f"{names[inner]} lies in more than {MAX_DEPTH} others")
-        active.append(k)
-    return [sorted(around) for around in found]
+    boxes = [ring.bounding_box for ring in rings]
+    # The larger one of two is the one around; of equal ones, the earlier.
+    sizes = [(ring.area, -k) for k, ring in enumerate(rings)]
+    parents: list[int | None] = [None] * len(rings)
+    # From left to right, so that what is around a ring comes before it; by size, those not past.
+    active: list[tuple[Fraction, int]] = []
+    for k in sorted(range(len(rings)), key=lambda k: (boxes[k][0].x, -sizes[k][0], k)):
+        low, high = boxes[k]
+        for size in active[:]:
+            j = -size[1]
+            (_, bottom), (right, top) = boxes[j]
+            if right <= low.x:
+                active.remove(size)
+            elif bottom < high.y and low.y < top:
+                outer, inner = (j, k) if size > sizes[k] else (k, j)
+                if _is_around(rings[outer], rings[inner], (names[outer], names[inner])):
+                    # What is larger and around this one is around the ring, too; what is larger and
+                    # crosses the ring crosses this one, and has been met with it or around it.
+                    parents[inner] = outer
+                    break
+        insort(active, sizes[k])
+    return parents
 
 
 def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[list[int]]:
@@ -84,23 +88,34 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
         [[0, 1]]
     """
     names = [f"subpath {k}" for k in range(len(rings))]
-    around = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
-    turns = [1 if even_odd or find_doubled_area(ring) > 0 else -1 for ring in rings]
-    regions: dict[int, list[int]] = {}
+    parents = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
+    # How often the rings wind around what is just inside each, and the innermost exterior there.
+    inside, exterior = [0] * len(rings), [0] * len(rings)
     holes = []
-    for k, turn in enumerate(turns):
-        outside = sum(turns[j] for j in around[k])
-        inside = outside + turn
-        if even_odd:
-            outside, inside = outside % 2, inside % 2
-        if not outside:
-            regions[k] = [k]
-        elif not inside:
+    for k in _from_outside(parents):
+        parent = parents[k]
+        outside = 0 if parent is None else inside[parent]
+        turn = 1 if even_odd or find_doubled_area(rings[k]) > 0 else -1
+        inside[k] = (outside + turn) % 2 if even_odd else outside + turn
+        exterior[k] = k if parent is None or not outside else exterior[parent]
+        if outside and not inside[k]:
             holes.append(k)
-    for k in holes:
-        # The innermost exterior around it has the most rings around itself.
-        regions[max((j for j in around[k] if j in regions), key=lambda j: len(around[j]))].append(k)
+    regions = {k: [k] for k in range(len(rings)) if exterior[k] == k}
+    for k in sorted(holes):
+        regions[exterior[k]].append(k)
     return list(regions.values())
+
+
+def _from_outside(parents: Sequence[int | None]) -> Iterator[int]:
+    """All rings, each after the one just around it."""
+    children: defaultdict[int | None, list[int]] = defaultdict(list)
+    for k, parent in enumerate(parents):
+        children[parent].append(k)
+    left = children[None]
+    while left:
+        k = left.pop()
+        yield k
+        left += children[k]
 
 
 def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
@@ -130,14 +145,14 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
     found: list[tuple[int, Candidate]] = []
     for members in layers.values():
         try:
-            found += _nested(members)
+            found += _nest(members)
         except ValueError as error:
             reason = f"nested outlines are read with all of their layer: {error}"
             found += [(k, Candidate.refused(reason, o.name, o.layer)) for k, o in members]
     return [outline for _, outline in sorted(found, key=lambda pair: pair[0])]
 
 
-def _nested(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
+def _nest(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candidate]]:
     """Make holes of what lies inside other outlines, each given with its number."""
     rings = [
         (k, ring._replace(vertices=partial(list, ring.vertices()), holes=tuple))
@@ -145,17 +160,20 @@ def _nested(members: Sequence[tuple[int, Candidate]]) -> list[tuple[int, Candida
         for ring in (outline, *outline.holes())
     ]
     names = [ring.place or "the exterior" for _, ring in rings]
-    around = nest([ring.polygon() for _, ring in rings], names)
-    found = []
-    for i, (k, ring) in enumerate(rings):
-        if len(around[i]) % 2 == 0:
-            inner = [
-                hole
-                for (_, hole), others in zip(rings, around, strict=True)
-                if i in others and len(others) == len(around[i]) + 1
-            ]
-            found.append((k, ring._replace(holes=partial(tuple, inner))))
-    return found
+    parents = nest([ring.polygon() for _, ring in rings], names)
+    depth = [0] * len(rings)
+    holes: defaultdict[int, list[Candidate]] = defaultdict(list)
+    for i in _from_outside(parents):
+        if (parent := parents[i]) is not None:
+            depth[i] = depth[parent] + 1
+    for (_, ring), parent in zip(rings, parents, strict=True):
+        if parent is not None:
+            holes[parent].append(ring)
+    return [
+        (k, ring._replace(holes=partial(tuple, holes[i])))
+        for i, (k, ring) in enumerate(rings)
+        if depth[i] % 2 == 0
+    ]
 
 
 def _simple(ring: Sequence[Point], name: str) -> Polygon:
@@ -165,16 +183,12 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
         raise PolygonError(f"{name}: {error}") from None
 
 
-def _may_overlap(first: Polygon, second: Polygon) -> bool:
-    (a, b), (c, d) = first.bounding_box, second.bounding_box
-    return a.x < d.x and c.x < b.x and a.y < d.y and c.y < b.y
-
-
-def _is_around(outer: Sequence[Vertex], inner: Sequence[Vertex], names: tuple[str, str]) -> bool:
-    """Whether one of two counter-clockwise rings lies in the other, not outside of it."""
-    if not Overlap([outer], [inner]).at(ORIGIN):
+def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
+    """Whether one of two rings lies in the other, not outside of it."""
+    _, (around, within) = common_lattice([outer, inner])
+    if not Overlap([around], [within]).at(ORIGIN):
         return False
     # The complement of the outer one is what its ring, run through backward, leaves of the plane.
-    if Overlap([outer[::-1]], [inner], unbounded=True).at(ORIGIN):
+    if Overlap([around[::-1]], [within], unbounded=True).at(ORIGIN):
         raise PolygonError(f"{names[0]} and {names[1]} cross")
     return True

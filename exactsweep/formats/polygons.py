@@ -9,6 +9,7 @@ from exactsweep.formats.candidate import (
     Candidate,
     NamedPolygon,
     NamedRegion,
+    allow_faults,
     choose,
     read_each,
     select,
@@ -169,7 +170,7 @@ def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
@@ -188,7 +189,7 @@ def read_region(path: str, tolerance: object = None, **options: Unpack[Options])
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         return parse_region(read_text(file), choice, tolerance, **options)
 
 
@@ -208,7 +209,7 @@ def read_polygons(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_polygon)
 
 
@@ -229,7 +230,7 @@ def read_regions(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _naming(split_choice(path)[0]):
+    with _name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_region)
 
 
@@ -238,7 +239,7 @@ def read_candidates(
 ) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = split_choice(path)
-    with _naming(file):
+    with _name_file(file):
         candidates = parse_candidates(read_text(file), tolerance, **options)
         return candidates if choice is None else select(candidates, choice)
 
@@ -270,6 +271,9 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     marks = {"[": "[{", "{": "[{"}.get(first, "\n" if is_csv(text) else ",")
     if sum(map(text.count, marks)) > MAX_VERTICES:
         raise FormatError(f"more than {MAX_VERTICES:,} vertices")
+    # And of numbers two, with as much beside them, as many as there are in results.
+    if text.count(",") > 4 * MAX_VERTICES:
+        raise FormatError(f"more than {4 * MAX_VERTICES:,} numbers")
     if is_csv(text):
         return parse_csv(text)
     if first.isalpha():
@@ -287,7 +291,7 @@ def _read_json(text: str) -> Sequence[Candidate]:
         lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
         if "Extra data" not in str(error) or not _is_json(lines[0][1]):
             raise
-        return [found for k, line in lines for found in _read_line(line, k)]
+        return allow_faults(found for k, line in lines for found in _read_line(line, k))
     return find_candidates(document)
 
 
@@ -317,7 +321,7 @@ def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
         path: where it is, for messages.
     """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = list(read_geojson(document, path))
+        found = read_geojson(document, path)
         return found if len(found) > 1 else [one._replace(place="") for one in found]
     return read_exact(document, path)
 
@@ -336,7 +340,7 @@ def split_choice(path: str) -> tuple[str, str | None]:
 
 
 @contextmanager
-def _naming(file: str) -> Iterator[None]:
+def _name_file(file: str) -> Iterator[None]:
     """Put the name of the file before the message of every refusal."""
     try:
         yield

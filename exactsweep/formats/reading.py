@@ -122,7 +122,7 @@ class Reading:
         return min(self.tolerance, Fraction(1)) / 10**30
 
     def scale(self, unit: Fraction | None) -> Fraction:
-        """Return by what the numbers of a file are multiplied.
+        """Return the factor by which the numbers of a file are multiplied.
 
         Args:
             unit: what its numbers count, in millimetres; None if it does not say.

@@ -198,7 +198,7 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         chains = _chains(corners)
         moved = [point for chain in chains for point in chain]
         if all(chains) and _is_proved(moved, old, is_exterior):
-            return _scaled(moved, _distance(points, alive, chains), grid)
+            return _scale(moved, _distance(points, alive, chains), grid)
         ears = _ears(corners)
         # Those without a point first; more of them each time.
         ears.sort(key=lambda ear: (bool(chains[ear[1]]), ear))
@@ -211,10 +211,10 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
         return None
     hull = _hull(points)
     far = max(_square_to_ring(point, hull) for point in points)
-    return _scaled(hull, max(bound_root(far), Fraction(3, 2)), grid)
+    return _scale(hull, max(bound_root(far), Fraction(3, 2)), grid)
 
 
-def _scaled(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
+def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
     return _Moved(Polygon([(x * grid, y * grid) for x, y in ring]), distance * grid)
 
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple, NoReturn
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.number import NumberError, quote
@@ -49,7 +49,7 @@ def parse_wkt(text: str) -> list[Candidate]:
         >>> [len(o.vertices()) for o in parse_wkt("POLYGON ((0 0, 1 0, .5 1e2, 0 0))")]
         [4]
     """
-    found = list(_Reader(text).outlines())
+    found = allow_faults(_Reader(text).outlines())
     return found if len(found) > 1 else [found[0]._replace(place="")]
 
 
@@ -66,7 +66,7 @@ class _Reader:
         while True:
             kind = self.token.text.upper()
             if kind not in ("POLYGON", "MULTIPOLYGON", *_OTHERS):
-                self._refuse(f"{self._shown()} is neither POLYGON nor MULTIPOLYGON")
+                self._refuse(f"{self._show()} is neither POLYGON nor MULTIPOLYGON")
             place = self._place()
             self._advance()
             if self.token.text.upper() in ("Z", "M", "ZM"):
@@ -89,7 +89,7 @@ class _Reader:
             if self.token.kind == "end":
                 return
             if self.token.kind != "word":
-                self._refuse(f"{self._shown()} after the end of the polygon")
+                self._refuse(f"{self._show()} after the end of the polygon")
 
     def _skip(self) -> None:
         """Pass over the points of a geometry that has no rings."""
@@ -132,7 +132,7 @@ class _Reader:
 
     def _number(self) -> Fraction:
         if self.token.kind != "number":
-            self._refuse(f"{self._shown()} instead of a number")
+            self._refuse(f"{self._show()} instead of a number")
         try:
             value = read_decimal(self.token.text)
         except NumberError as error:
@@ -142,7 +142,7 @@ class _Reader:
 
     def _expect(self, mark: str) -> None:
         if self.token.text != mark:
-            self._refuse(f"{self._shown()} instead of '{mark}'")
+            self._refuse(f"{self._show()} instead of '{mark}'")
         self._advance()
 
     def _advance(self) -> None:
@@ -153,7 +153,7 @@ class _Reader:
             yield _Token(match.lastgroup or "", match[0], match.start())
         yield _Token("end", "", len(self.text))
 
-    def _shown(self) -> str:
+    def _show(self) -> str:
         return "the end" if self.token.kind == "end" else quote(self.token.text)
 
     def _place(self) -> str:

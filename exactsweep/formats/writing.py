@@ -58,7 +58,7 @@ def format_polygons(
     """
     if form not in FORMATS:
         raise FormatError(f"{quote(form)} is none of the formats {', '.join(FORMATS)}")
-    named = [_named(polygon) for polygon in polygons]
+    named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
         raise FormatError("no polygon to be written")
     if decimals and form == "json":
@@ -84,7 +84,7 @@ def _json(
 
 
 def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
-    polygons = (write_wkt_polygon(_named_rings(k, region)) for k, region in enumerate(regions))
+    polygons = (write_wkt_polygon(_name_rings(k, region)) for k, region in enumerate(regions))
     return "".join(polygons) + write_wkt_fits(fits)
 
 
@@ -201,11 +201,11 @@ def _fit_rows(fits: Sequence[Fit], form: str) -> Iterator[_Decimals]:
 def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]]:
     """The vertices of the rings of each region as decimals, those of the holes clockwise."""
     for k, region in enumerate(regions):
-        exterior, *holes = [_row(*ring, form) for ring in _named_rings(k, region).items()]
+        exterior, *holes = [_row(*ring, form) for ring in _name_rings(k, region).items()]
         yield [exterior, *(row[::-1] for row in holes)]
 
 
-def _named(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
+def _name(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
     if isinstance(polygon, NamedRegion):
         return polygon
     if isinstance(polygon, NamedPolygon):
@@ -213,7 +213,7 @@ def _named(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegio
     return NamedRegion(Region(polygon))
 
 
-def _named_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
+def _name_rings(k: int, region: NamedRegion) -> Mapping[str, Sequence[Point]]:
     """The rings of the region of index k, by the names that refusals give them."""
     name = f"polygon {k}" if region.name is None else ascii(region.name)[1:-1]
     exterior, *holes = region.region.rings

@@ -3,9 +3,11 @@
 from collections.abc import Sequence
 from fractions import Fraction
 from operator import eq, floordiv
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
+from exactsweep.geometry.addition import add_ratios
 from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.lazy_number import lazy_points
 from exactsweep.geometry.number import split_ratios
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
@@ -51,8 +53,14 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
         >>> ring.points, ring.vertex_index, ring.edge_index
         (((0, 0), (2, 0), (2, 2)), (3, 1, 0), (1, 0, 3))
     """
-    ring, vertices, edges = _join_equal(points)
+    is_long = any(isinstance(c, Fraction) for p in points[:1] for c in p)
+    # They are compared, subtracted and multiplied below, and nothing else.
+    compared = cast(Sequence[Vertex], lazy_points(points)) if is_long else points
+    ring, vertices, edges = _join_equal(compared)
     turns = find_turns(ring) if len(ring) > 2 else []
+    if is_long:
+        # No more than the signs is asked for.
+        turns = [(turn > 0) - (turn < 0) for turn in turns]
     corners: Sequence[int] = range(len(ring))
     if not all(turns) or not turns:
         _refuse_flat(points, turns)
@@ -78,6 +86,8 @@ def canonicalize_ring(points: Sequence[Vertex]) -> CanonicalRing:
         _refuse_conflicts(ring, vertices, edges)
     if len(ring) != len(points):
         corners, starts = [vertices[i] for i in corners], [edges[i] for i in starts]
+    if is_long:
+        found = [points[i] for i in corners]
     return CanonicalRing(tuple(found), tuple(corners), tuple(starts), convex, monotone)
 
 
@@ -127,7 +137,7 @@ def _refuse_spikes(
     for i, turn in enumerate(turns):
         if turn == 0:
             (ax, ay), (bx, by), (cx, cy) = ring[i - 1], ring[i], ring[(i + 1) % n]
-            if (bx - ax) * (cx - bx) + (by - ay) * (cy - by) < 0:
+            if (bx - ax) * (cx - bx) < (by - ay) * (by - cy):
                 raise PolygonError(f"spike at vertex {names[i]}: the boundary turns straight back")
 
 
@@ -164,7 +174,19 @@ def find_least(points: Sequence[Point]) -> int:
 
 
 def find_doubled_area(ring: Sequence[Vertex]) -> int | Fraction:
-    """Return twice the signed area, positive for a counter-clockwise ring. Cost: O(n)."""
-    return sum(
-        ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, (*ring[1:], ring[0]), strict=True)
-    )
+    """Return twice the signed area, positive for a counter-clockwise ring.
+
+    Cost: O(n) for ints, that of `add_up` for Fractions.
+
+    Example:
+        >>> find_doubled_area([(0, 0), (2, 0), (2, Fraction(1, 2))])
+        Fraction(1, 1)
+    """
+    after = (*ring[1:], ring[0])
+    if all(type(part) is int for point in ring for part in point):
+        return sum(ax * by - ay * bx for (ax, ay), (bx, by) in zip(ring, after, strict=True))
+    terms = []
+    for p, q in zip(ring, after, strict=True):
+        (a, b), (c, d), (e, f), (g, h) = (part.as_integer_ratio() for part in (*p, *q))
+        terms.append((a * g * d * f - c * e * b * h, b * d * f * h))
+    return add_ratios(terms)

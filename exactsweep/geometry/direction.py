@@ -130,7 +130,7 @@ class Directions:
         first = self.critical[0]
         ends = [*self.critical[1:], (-first[0], -first[1])]
         candidates = [
-            _simplest_between(u, v)
+            _find_simplest_between(u, v)
             for u, v, strict in zip(self.critical, ends, self.after, strict=True)
             if strict
         ] or [u for u, weak in zip(self.critical, self.at, strict=True) if weak]
@@ -293,7 +293,7 @@ def _turn(u: Vector, v: Vector) -> int:
 angle_key = cmp_to_key(_turn)
 
 
-def _simplest_between(u: Vector, v: Vector) -> Vector:
+def _find_simplest_between(u: Vector, v: Vector) -> Vector:
     """The direction of least components strictly between two, v less than half a turn after u."""
     if u[0] > 0 > v[0]:
         return Y_AXIS

@@ -75,11 +75,9 @@ def to_lattice(xs: Iterable[Fraction], ys: Iterable[Fraction]) -> Lattice:
     xs, ys = tuple(xs), tuple(ys)
     (px, qx), (py, qy) = split_ratios(xs), split_ratios(ys)
     denominators = {*qx, *qy}
-    scale = 1
-    for denominator in denominators:
-        scale = lcm(scale, denominator)
-        if scale.bit_length() > _LATTICE_BITS:
-            return 1, list(zip(xs, ys, strict=True))
+    scale = lcm_within(denominators)
+    if scale is None:
+        return 1, list(zip(xs, ys, strict=True))
     if scale == 1:
         return 1, list(zip(px, py, strict=True))
     factor = {denominator: scale // denominator for denominator in denominators}.__getitem__
@@ -103,3 +101,17 @@ def reduce_lattice(scale: int, points: tuple[Vertex, ...]) -> tuple[int, tuple[V
     if common == 1:
         return scale, points
     return scale // common, tuple((x // common, y // common) for x, y in points)
+
+
+def lcm_within(denominators: Iterable[int]) -> int | None:
+    """The least common multiple, or None if it has more bits than those of a lattice may have.
+
+    >>> lcm_within([4, 6]), lcm_within([2**8191, 3])
+    (12, None)
+    """
+    scale = 1
+    for denominator in denominators:
+        scale = lcm(scale, denominator)
+        if scale.bit_length() > _LATTICE_BITS:
+            return None
+    return scale

@@ -1,4 +1,24 @@
-"""Coordinates in and out: every accepted number becomes the `Fraction` that it is, exactly."""
+"""Coordinates in and out: every accepted number becomes the `Fraction` that it is, exactly.
+
+There is one limit on numbers, for those that strangers write, as text or Decimals: some characters,
+`1e999999999`, must not ask for gigabytes, and what is answered must be readable again.
+
+1. A number may have `max_digits` D in its numerator and in its denominator, however it is spelled.
+2. One that is written out may have as many as it is written with, up to 32 D + 7: no vertex of a
+   loop that is computed from numbers of D digits has more, by 3 to 5. Certificates, whose cost is
+   counted in steps, have no limit; nor do ints, Fractions and floats, which are numbers already.
+
+Let |n|, d < 10^D for all coordinates n/d of two polygons.
+
+3. A line through d1 - g and d2 - g, for vertices d1, d2 of one and g of the other, is A x + B y = C
+   with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B are over the denominators of d1 and
+   d2, which cancel that of d1 in C, and C is over those of g.
+4. Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit, over
+   A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D digits.
+5. What is swept is bounded by such lines moved by a vertex of G, with |A|, |B| < 2 * 10^8D, and by
+   edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
+   of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
+"""
 
 import operator
 import re
@@ -8,11 +28,11 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from decimal import Decimal
 from fractions import Fraction
-from functools import lru_cache
 from math import gcd
 from numbers import Rational, Real
 from operator import attrgetter
 
+from exactsweep.geometry.digits import read_int, write_int
 from exactsweep.geometry.error import ExactSweepError
 
 _ECHO = 40
@@ -24,8 +44,9 @@ _numerator, _denominator = attrgetter("_numerator"), attrgetter("_denominator")
 
 # JSON's grammar of numbers, and fractions.
 _NUMBER = re.compile(
-    r"(?P<numerator>-?(?:0|[1-9][0-9]*))"
-    r"(?:/(?P<denominator>0|[1-9][0-9]*)|(?:\.[0-9]+)?(?:[eE][+-]?(?P<exponent>[0-9]+))?)"
+    r"(?P<sign>-?)(?P<whole>0|[1-9][0-9]*)"
+    r"(?:/(?P<denominator>0|[1-9][0-9]*)"
+    r"|(?:\.(?P<decimals>[0-9]+))?(?:[eE](?P<subtract>-?)\+?0*(?P<exponent>[0-9]+))?)"
 )
 
 
@@ -50,12 +71,12 @@ _max_digits: ContextVar[int] = ContextVar("max_digits", default=_DEFAULT_DIGITS)
 def limits(*, max_digits: int) -> Iterator[None]:
     """Change, inside a `with` block, how large a number in a string or `Decimal` may be.
 
-    The limit is on the number, not on how it is spelled: what is read under it can be written, in
-    any format, and read again. Results are longer: see `answer_digits`.
+    The limit is on the number, not on how it is spelled. What is read under it, and what is
+    computed from that, can be written in any format and read again.
 
     Args:
         max_digits: the most digits of the numerator and of the denominator, in lowest terms; 4300
-            unless changed.
+            unless changed. A number that is written out may have 32 times as many, and 7 more.
 
     Raises:
         NumberError: a limit below one.
@@ -74,9 +95,9 @@ def limits(*, max_digits: int) -> Iterator[None]:
         _max_digits.reset(token)
 
 
-def allowed_digits() -> int:
-    """The limit that is in force."""
-    return _max_digits.get()
+def answer_digits() -> int:
+    """The most digits of a number that is written out: by 5, of any vertex of an answer."""
+    return 32 * _max_digits.get() + 7
 
 
 def to_fraction(value: object) -> Fraction:
@@ -94,7 +115,7 @@ def to_fraction(value: object) -> Fraction:
     Raises:
         NumberError: bool, nan, infinities, complex, irrational or symbolic values, other types,
             strings outside the grammar, and strings and Decimals beyond `limits`, refused before
-            anything is computed that is longer than five times the limit.
+            anything is computed that is five times as long.
 
     Cost: linear in the length of the input, times the cost of a multiplication of that length.
 
@@ -105,13 +126,15 @@ def to_fraction(value: object) -> Fraction:
     if type(value) is Fraction:
         return value
     if type(value) is int:
-        return _reduced(value, 1)
+        return _make_reduced(value, 1)
     if isinstance(value, str):
         return _from_string(value)
     if isinstance(value, float):
         return _from_real(value)
     if isinstance(value, Decimal):
-        return _from_decimal(value)
+        if not value.is_finite():
+            raise NumberError(f"{quote(value)} is not a finite number")
+        return _from_string(str(value))
     if isinstance(value, bool):
         raise NumberError(f"{value} is a truth value, not a number")
     if hasattr(value, "__index__"):
@@ -129,7 +152,7 @@ def to_fraction(value: object) -> Fraction:
     raise NumberError(f"{quote(value)} is not a rational number")
 
 
-def _reduced(numerator: int, denominator: int) -> Fraction:
+def _make_reduced(numerator: int, denominator: int) -> Fraction:
     """Make a Fraction of coprime ints, the second one positive.
 
     Fraction(n, d) spends nine tenths of its time on types and on the greatest common divisor.
@@ -160,11 +183,11 @@ def divide_exactly(value: int | Fraction, divisor: int | Fraction) -> Fraction:
     if type(divisor) is int:
         if type(value) is int:
             common = gcd(value, divisor)
-            return _reduced(value // common, divisor // common)
+            return _make_reduced(value // common, divisor // common)
         if type(value) is Fraction:
             n, d = value.as_integer_ratio()
             common = gcd(n, divisor)
-            return _reduced(n // common, d * (divisor // common))
+            return _make_reduced(n // common, d * (divisor // common))
     return Fraction(value, divisor)
 
 
@@ -179,7 +202,7 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
         common = gcd(value, divisor)
         if common == divisor:
             return value // common
-        return _reduced(value // common, divisor // common)
+        return _make_reduced(value // common, divisor // common)
     whole = value // divisor
     return whole if whole * divisor == value else divide_exactly(value, divisor)
 
@@ -196,7 +219,7 @@ def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]
     found: list[Fraction] = []
     for v in values:
         if type(v) is int:
-            # As `_reduced` does, without the call.
+            # As `_make_reduced` does, without the call.
             fraction = _new(Fraction)
             fraction._numerator = v  # type: ignore[attr-defined]
             fraction._denominator = 1  # type: ignore[attr-defined]
@@ -215,7 +238,7 @@ def negate(value: int | Fraction) -> int | Fraction:
     """
     if type(value) is Fraction:
         n, d = value.as_integer_ratio()
-        return _reduced(-n, d)
+        return _make_reduced(-n, d)
     return -value
 
 
@@ -229,8 +252,22 @@ def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[in
     if isinstance(value, Fraction) and all(type(k) is int for k in ints):
         # n/d + k is in lowest terms as n/d is.
         n, d = value.as_integer_ratio()
-        return [_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
+        return [_make_reduced(n + k * d, d) for k in ints]  # type: ignore[arg-type]
     return [value + k for k in ints]
+
+
+def read_any_length(text: str) -> Fraction:
+    """Read a number as `to_fraction` does, if it is written out, however long it is.
+
+    Args:
+        text: what `format_fraction` wrote, of a length that the caller has answered for.
+
+    Example:
+        >>> read_any_length("1" + "0" * 200_000) == 10**200_000
+        True
+    """
+    with limits(max_digits=len(text) + 1):
+        return to_fraction(text)
 
 
 def format_fraction(value: Fraction) -> str:
@@ -246,49 +283,47 @@ def format_fraction(value: Fraction) -> str:
         >>> format_fraction(Fraction(-7, 2))
         '-7/2'
     """
-    numerator = _digits(value.numerator)
-    return numerator if value.denominator == 1 else f"{numerator}/{_digits(value.denominator)}"
-
-
-def _digits(number: int) -> str:
-    # Decimal converts ints exactly and, unlike str(int), whatever the interpreter's digit limit.
-    return str(number) if number.bit_length() < _SHORT else str(Decimal(number))
+    numerator = write_int(value.numerator)
+    return numerator if value.denominator == 1 else f"{numerator}/{write_int(value.denominator)}"
 
 
 def _from_string(text: str) -> Fraction:
     digits = text.removeprefix("-")
     is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
     if is_int and len(text) <= _SHORT and len(text) <= _max_digits.get():
-        return _reduced(int(text), 1)
+        return _make_reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")
-    numerator, denominator, exponent = match.groups()
-    if denominator is not None:
-        if denominator == "0":
-            raise NumberError(f"{quote(text)} has a zero denominator")
-        _check_before_reduction(text, max(len(numerator.lstrip("-")), len(denominator)))
-        return _check(text, Fraction(int(Decimal(numerator)), int(Decimal(denominator))))
-    # Decimal itself overflows at exponents of some 18 digits.
-    if exponent is not None and len(exponent.lstrip("0")) > 15:
+    whole, denominator = match["whole"], match["denominator"]
+    if denominator is None:
+        return _from_decimal(text, match)
+    if denominator == "0":
+        raise NumberError(f"{quote(text)} has a zero denominator")
+    if max(len(whole), len(denominator)) > answer_digits():
         raise _too_long(text)
-    return _from_decimal(Decimal(text), text)
+    return _check(text, Fraction(read_int(match["sign"] + whole), read_int(denominator)))
 
 
-def _from_decimal(value: Decimal, text: str | None = None) -> Fraction:
-    shown = value if text is None else text
-    if not value.is_finite():
-        raise NumberError(f"{quote(value)} is not a finite number")
-    _, digits, exponent = value.as_tuple()
-    assert isinstance(exponent, int)
-    _check_before_reduction(shown, max(len(digits) + max(exponent, 0), -exponent))
-    return _check(shown, Fraction(value))
+def _from_decimal(text: str, match: re.Match[str]) -> Fraction:
+    sign, whole, decimals, exponent = match.group("sign", "whole", "decimals", "exponent")
+    # Up to 15 digits, lest the exponent itself takes time.
+    if exponent is not None and len(exponent) > 15:
+        raise _too_long(text)
+    places = len(decimals or "") - int(f"{match['subtract'] or ''}{exponent or 0}")
+    digits = f"{whole}{decimals or ''}".lstrip("0") or "0"
+    # Refused before it is computed, however short it may be afterwards.
+    length = max(len(digits) - min(places, 0), places)
+    if length > _DIGITS_BEFORE_REDUCTION * _allowed_digits(text):
+        raise _too_long(text)
+    number = read_int(sign + digits)
+    return _check(text, Fraction(number * 10 ** max(-places, 0), 10 ** max(places, 0)))
 
 
 def _from_real(value: float | Real) -> Fraction:
     try:
         binary = float(value)
-        exact = _reduced(*binary.as_integer_ratio())
+        exact = _make_reduced(*binary.as_integer_ratio())
     except (OverflowError, ValueError):
         raise NumberError(f"{quote(value)} is not a finite number") from None
     if binary != value:
@@ -296,28 +331,23 @@ def _from_real(value: float | Real) -> Fraction:
     return exact
 
 
-def _check_before_reduction(shown: object, digits: int) -> None:
-    """Refuse what would be long to compute, however short it may be afterwards."""
-    if digits > _DIGITS_BEFORE_REDUCTION * _max_digits.get():
-        raise _too_long(shown)
-
-
-def _check(shown: object, value: Fraction) -> Fraction:
-    digits, longest = _max_digits.get(), max(abs(value.numerator), value.denominator)
-    # 2**b < 10**d if 0.30103 b < d: then the power, which may be far longer, need not be made.
-    is_short = longest.bit_length() * 30_103 < digits * 100_000
-    if not is_short and longest >= _power_of_ten(digits):
-        raise _too_long(shown)
+def _check(text: str, value: Fraction) -> Fraction:
+    """Refuse what is too long in lowest terms."""
+    most = _allowed_digits(text)
+    longest = max(abs(value.numerator), value.denominator)
+    # A bit is 0.30102999... digits.
+    if longest.bit_length() * 30_103 > most * 100_000 and longest >= 10**most:
+        raise _too_long(text)
     return value
 
 
-@lru_cache(maxsize=8)
-def _power_of_ten(exponent: int) -> int:
-    return 10**exponent  # type: ignore[no-any-return]
+def _allowed_digits(text: str) -> int:
+    """By 1 and 2."""
+    return max(_max_digits.get(), min(len(text), answer_digits()))
 
 
-def _too_long(shown: object) -> NumberError:
-    return NumberError(f"{quote(shown)} has more than {_max_digits.get()} digits (max_digits)")
+def _too_long(text: str) -> NumberError:
+    return NumberError(f"{quote(text)} has more than {_allowed_digits(text)} digits (max_digits)")
 
 
 def quote(value: object) -> str:

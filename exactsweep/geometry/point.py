@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from decimal import Decimal
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
+
+from exactsweep.geometry.digits import write_int
 
 
 class Point(NamedTuple):
@@ -18,7 +19,7 @@ class Point(NamedTuple):
     def __repr__(self) -> str:
         """As Python writes it; but Python refuses to write ints of more than 4300 digits."""
         x, y = (
-            f"Fraction({Decimal(c.numerator)}, {Decimal(c.denominator)})"
+            f"Fraction({write_int(c.numerator)}, {write_int(c.denominator)})"
             if isinstance(c, Fraction)
             else repr(c)
             for c in self

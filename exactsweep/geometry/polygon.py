@@ -12,7 +12,7 @@ from exactsweep.geometry.canonical import (
     find_turns,
 )
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
-from exactsweep.geometry.number import abridge, divide_all
+from exactsweep.geometry.number import abridge, divide_all, divide_exactly
 from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_interface, read_point
@@ -146,10 +146,8 @@ class Polygon(PointSet):
     @property
     def area(self) -> Fraction:
         """The area, a positive Fraction."""
-        if self._lattice is None:
-            return _area(self.vertices)
-        scale, points = self._lattice
-        return Fraction(find_doubled_area(points), 2 * scale * scale)
+        scale, points = self._lattice or (1, self.vertices)
+        return divide_exactly(find_doubled_area(points), 2 * scale * scale)
 
     @property
     def is_convex(self) -> bool:
@@ -297,23 +295,3 @@ def _read(vertices: Iterable[Iterable[object]]) -> Lattice:
         points = [read_point(pair, f"vertex {i}") for i, pair in enumerate(rows)]
         found = to_lattice(*zip(*points, strict=True)) if points else (1, [])
     return found
-
-
-def _area(vertices: Sequence[Point]) -> Fraction:
-    """The area of a loop whose vertices have many different denominators.
-
-    Summed in pairs and reduced once: a running sum would reduce long numbers at each step.
-    """
-    terms = []
-    px, py = vertices[-1]
-    for x, y in vertices:
-        (a, b), (c, d) = px.as_integer_ratio(), y.as_integer_ratio()
-        (e, f), (g, h) = x.as_integer_ratio(), py.as_integer_ratio()
-        terms.append((a * c * f * h - e * g * b * d, b * d * f * h))
-        px, py = x, y
-    while len(terms) > 1:
-        odd = terms[len(terms) & ~1 :]
-        pairs = zip(terms[::2], terms[1::2], strict=False)
-        terms = [(n * e + m * d, d * e) if d != e else (n + m, d) for (n, d), (m, e) in pairs]
-        terms += odd
-    return Fraction(terms[0][0], 2 * terms[0][1])

@@ -6,10 +6,11 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
-from math import lcm
 
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import name_refusals
+from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.number import abridge
 from exactsweep.geometry.overlap import Places, find_points_between, is_inside, touch
 from exactsweep.geometry.point import Point, Vertex
@@ -61,13 +62,13 @@ class Region(PointSet):
             exterior = exterior.exterior
         elif not isinstance(exterior, Polygon):
             exterior, *told = read_interface(exterior) or [exterior]
-            inner += [_named(hole, f"hole {k}") for k, hole in enumerate(told)]
-        outer = _named(exterior, "exterior")
+            inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(told)]
+        outer = _read_named(exterior, "exterior")
         try:
             given = list(holes)
         except TypeError:
             raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
-        inner += [_named(hole, f"hole {k}") for k, hole in enumerate(given)]
+        inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
         if inner:
             _check(outer, inner)
         order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
@@ -102,18 +103,13 @@ class Region(PointSet):
             >>> Region([(0, 0), (3, 0), (0, 3)], [[("1/2", 1), (1, "1/2"), (1, 1)]]).lattice()[1]
             (((0, 0), (6, 0), (0, 6)), ((1, 2), (2, 2), (2, 1)))
         """
-        of_rings = [ring.lattice() for ring in (self.exterior, *self.holes)]
-        scale = lcm(*(of_ring[0] for of_ring in of_rings))
-        rings = [
-            tuple((x * (scale // own), y * (scale // own)) for x, y in points)
-            for own, points in of_rings
-        ]
+        scale, rings = common_lattice((self.exterior, *self.holes))
         return scale, (rings[0], *((ring[0], *ring[:0:-1]) for ring in rings[1:]))
 
     @property
     def area(self) -> Fraction:
         """The area: that of the exterior less those of the holes."""
-        return self.exterior.area - sum((hole.area for hole in self.holes), Fraction(0))
+        return self.exterior.area - add_up(hole.area for hole in self.holes)
 
     @property
     def is_convex(self) -> bool:
@@ -262,7 +258,25 @@ def number_features(
     )
 
 
-def _named(ring: Vertices, name: str) -> Polygon:
+def common_lattice(
+    polygons: Sequence[Polygon],
+) -> tuple[int, list[tuple[Vertex, ...]]]:
+    """Put polygons on one lattice, the coarsest that holds them all.
+
+    Returns:
+        The scale and, of each polygon, its vertices times the scale; if that had more than 8192
+        bits, as for one polygon, 1 and the vertices.
+    """
+    scale = lcm_within(polygon.lattice()[0] for polygon in polygons)
+    if scale is None:
+        return 1, [polygon.vertices for polygon in polygons]
+    return scale, [
+        tuple((x * (scale // own), y * (scale // own)) for x, y in points)
+        for own, points in (polygon.lattice() for polygon in polygons)
+    ]
+
+
+def _read_named(ring: Vertices, name: str) -> Polygon:
     with name_refusals(name):
         return Polygon(ring)
 
@@ -271,11 +285,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     """Refuse rings that are not the boundary of one region."""
     polygons = [exterior, *holes]
     names = ["the exterior", *(f"hole {k}" for k in range(len(holes)))]
-    scale = lcm(*(polygon.lattice()[0] for polygon in polygons))
-    rings = [
-        [(x * (scale // own), y * (scale // own)) for x, y in points]
-        for own, points in (polygon.lattice() for polygon in polygons)
-    ]
+    scale, rings = common_lattice(polygons)
     places = [Places(set) for _ in rings]
     touching: defaultdict[Vertex, set[int]] = defaultdict(set)
     for (k, i), (j, h) in _near(rings):
@@ -295,7 +305,7 @@ def _check(exterior: Polygon, holes: Sequence[Polygon]) -> None:
     for k in range(1, len(rings)):
         if not all(is_inside(p, rings[:1]) for p in find_points_between({0: rings[k]}, places[k])):
             raise PolygonError(f"{names[k]} is not inside the exterior")
-    for k, j in _enclosed(rings):
+    for k, j in _find_enclosed(rings):
         points = find_points_between({0: rings[k]}, places[k])
         if any(is_inside(point, [rings[j]]) for point in points):
             raise PolygonError(f"{names[k]} is inside {names[j]}")
@@ -320,7 +330,7 @@ def _near(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[tuple[int, int], 
         active.append(box)
 
 
-def _enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
+def _find_enclosed(rings: Sequence[Sequence[Vertex]]) -> Iterator[tuple[int, int]]:
     """The pairs of holes of which the bounds of the first lie in those of the second."""
     boxes = []
     for k, ring in enumerate(rings[1:], 1):

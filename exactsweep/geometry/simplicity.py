@@ -132,14 +132,14 @@ def _sweep(ring: Sequence[Vertex], order: Sequence[int]) -> Conflict | None:
         while low < high:
             middle = (low + high) // 2
             edge = status[middle]
+            if edge in (before, after):
+                # v is its end.
+                low = middle
+                break
             dx, dy, c = lines[edge]
             side = dx * y - dy * x - c
             if side == 0:
-                # v lies on this edge: as its end, or else the ring touches itself.
-                if edge not in (before, after):
-                    return Conflict("vertex touches edge", v, edge)
-                low = middle
-                break
+                return Conflict("vertex touches edge", v, edge)
             if side > 0:
                 low = middle + 1
             else:

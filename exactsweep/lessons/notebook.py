@@ -93,17 +93,17 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
         yield {"name": "stdout", "output_type": "stream", "text": _lines(printed.getvalue())}
     if value is not None:
         yield {
-            "data": {kind: _lines(text) for kind, text in _shown(value).items()},
+            "data": {kind: _lines(text) for kind, text in _show(value).items()},
             "execution_count": number,
             "metadata": {},
             "output_type": "execute_result",
         }
-    for picture in _drawn(_open_figures() - before):
+    for picture in _draw_figures(_open_figures() - before):
         data = {"image/svg+xml": _lines(picture), "text/plain": ["<Figure>"]}
         yield {"data": data, "metadata": {}, "output_type": "display_data"}
 
 
-def _shown(value: object) -> dict[str, str]:
+def _show(value: object) -> dict[str, str]:
     """What a notebook shows of a value, by media type."""
     from matplotlib.figure import Figure
 
@@ -123,7 +123,7 @@ def _open_figures() -> set[int]:
     return set(pyplot.get_fignums())
 
 
-def _drawn(figures: Iterable[int]) -> Iterator[str]:
+def _draw_figures(figures: Iterable[int]) -> Iterator[str]:
     """Figures of pyplot, which are then closed."""
     from matplotlib import pyplot
 

@@ -102,7 +102,7 @@ for _make, _names in (
 def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     """The same points in counted ints.
 
-    >>> with counting() as tally:
+    >>> with watch_operations() as tally:
     ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
     (True, OperationCount(multiplications=2, comparisons=1))
@@ -111,7 +111,7 @@ def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
 
 
 @contextmanager
-def counting() -> Iterator[OperationCount]:
+def watch_operations() -> Iterator[OperationCount]:
     """Count from zero inside a `with` block."""
     global _tally
     outer, _tally = _tally, OperationCount()
@@ -138,7 +138,7 @@ def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
     2
     """
     fed = Chains(*(make_counted(chain) for chain in chains))  # type: ignore[arg-type]
-    with counting() as tally:
+    with watch_operations() as tally:
         out = sum(1 for _ in run(fed))
     return tally.total + out
 

@@ -11,12 +11,12 @@ from exactsweep.check import ReferenceLoops, reference_loops
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Vertex
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.procedures.chain import corners, split
+from exactsweep.procedures.chain import split, take_corners
 
 
 def keep_corners(chain: Iterable[Vertex]) -> list[Vertex]:
     """A chain with corners only, so that equal chains are equal lists."""
-    return corners([(Fraction(x), Fraction(y)) for x, y in chain])
+    return take_corners([(Fraction(x), Fraction(y)) for x, y in chain])
 
 
 def evaluate(chain: Sequence[Vertex], x: Fraction) -> Fraction:
@@ -54,12 +54,12 @@ def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> lis
 def clip(chain: Sequence[Vertex], left: Fraction, right: Fraction) -> list[Vertex]:
     """The part of a chain over a closed x-range at whose ends it does not jump."""
     inside = [(x, y) for x, y in chain if left < x < right]
-    return keep_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
+    return take_corners([(left, evaluate(chain, left)), *inside, (right, evaluate(chain, right))])
 
 
 def take_bottom(loop: Iterable[Vertex]) -> list[Vertex]:
     """The bottom chain of a canonical loop, without vertical edges at the ends."""
-    return keep_corners(split([(x, y) for x, y in loop])[0])
+    return take_corners(split([(x, y) for x, y in loop])[0])
 
 
 def look_up(pair: SweepPair) -> ReferenceLoops:

@@ -73,14 +73,14 @@ def list_tiny_pairs(
     for total in range(6, most + 1):
         pairs = []
         for n in range(3, total - 2):
-            gs = _chosen(side, n, generatrix)
-            ds = _chosen(side, total - n, directrix)
+            gs = _choose(side, n, generatrix)
+            ds = _choose(side, total - n, directrix)
             pairs += [SweepPair(g, d) for g in gs for d in ds]
         yield from sorted(pairs, key=lambda p: (_size(p.generatrix)[0] + _size(p.directrix)[0], p))
 
 
 @cache
-def _chosen(side: int, vertices: int, shape: RingTest) -> list[Ring]:
+def _choose(side: int, vertices: int, shape: RingTest) -> list[Ring]:
     return [ring for ring in map(list, list_polygons(side, vertices)) if shape(ring)]
 
 

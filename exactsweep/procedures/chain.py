@@ -64,7 +64,7 @@ def complement(chain: Sequence[Vertex]) -> list[Vertex]:
     return list(reversed(chain))
 
 
-def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
+def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     """Split a bottom chain at its reflex vertices into convex chains without vertical edges.
 
     Adjacent parts share the reflex vertex (Section 4, step 1). Collinear edges become one, and
@@ -81,7 +81,7 @@ def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
 
     Cost: O(m).
 
-    >>> convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
+    >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
     [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
     """
     if not chain:
@@ -122,31 +122,31 @@ def convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     return parts
 
 
-def convex_chain(chain: Sequence[Vertex]) -> list[Vertex]:
+def require_convex(chain: Sequence[Vertex]) -> list[Vertex]:
     """Return a bottom chain that has but one convex part.
 
     Raises ChainError when it is not convex, or has a vertical edge between others. Cost: O(n).
 
-    >>> convex_chain([(0, 0), (1, -1), (2, -2), (3, 0)])
+    >>> require_convex([(0, 0), (1, -1), (2, -2), (3, 0)])
     [(0, 0), (2, -2), (3, 0)]
     """
-    parts = convex_parts(chain)
+    parts = find_convex_parts(chain)
     if len(parts) > 1:
         x, y = parts[1][0]
         raise ChainError(f"the chain is not convex: it is reflex, or has a wall, at ({x}, {y})")
     return parts[0]
 
 
-def graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
+def list_graph_edges(chain: Sequence[Vertex]) -> list[Edge]:
     """The edges of a chain that are not vertical. Cost: O(n).
 
-    >>> graph_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
+    >>> list_graph_edges([(0, 0), (1, 0), (1, 2), (2, 2)])
     [((0, 0), (1, 0)), ((1, 2), (2, 2))]
     """
     return [(p, q) for p, q in pairwise(chain) if p[0] != q[0]]
 
 
-def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> list[Vertex]:
+def take_corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> list[Vertex]:
     """Leave out repeated points, and those that lie straight between their neighbours.
 
     Args:
@@ -156,7 +156,7 @@ def corners(chain: Sequence[Vertex], suspects: Container[int] | None = None) -> 
 
     Cost: O(n).
 
-    >>> corners([(0, 0), (1, 1), (1, 1), (2, 2), (3, 0)])
+    >>> take_corners([(0, 0), (1, 1), (1, 1), (2, 2), (3, 0)])
     [(0, 0), (2, 2), (3, 0)]
     """
     kept: list[Vertex] = []

@@ -21,15 +21,15 @@ from typing import cast
 from exactsweep.geometry.number import add_to_all
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
-from exactsweep.procedures.chain import convex_chain, convex_parts, corners, inverse
+from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
 from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts, take_whole
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
     Piece,
     cross,
+    find_point_on,
     height,
-    point_on,
 )
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
@@ -54,7 +54,7 @@ def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
-    return sweep_parts(convex_chain(inverse(generatrix)), split_parts(directrix))
+    return sweep_parts(require_convex(inverse(generatrix)), split_parts(directrix))
 
 
 def sweep_outer_cm(
@@ -71,7 +71,7 @@ def sweep_outer_cm(
     >>> print(sweep_outer_cm([(1, 0), (0, 0)], [(0, 0), (1, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
     """
-    top, bottom = convex_chain(inverse(generatrix_top)), convex_chain(generatrix_bottom)
+    top, bottom = require_convex(inverse(generatrix_top)), require_convex(generatrix_bottom)
     return sweep_parts(merge_by_slope(top, bottom), split_parts(directrix))
 
 
@@ -114,7 +114,7 @@ def sweep_inner_cm(
     >>> sweep_inner_cm([(1, 1), (0, 1)], [(0, 0), (1, 1), (2, 0)])
     [(0, 0), (Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(1, 2)), (2, 0)]
     """
-    reversed_edges, parts = convex_chain(inverse(generatrix)), convex_parts(directrix)
+    reversed_edges, parts = require_convex(inverse(generatrix)), find_convex_parts(directrix)
     if trajectory is None:
         trajectory = trajectory_cm(generatrix, directrix)
     top = inverse(reversed_edges)
@@ -127,8 +127,8 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _contact(reversed_edges, before, pieces[k - 1], at, rightmost=True)
-        j, right, in_right = _contact(reversed_edges, after, pieces[k], at, rightmost=False)
+        i, left, in_left = _find_contact(reversed_edges, before, pieces[k - 1], at, rightmost=True)
+        j, right, in_right = _find_contact(reversed_edges, after, pieces[k], at, rightmost=False)
         step = height(pieces[k - 1], pieces[k], at)
         # Vertices of G are corners. A contact may be straight, or be the vertex of G beside it,
         # unless both are inside edges of D_b.
@@ -136,17 +136,17 @@ def sweep_inner_cm(
         higher = trajectory.point(k if step < 0 else k - 1, at)
         inner += before[done : i + 1]
         first = len(inner)
-        inner.append(point_on((before[i], before[i + 1]), left))
-        inner += _placed(top, higher, at, left, right, touching=not plain)
-        inner.append(point_on((after[j], after[j + 1]), right))
+        inner.append(find_point_on((before[i], before[i + 1]), left))
+        inner += _place(top, higher, at, left, right, touching=not plain)
+        inner.append(find_point_on((after[j], after[j + 1]), right))
         if not plain:
             joints |= {first, len(inner) - 1}
         done = j + 1
     inner += parts[sources[-1]][done:]
-    return corners(inner, joints)
+    return take_corners(inner, joints)
 
 
-def _contact(
+def _find_contact(
     moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break, *, rightmost: bool
 ) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on a piece of the trajectory.
@@ -175,7 +175,7 @@ def _contact(
     return min(k, len(points) - 2), (points[k][0] * d + along, d), inside
 
 
-def _placed(
+def _place(
     generatrix: Sequence[Vertex],
     position: Vertex,
     at: Break,

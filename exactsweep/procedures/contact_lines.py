@@ -141,7 +141,7 @@ class _Convex(NamedTuple):
     last: int
 
 
-def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
+def find_contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     """The contact segments of two shapes, those on one line put together.
 
     Args:
@@ -154,8 +154,8 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     Cost: O(k log k + (m + n) log(m + n)) for k contact segments; k <= 2 m n.
     """
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
-    directions, ranks = _ranked(u for rings in shapes for ring in rings for u in ring.directions)
-    sides = [_features(rings, ranks, len(directions)) for rings in shapes]
+    directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
+    sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
     )
@@ -175,7 +175,7 @@ def contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     return [
         stretch
         for (k, c), segments in lines.items()
-        for stretch in _stretches((*directions[k], c), segments)
+        for stretch in _join_segments((*directions[k], c), segments)
     ]
 
 
@@ -188,7 +188,7 @@ class _DirectedRing:
         self.directions = [reduce_direction((q[0] - p[0], q[1] - p[1])) for p, q in self.edges]
 
 
-def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
+def _rank(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
     """Directions of edges, either way round, in order of slope, and their places there."""
     found = set(given)
     vertical = {(0, 1)} & found
@@ -200,7 +200,7 @@ def _ranked(given: Iterable[Vector]) -> tuple[list[Vector], dict[Vector, int]]:
     return directions, {u: k for k, u in enumerate(directions)}
 
 
-def _features(
+def _list_features(
     rings: Sequence[_DirectedRing], ranks: dict[Vector, int], half: int
 ) -> tuple[list[_RankedEdge], list[_Convex]]:
     """The edges and the convex vertices of a shape, with the ranks of their directions.
@@ -228,7 +228,7 @@ def _features(
     return edges, corners
 
 
-def _stretches(
+def _join_segments(
     line: tuple[int, int, Rational], segments: list[tuple[Rational, Rational, bool]]
 ) -> Iterator[Stretch]:
     """Put the contact segments of one line together: stretches with the same directions along."""

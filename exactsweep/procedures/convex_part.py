@@ -31,7 +31,7 @@ from operator import itemgetter
 from typing import NamedTuple, cast
 
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.envelope import Break, Envelope, Piece, bound_slope, take_edges
 
 Box = tuple[Rational, Rational, Rational]
@@ -285,7 +285,7 @@ def split_chain(chain: Sequence[Vertex]) -> list[ConvexPart]:
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
-    parts = convex_parts(chain)
+    parts = find_convex_parts(chain)
     # Not zero at a wall, of which the lower end has to be turned about.
     rises = [after[0][1] - before[-1][1] for before, after in pairwise(parts)]
     return [

@@ -58,8 +58,8 @@ class Cover:
             for k in (0, 1)
         ]
         self.side = max(1, max(spans) // columns)
-        cells_left, cells_low, cells = squares_in(stationary, self.side)
-        points_left, points_low, points = points_in(moving, self.side)
+        cells_left, cells_low, cells = find_squares_in(stationary, self.side)
+        points_left, points_low, points = find_points_in(moving, self.side)
         rows = max(map(int.bit_length, cells), default=0)
         rows += max(map(int.bit_length, points), default=0)
         stride = rows + 1
@@ -69,7 +69,7 @@ class Cover:
         stacked = {1: packed}
         total = 0
         for k, point_column in enumerate(points):
-            for start, length in _runs(point_column):
+            for start, length in _find_runs(point_column):
                 total |= _stack(stacked, length) << (k * stride + start)
         mask = (1 << stride) - 1
         self.left, self.low = cells_left + points_left, cells_low + points_low
@@ -122,7 +122,7 @@ def _stack(stacked: dict[int, int], length: int) -> int:
     return found
 
 
-def _runs(bits: int) -> Iterator[tuple[int, int]]:
+def _find_runs(bits: int) -> Iterator[tuple[int, int]]:
     """The runs of ones in an int: where they start and how long they are."""
     start = 0
     while bits:
@@ -134,7 +134,7 @@ def _runs(bits: int) -> Iterator[tuple[int, int]]:
         bits >>= ones
 
 
-def _grid(rings: Rings, side: int) -> tuple[int, int, int]:
+def _lay_grid(rings: Rings, side: int) -> tuple[int, int, int]:
     """The first column and row of squares that a shape can meet, and how many columns there are."""
     points = list(chain.from_iterable(rings))
     left, low = (int(min(p[k] for p in points) // side) - 1 for k in (0, 1))
@@ -142,16 +142,16 @@ def _grid(rings: Rings, side: int) -> tuple[int, int, int]:
     return left, low, right - left + 1
 
 
-def squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
+def find_squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
     """The closed squares that lie in a shape: first column, first row, and the rows of each column.
 
     A square lies in the shape if no edge comes near it and the number of edges below it, on the
     left border of the column, is odd. Each edge turns all bits above it: above all edges, which are
     an even number, none is left.
     """
-    left, low, width = _grid(rings, side)
+    left, low, width = _lay_grid(rings, side)
     near, odd = [0] * width, [0] * width
-    for px, py, qx, qy in _rising(rings):
+    for px, py, qx, qy in _list_rising(rings):
         dx, dy = qx - px, qy - py
         first, last = int(-(-px // side)) - 1, int(qx // side)
         row = int(py // side)
@@ -163,7 +163,7 @@ def squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
                 next_row = int(qy // side)
             else:
                 next_row = int((py * dx + (right - px) * dy) // (dx * side))
-            near[k - left] |= _bits(row - low, next_row - low)
+            near[k - left] |= _set_bits(row - low, next_row - low)
             if px <= k * side < qx:
                 odd[k - left] ^= -1 << (row + 1 - low)
             if dx:
@@ -171,16 +171,16 @@ def squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
     return left, low, [o & ~n for o, n in zip(odd, near, strict=True)]
 
 
-def points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The grid points in the interior of a shape, as for `squares_in`, by grid lines."""
-    left, low, width = _grid(rings, side)
+def find_points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
+    """The grid points in the interior of a shape, as for `find_squares_in`, by grid lines."""
+    left, low, width = _lay_grid(rings, side)
     on, odd = [0] * width, [0] * width
-    for px, py, qx, qy in _rising(rings):
+    for px, py, qx, qy in _list_rising(rings):
         dx, dy = qx - px, qy - py
         first, last = int(-(-px // side)), int(qx // side)
         if dx == 0:
             if first == last:
-                on[first - left] |= _bits(int(-(-py // side)) - low, int(qy // side) - low)
+                on[first - left] |= _set_bits(int(-(-py // side)) - low, int(qy // side) - low)
             continue
         for k in range(first, last + 1):
             rise = py * dx + (k * side - px) * dy
@@ -192,14 +192,14 @@ def points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
     return left, low, [o & ~n for o, n in zip(odd, on, strict=True)]
 
 
-def _bits(first: int, last: int) -> int:
+def _set_bits(first: int, last: int) -> int:
     """The bits from one place to another, either way round."""
     if first > last:
         first, last = last, first
     return (1 << (last - first + 1)) - 1 << first
 
 
-def _rising(rings: Rings) -> Iterator[tuple[Rational, Rational, Rational, Rational]]:
+def _list_rising(rings: Rings) -> Iterator[tuple[Rational, Rational, Rational, Rational]]:
     """The edges, each from its lesser to its greater end."""
     for ring in rings:
         p = ring[-1]

@@ -16,7 +16,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
 
     Cost: O(k^2) at worst for k stretches.
     """
-    boxes = sorted((*_box(stretch), k) for k, stretch in enumerate(stretches))
+    boxes = sorted((*_bound(stretch), k) for k, stretch in enumerate(stretches))
     active: list[tuple[int, int, int, int, int]] = []
     for box in boxes:
         left, _, low, high, k = box
@@ -28,7 +28,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
         active.append(box)
 
 
-def _box(stretch: Stretch) -> tuple[int, int, int, int]:
+def _bound(stretch: Stretch) -> tuple[int, int, int, int]:
     """Bounds of a stretch, rounded outwards to ints: left, right, low, high."""
     dx, dy, c, (low, _), (high, _) = stretch.dx, stretch.dy, stretch.c, stretch.low, stretch.high
     if dx == 0:

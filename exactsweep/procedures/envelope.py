@@ -20,7 +20,7 @@ from itertools import pairwise
 
 from exactsweep.geometry.number import divide_exactly, ratio
 from exactsweep.geometry.point import Edge, Rational, Vertex
-from exactsweep.procedures.chain import ChainError, convex_parts
+from exactsweep.procedures.chain import ChainError, find_convex_parts
 
 Break = tuple[Rational, Rational]
 """x = n / d with d > 0; not reduced."""
@@ -66,7 +66,7 @@ class Envelope:
 
         Raises ChainError when it is not X-monotone. Cost: O(n).
         """
-        first, *rest = (cls.of_convex(part, source) for part in convex_parts(chain))
+        first, *rest = (cls.of_convex(part, source) for part in find_convex_parts(chain))
         for part in rest:
             first.breaks += part.breaks[1:]
             first.pieces += part.pieces
@@ -212,7 +212,7 @@ def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
     ]
 
 
-def point_on(edge: Edge, at: Break) -> Vertex:
+def find_point_on(edge: Edge, at: Break) -> Vertex:
     """The point of an edge at a break. Cost: O(1)."""
     n, d = at
     p, q = edge
@@ -244,7 +244,7 @@ def height(first: Piece, second: Piece, at: Break) -> Rational:
     return (ady * bdx - bdy * adx) * at[0] + (ac * bdx - bc * adx) * at[1]
 
 
-def crossing(u: Rational, v: Rational) -> Break:
+def find_crossing(u: Rational, v: Rational) -> Break:
     """Where lines cross whose difference has the sign of u * n + v * d at n / d, u not zero."""
     return (-v, u) if u > 0 else (v, -u)
 

@@ -50,7 +50,7 @@ _FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
 """A piece of a stretch between crossings: start, end, direction; a free region is on its right."""
 
 
-def free_positions(
+def find_free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
     scale: int = 1,
@@ -69,7 +69,7 @@ def free_positions(
     both_ways: list[tuple[Stretch, ReducedPoint, ReducedPoint]] = []
     suspects: set[ReducedPoint] = set()
     for stretch in stretches:
-        for low, high in _left_over(stretch, suspects):
+        for low, high in _find_left_over(stretch, suspects):
             p, q = stretch.vertex(low), stretch.vertex(high)
             if stretch.left and stretch.right:
                 both_ways.append((stretch, p, q))
@@ -77,21 +77,21 @@ def free_positions(
                 pieces.append((p, q, stretch.dx, stretch.dy))
             else:
                 pieces.append((q, p, -stretch.dx, -stretch.dy))
-    rings = list(_rings(pieces, overlap))
+    rings = list(_walk_rings(pieces, overlap))
     bounding = {start for ring in rings for start, _, _, _ in ring}
-    fits = list(_join((f for f in both_ways if not overlap(_middle(*f[1:]))), bounding))
+    fits = list(_join((f for f in both_ways if not overlap(_find_middle(*f[1:]))), bounding))
     known = bounding | {end for fit in fits for end in fit}
     alone = [p for p in suspects - known if not overlap(_leave(p, 1))]
     fits += [(p, p) for p in alone if not any(_lies_on(p, fit) for fit in fits)]
     around: list[list[Point]] = []
     within: list[list[Point]] = []
     for ring in rings:
-        loop, is_around = _canonical(ring, scale)
+        loop, is_around = _make_canonical(ring, scale)
         (around if is_around else within).append(loop)
     return Free(around, within, sorted(_hang(fit, bounding, scale) for fit in fits))
 
 
-def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Break, Break]]:
+def _find_left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Break, Break]]:
     """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
 
     Cost: O(k log k) for k cuts.
@@ -101,7 +101,6 @@ def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Brea
     cuts.sort(key=itemgetter(0))
     if any(a[0] == b[0] for a, b in pairwise(cuts)):
         cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
-    joint = stretch.low_through is not None or stretch.high_through is not None
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
     while k < size:
@@ -120,7 +119,8 @@ def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Brea
             since_n, since_d, covered = n, d, after
         else:
             covered = covered or after
-        if not alone or (twice and other_twice) or (joint and _goes_on(stretch, place)):
+        # Where one line's stretches meet, another line that passes has a cut with each: not alone.
+        if not alone or (twice and other_twice):
             suspects.add(stretch.vertex(place))
     end_n, end_d = stretch.high
     if not (covered or stretch.high_covered) and since_n * end_d < end_n * since_d:
@@ -128,15 +128,7 @@ def _left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Brea
     return left
 
 
-def _goes_on(stretch: Stretch, place: Break) -> bool:
-    """Whether a place is an end at which another stretch of the line begins."""
-    n, d = place
-    return (stretch.low_through is not None and n == stretch.low[0] * d) or (
-        stretch.high_through is not None and n == stretch.high[0] * d
-    )
-
-
-def _rings(
+def _walk_rings(
     pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool]
 ) -> Iterator[Sequence[_FreeEdge]]:
     """The rings of free pieces, by (5)."""
@@ -151,16 +143,16 @@ def _rings(
         while k is not None and state[k] == undecided:
             state[k] = on_way
             way.append(k)
-            k = _next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
+            k = _find_next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
         if k is not None and state[k] == on_way:
             ring = way[way.index(k) :]
-            if not overlap(_middle(pieces[k][0], pieces[k][1])):
-                yield from _simple(pieces[number] for number in ring)
+            if not overlap(_find_middle(pieces[k][0], pieces[k][1])):
+                yield from _part_where_it_touches(pieces[number] for number in ring)
         for number in way:
             state[number] = done
 
 
-def _next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
+def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int]) -> int | None:
     """The first piece counter-clockwise from the way back."""
     if len(leaving) < 2:
         return leaving[0] if leaving else None
@@ -181,7 +173,7 @@ def _next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[int])
     return min(map(turned, leaving), key=cmp_to_key(compare))[1]
 
 
-def _simple(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
+def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
     """Part a ring where it comes back to a point: positions of overlap in several pieces touch."""
     way: list[_FreeEdge] = []
     places: dict[ReducedPoint, int] = {}
@@ -196,7 +188,7 @@ def _simple(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_FreeEdge]]:
     yield way
 
 
-def _canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
+def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
     corners = [
         (_leave(start, scale), (bx, by), (dx, dy))
@@ -218,7 +210,7 @@ def _leave(vertex: ReducedPoint, scale: int) -> Point:
     return Point(divide_exactly(xn, xd * scale), divide_exactly(yn, yd * scale))
 
 
-def _middle(p: ReducedPoint, q: ReducedPoint) -> Point:
+def _find_middle(p: ReducedPoint, q: ReducedPoint) -> Point:
     a, b = _leave(p, 2), _leave(q, 2)
     return Point(a.x + b.x, a.y + b.y)
 

@@ -18,7 +18,7 @@ from exactsweep.procedures.chain import ChainError
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
-    crossing,
+    find_crossing,
     precedes,
 )
 
@@ -118,7 +118,7 @@ def _find_takeover(
         n, d = at = others if order > 0 else mine
         above = u * n + v * d
         if above < 0:  # (2)
-            return i + 1, crossing(u, v), piece, j
+            return i + 1, find_crossing(u, v), piece, j
         if order > 0:
             if above == 0 or j == 0:  # (3), (4)
                 return i + 1, at, piece, j
@@ -221,7 +221,7 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
             on_first = not on_first
             at_end = -at_end
         if at_end > 0:  # (4)
-            changes.append((crossing(u, v), i, j))
+            changes.append((find_crossing(u, v), i, j))
             on_first = not on_first
         if order <= 0:
             i += 1

@@ -23,7 +23,7 @@ from itertools import chain, pairwise, repeat
 from typing import cast
 
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import complement, convex_parts, corners, inverse
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
 from exactsweep.procedures.convex_part import (
     count_flatter,
     split_envelope,
@@ -65,7 +65,7 @@ def find_gaps(trajectory: Envelope, parts: Sequence[Sequence[Vertex]]) -> list[S
     >>> from exactsweep.procedures.mm import trajectory_mm
     >>> notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
     >>> trajectory = trajectory_mm([(1, 0), (0, 0)], notch)
-    >>> (left, right), = find_gaps(trajectory, convex_parts(notch))
+    >>> (left, right), = find_gaps(trajectory, find_convex_parts(notch))
     >>> value(left), value(right)
     (Fraction(5, 2), Fraction(7, 2))
     """
@@ -135,10 +135,10 @@ def inner_mm(
     Cost: O(t log m + m) to find the gaps, and O(t' n log n) for the t' edges of T along which G
     overlaps a gap; all t of them at worst.
     """
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
-        return corners(directrix)
+        return take_corners(directrix)
     chains = split_parts(inverse(generatrix_top))
     inside = take_inside(trajectory)
     slots = list(split_envelope(inside))

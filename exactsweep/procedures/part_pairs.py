@@ -14,13 +14,14 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from exactsweep.geometry.point import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
 from exactsweep.procedures.envelope import Break, Envelope, Span
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
+STRIPS_PER_EDGE = 2
 STRIPS_PER_CHAIN = 4
 FEW_PAIRS = 40
 """So many pairs are swept sooner than a ceiling is made over half of them."""
@@ -52,11 +53,11 @@ class Ceiling:
     Args:
         envelope: what is known of the envelope to be found.
         span: bounds of the x-ranges of all sums.
-        chains: how many convex chains of G_t and D_b there are. There are as many strips in
-            proportion, so that a pair crosses O(1) of them on average.
+        chains: how many convex chains of G_t and D_b there are. There are no more
+            strips than in proportion, so that a pair crosses O(1) of them on average.
         gaps: the x-ranges that matter, from left to right; all of it, if left out.
 
-    Cost: O(size of the envelope + chains).
+    Cost: O(size of the envelope).
     """
 
     def __init__(
@@ -69,10 +70,10 @@ class Ceiling:
         breaks, pieces = envelope.breaks, envelope.pieces
         self.start, end = span
         width = end - self.start + 1
-        count = int(min(STRIPS_PER_CHAIN * chains, width))
+        count = int(min(STRIPS_PER_EDGE * len(pieces), STRIPS_PER_CHAIN * chains, width))
         self.width = -(-width // count)
         # One strip more: the end of the x-range may lie on its border.
-        self.tops: list[Rational | float] = [-inf] * (count + 1)
+        self.tops = tops = [cast("Rational | float", -inf)] * (count + 1)
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
         strips = [self._strip(at) for at in breaks]
@@ -80,26 +81,25 @@ class Ceiling:
             first, last = self._strip(left), self._strip(right)
             begin, stop = envelope.edge_after(left), envelope.edge_before(right)
             if begin < 0:
-                self._raise(first, min(strips[0], last), inf)
+                self._open(first, min(strips[0], last))
             if stop == len(pieces):
-                self._raise(max(first, strips[-1]), last, inf)
+                self._open(max(first, strips[-1]), last)
             for k in range(max(begin, 0), min(stop + 1, len(pieces))):
                 dx, dy, c, _, _ = pieces[k]
                 top: Rational | float = inf
                 if dx:
                     (n, d), (m, e) = breaks[k], breaks[k + 1]
                     top = -min(-(dy * n + c * d) // (dx * d), -(dy * m + c * e) // (dx * e))
-                self._raise(strips[k], strips[k + 1], top)
+                for strip in range(strips[k], strips[k + 1] + 1):
+                    if top > tops[strip]:
+                        tops[strip] = top
             if self.windows and first <= self.windows[-1][1]:
                 first = self.windows.pop()[0]
             self.windows.append((first, last))
 
-    def _raise(self, first: int, last: int, top: Rational | float) -> None:
-        """Some strips reach up to a bound, or higher."""
-        tops = self.tops
-        for strip in range(first, last + 1):
-            if top > tops[strip]:
-                tops[strip] = top
+    def _open(self, first: int, last: int) -> None:
+        """Take some strips for unbounded."""
+        self.tops[first : last + 1] = [inf] * (last + 1 - first)
 
     def _strip(self, at: Break) -> int:
         """The strip in which a break lies."""

@@ -15,10 +15,10 @@ from typing import NamedTuple
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import Free, free_positions
+from exactsweep.procedures.free_positions import Free, find_free_positions
 
 
 class NoFitSS(NamedTuple):
@@ -67,7 +67,7 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
-    free = _free(directrix, generatrix, scale)
+    free = _find_free(directrix, generatrix, scale)
     (exterior,) = free.around
     return NoFitSS(exterior, sorted(free.within), free.fits)
 
@@ -90,23 +90,23 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
     [(0, 0, 2, 0)]
     """
     # What the part must not overlap is the plane outside the container, and each defect.
-    free = _free([ring[::-1] for ring in container], part, scale, unbounded=True)
+    free = _find_free([ring[::-1] for ring in container], part, scale, unbounded=True)
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
-        inside[_around(loop, free.within)].append(loop)
+        inside[_find_holder(loop, free.within)].append(loop)
     return InnerFitSS(list(zip(free.within, inside, strict=True)), free.fits)
 
 
-def _free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
+def _find_free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
     moving = [inverse(ring) for ring in orbiting]
-    stretches = contact_stretches(stationary, moving)
+    stretches = find_contact_stretches(stationary, moving)
     if not unbounded:
         stretches = leave_out_covered(stretches, stationary, moving)
     cut_at_crossings(stretches)
     overlap = Overlap(stationary, orbiting, unbounded=unbounded)
-    return free_positions(stretches, overlap.at, scale)
+    return find_free_positions(stretches, overlap.at, scale)
 
 
-def _around(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
+def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
     """Which of some loops without common inner points has a loop inside."""
     return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))

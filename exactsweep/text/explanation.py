@@ -156,7 +156,7 @@ class _Teller:
             yield ""
             if start == end:
                 yield f"-- Exact fit {k}: G fits at {write_pair(start)} and cannot move --"
-                for event, i, j in self._telling(s.contacts_at(start)):
+                for event, i, j in self._choose_telling(s.contacts_at(start)):
                     g = self.g.edges[i] if event[0] == "E" else self.g.vertices[i]
                     d = self.d.edges[j] if event[1] == "E" else self.d.vertices[j]
                     yield f"  {event}: {g}, is on {d}"
@@ -187,7 +187,9 @@ class _Teller:
             )
             return f"Corner: {', and '.join(meetings)}"
         if step.ending == "stop":
-            stops = (self._stop(contact, step.end) for contact in self._telling(step.reasons))
+            stops = (
+                self._stop(contact, step.end) for contact in self._choose_telling(step.reasons)
+            )
             return f"Stop: {', and '.join(stops)}"
         return "Slot: nothing stops G, but straight on it would be in an exact fit"
 
@@ -208,7 +210,7 @@ class _Teller:
             return f"{g.vertices[i]}, comes into the reflex corner at {d.vertices[j]}"
         return f"{g.vertices[i]}, runs into {d.vertices[j]}"
 
-    def _telling(self, contacts: Iterable[Contact]) -> list[Contact]:
+    def _choose_telling(self, contacts: Iterable[Contact]) -> list[Contact]:
         """Leave out what comes with two edges that touch: contacts at their ends."""
         contacts = list(contacts)
         implied: set[Contact] = set()

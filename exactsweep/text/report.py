@@ -77,7 +77,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
     }
     given = {"generatrix": sweep.generatrix, "directrix": sweep.directrix}
     shapes = {**given, **loops}
-    return _told(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
+    return _tell(facts, shapes, "swept area", sweep.area, loops, (), terminal_width, everything)
 
 
 def report_no_fit(
@@ -121,7 +121,7 @@ def report_no_fit(
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
     shapes: dict[str, Polygon | Region] = {**given, **loops}
-    return _told(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
+    return _tell(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
 def report_inner_fit(
@@ -167,10 +167,10 @@ def report_inner_fit(
     }
     shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
     fits = f.exact_fits
-    return _told(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
+    return _tell(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
 
 
-def _told(
+def _tell(
     facts: Mapping[str, str],
     shapes: Mapping[str, Polygon | Region],
     name: str,
@@ -196,12 +196,12 @@ def _told(
     if everything:
         # Long numbers take a table a long time.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
-        told = (f"{n:<{width}}  {' '.join(map(_exactly, ends))}\n" for n, ends in lines.items())
+        told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
     return lay_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
 
 
-def _exactly(point: Point) -> str:
+def _write_point(point: Point) -> str:
     return f"({format_fraction(point.x)},{format_fraction(point.y)})"
 
 

@@ -41,9 +41,9 @@ def sweep_to_json(sweep: Swept) -> str:
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     texts = {
         **_input(sweep),
-        **{name: _written(loop.vertices) for name, loop in loops.items()},
-        **({"unswept": _written(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
-        "area": _written(sweep.area),
+        **{name: _write(loop.vertices) for name, loop in loops.items()},
+        **({"unswept": _write(_loops(sweep.unswept))} if sweep.kind == "SS" else {}),
+        "area": _write(sweep.area),
     }
     return _object(texts)
 
@@ -63,14 +63,14 @@ def no_fit_to_json(n: NoFitPositions) -> str:
     """
     return _object(
         {
-            "stationary": _written(write_json_value(n.stationary)),
-            "orbiting": _written(write_json_value(n.orbiting)),
-            "kind": _written(n.kind),
-            "reference": _written(n.reference),
-            "exterior": _written(n.exterior.vertices),
-            "holes": _written(_loops(n.holes)),
-            "exact_fits": _written(n.exact_fits),
-            "area": _written(n.area),
+            "stationary": _write(write_json_value(n.stationary)),
+            "orbiting": _write(write_json_value(n.orbiting)),
+            "kind": _write(n.kind),
+            "reference": _write(n.reference),
+            "exterior": _write(n.exterior.vertices),
+            "holes": _write(_loops(n.holes)),
+            "exact_fits": _write(n.exact_fits),
+            "area": _write(n.area),
         }
     )
 
@@ -89,12 +89,12 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     """
     return _object(
         {
-            "container": _written(write_json_value(f.container)),
-            "part": _written(write_json_value(f.part)),
-            "reference": _written(f.reference),
-            "regions": _written([_rings(region) for region in f.regions]),
-            "exact_fits": _written(f.exact_fits),
-            "area": _written(f.area),
+            "container": _write(write_json_value(f.container)),
+            "part": _write(write_json_value(f.part)),
+            "reference": _write(f.reference),
+            "regions": _write([_rings(region) for region in f.regions]),
+            "exact_fits": _write(f.exact_fits),
+            "area": _write(f.area),
         }
     )
 
@@ -142,20 +142,20 @@ def explanation_to_json(sweep: Swept) -> str:
 
     Cost: that of `exactsweep.evidence.steps`.
     """
-    steps = [_written(_step(step)) for step in explain(sweep)]
+    steps = [_write(_step(step)) for step in explain(sweep)]
     return _object(
         {
             **_input(sweep),
-            "features": _written(
+            "features": _write(
                 {
                     "generatrix": list_numbers(sweep.generatrix),
                     "directrix": list_numbers(sweep.directrix),
                 }
             ),
-            "undercuts": _written([_undercut(undercut) for undercut in sweep.undercuts]),
-            "exact_fits": _written(sweep.exact_fits),
-            "exact_fit_contacts": _written(_fit_contacts(sweep)),
-            "holes": _written(_holes(sweep)),
+            "undercuts": _write([_undercut(undercut) for undercut in sweep.undercuts]),
+            "exact_fits": _write(sweep.exact_fits),
+            "exact_fit_contacts": _write(_fit_contacts(sweep)),
+            "holes": _write(_holes(sweep)),
             "steps": "[\n    " + ",\n    ".join(steps) + "\n  ]",
         }
     )
@@ -183,16 +183,16 @@ def verification_to_json(verification: Verification) -> str:
     Returns:
         One object; the witness is a point, two strings, or null.
     """
-    return _object({name: _written(part) for name, part in verification._asdict().items()})
+    return _object({name: _write(part) for name, part in verification._asdict().items()})
 
 
 def _input(sweep: Swept) -> dict[str, str]:
     return {
-        "generatrix": _written(write_json_value(sweep.generatrix)),
-        "directrix": _written(write_json_value(sweep.directrix)),
-        "kind": _written(sweep.kind),
+        "generatrix": _write(write_json_value(sweep.generatrix)),
+        "directrix": _write(write_json_value(sweep.directrix)),
+        "kind": _write(sweep.kind),
         "direction": direction_to_json(sweep.direction),
-        "reference": _written(sweep.reference),
+        "reference": _write(sweep.reference),
     }
 
 
@@ -231,7 +231,7 @@ def _object(texts: Mapping[str, str]) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _written(value: object) -> str:
+def _write(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 

@@ -17,7 +17,7 @@ from exactsweep import Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
 from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
-from exactsweep.paper.counting import Counted, counting, make_counted
+from exactsweep.paper.counting import Counted, make_counted, watch_operations
 from exactsweep.paper.growth import Growth, Size
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
@@ -68,7 +68,7 @@ def test_outlines_of_parts_are_parts() -> None:
 
 
 def test_counted_numbers_stay_counted() -> None:
-    with counting() as tally:
+    with watch_operations() as tally:
         a, b = Counted(7), Counted(3)
         results = [a + 1, 1 - a, a * 2, 2 * a, a // 2, 9 // b, -a, abs(a), a % b]
         ratio = Fraction(a, b)
@@ -82,7 +82,7 @@ def test_counted_numbers_stay_counted() -> None:
 
 def test_comparisons_are_counted_once() -> None:
     (x, y), (u, v) = make_counted([(1, 2), (1, 3)])
-    with counting() as tally:
+    with watch_operations() as tally:
         assert x < y
         assert x == u
         assert not v <= y

@@ -98,7 +98,7 @@ def test_junk_is_refused_with_a_reason(claim: str) -> None:
         ("trajectory", [["0", "0"], ["-1", "0"], ["0", "1"]], "trajectory: not canonical, its"),
         ("contacts", [], "contacts: 0 lists for a loop of"),
         ("area", "1e-3", "area: not a number in lowest terms"),
-        ("area", "1", "area: it is not that of the outer loop minus that of the inner one"),
+        ("area", "1", "area: it is not that of the outer loop minus those inside it"),
         ("exact_fits", [], "exact_fits: one is missing"),
     ],
 )
@@ -145,11 +145,11 @@ def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
 def test_the_common_denominator_counts_in_steps() -> None:
     """A step on numbers of up to 64 bits is one, on up to 128 bits two: for each of the points."""
     fine = Point(Fraction(1, 2**62), Fraction(1, 3))
-    assert size.common_scale([fine, fine], 4) == 3 * 2**62
-    assert size.common_scale([fine._replace(y=Fraction(1))], 1) == 2**62
+    assert size.find_common_scale([fine, fine], 4) == 3 * 2**62
+    assert size.find_common_scale([fine._replace(y=Fraction(1))], 1) == 2**62
     for points, steps in (([fine, fine], 3), ([Point(fine.y, fine.x)], 1)):
         with pytest.raises(CertificateError, match=f"more than {steps} steps"):
-            size.common_scale(points, steps)
+            size.find_common_scale(points, steps)
 
 
 def test_more_steps_may_be_allowed() -> None:

@@ -32,7 +32,7 @@ from exactsweep.check import (
     verify,
 )
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import heights
+from exactsweep.check.chain import walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.sums import check_sum_within, corners_with_common_slopes
 from exactsweep.geometry.direction import is_monotone
@@ -338,7 +338,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
     for of_a, of_b, of_sum in zip(*halves, strict=True):
         for left, right, _ in of_sum.edges:
             for node, side in ((left, 1), (right, -1)):
-                assert min(height for height, _ in heights(of_a, of_b, node, side)) == 0
+                assert min(height for height, _ in walk_heights(of_a, of_b, node, side)) == 0
 
 
 @settings(max_examples=500)

@@ -25,12 +25,6 @@ def files(tmp_path: Path) -> dict[str, str]:
     return {name: str(tmp_path / f"{name}.json") for name in texts}
 
 
-def pair_of(command: str, files: dict[str, str]) -> tuple[str, str]:
-    """The part, which moves, comes first for a sweep, and last for all else."""
-    pair = (files["plate"], files["part"])
-    return pair[::-1] if command == "sweep" else pair
-
-
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_results_leave_rounded_and_are_read_again(

@@ -91,7 +91,7 @@ def change(*path: Any, to: Any) -> Callable[[Any], None]:
         (change("directrix", 1, 0, to="4/1"), r"^\$\.directrix\[1\]\[0\] is not '4'$"),
         (change("reference", 0, to="-0"), r"^\$\.reference\[0\] is not '0'$"),
         (change("directrix", 1, 0, to="1/0"), "has a zero denominator"),
-        (change("directrix", 1, 0, to="9" * 5000), "more than 4300 digits"),
+        (change("directrix", 1, 0, to="9" * 10**6), "more than 137607 digits"),
         (change("directrix", 1, to=["3", "9"]), r"^\$\.directrix: the boundary crosses itself"),
         (change("directrix", to=[["0", "0"]]), r"^\$\.directrix: fewer than three"),
         (change("reference", to=[]), r"^\$\.reference has 0 coordinates, not 2$"),

@@ -29,7 +29,7 @@ from exactsweep.draw import (
 from exactsweep.draw.sweeps import find_anchor
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -161,7 +161,7 @@ def test_no_two_things_differ_by_colour_alone() -> None:
 def test_chains_sub_trajectories_and_their_envelope_are_drawn() -> None:
     _, top = split(EXAMPLE.generatrix.vertices)
     directrix: list[Vertex] = [(0, 0), (3, 3), (5, 0), (8, 2)]
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     chains = [trajectory_cc(top, part) for part in parts]
     envelope = list(trajectory_cm(top, directrix))
     (axes,) = make_figure().axes

@@ -21,8 +21,7 @@ from exactsweep.canvas import style
 from exactsweep.draw import (
     choose_telling_positions,
     make_figure,
-    plot_inner_fit,
-    plot_no_fit,
+    plot_positions,
     plot_sweep,
 )
 from exactsweep.draw.insets import find_details
@@ -160,8 +159,8 @@ def test_no_ratio_is_too_large(exponent: int) -> None:
 
 def test_no_fits_and_inner_fits_have_details_too() -> None:
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    n = plot_no_fit(no_fit_polygon(stationary=PLATE, orbiting=square), make_figure().axes[0])
-    f = plot_inner_fit(inner_fit_polygon(container=PLATE, part=square), make_figure().axes[0])
+    n = plot_positions(no_fit_polygon(stationary=PLATE, orbiting=square), make_figure().axes[0])
+    f = plot_positions(inner_fit_polygon(container=PLATE, part=square), make_figure().axes[0])
     assert details(n)
     assert details(f)
 

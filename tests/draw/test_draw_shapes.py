@@ -22,7 +22,7 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.canvas import style
-from exactsweep.draw import DrawError, make_figure, plot_inner_fit, plot_no_fit, save
+from exactsweep.draw import DrawError, make_figure, plot_positions, save
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
 
@@ -159,7 +159,7 @@ def test_files_are_the_same_each_time(tmp_path: Path, suffix: str) -> None:
     files = [tmp_path / f"{name}{suffix}" for name in "ab"]
     for file in files:
         figure = make_figure()
-        plot_no_fit(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
+        plot_positions(no_fit_polygon(PLATE, SQUARE), figure.axes[0])
         save(figure, str(file))
     one, other = (file.read_bytes() for file in files)
     assert one == other
@@ -252,6 +252,6 @@ def test_what_is_not_swept_is_cut_out() -> None:
 
 
 def test_plots_take_what_is_found() -> None:
-    assert labels(plot_inner_fit(inner_fit_polygon(CHANNEL, SQUARE), make_figure().axes[0])) == (
+    assert labels(plot_positions(inner_fit_polygon(CHANNEL, SQUARE), make_figure().axes[0])) == (
         labels(picture_of(inner_fit_polygon(CHANNEL, SQUARE)))
     )

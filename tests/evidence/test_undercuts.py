@@ -248,3 +248,19 @@ def test_one_corner_of_the_generatrix_closes_a_bent_pocket() -> None:
     (undercut,) = sweep(bent, [(6, -6), (11, 3), ("35/4", "5/4"), (9, 5)]).undercuts
     assert undercut.bottom == own.points((11, 3), (9, "9/5"), (9, 5))
     assert undercut.positions == own.points((9, "29/5"))
+
+
+def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
+    factor = 1 + Fraction(1, 3**5200)
+    for seed in (2, 5):
+        pair = families.random_pair(random.Random(seed), ["same", "mould", "walls"])
+        g, d = Polygon(pair.generatrix), Polygon(pair.directrix)
+        near = sweep(g, d)
+        far = sweep(*(Polygon([(factor * x, factor * y) for x, y in p.vertices]) for p in (g, d)))
+        assert far.generatrix.lattice()[0] == 1
+        positions = [
+            [Point(factor * x, factor * y) for x, y in u.positions] for u in near.undercuts
+        ]
+        assert [[*u.positions] for u in far.undercuts] == positions
+        for name in ("contacts", "inner_drawn", "outer_drawn"):
+            assert far.certificate()[name] == near.certificate()[name], (seed, name)

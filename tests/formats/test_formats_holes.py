@@ -8,7 +8,7 @@ from cells import shape_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exactsweep import Polygon, PolygonError, Region
+from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.corpus.generator.cells import Cell, connect
 from exactsweep.formats import (
     FormatError,
@@ -22,6 +22,7 @@ from exactsweep.formats import (
     read_region,
     read_regions,
 )
+from exactsweep.geometry.overlap import Overlap
 
 OUTER, INNER = [(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 PLATE = Region(OUTER, [INNER])
@@ -130,10 +131,42 @@ def test_paths_that_draw_no_region_are_named(path: str) -> None:
     assert REFUSED[path] in str(caught.value)
 
 
-def test_rings_without_end_are_refused() -> None:
-    rings = "".join(f"M0 0H{k}V{k}z" for k in range(1, 103))
-    with pytest.raises(FormatError, match=r"^line 1: path: subpath \d+ lies in more than 100 oth"):
-        parse_region(f"<svg><path d='{rings}'/></svg>")
+@pytest.mark.parametrize(
+    ("rings", "plates"),
+    [
+        ([(k, 1000 - k) for k in range(400)], 200),
+        ([(k, 1000 - k) for k in reversed(range(400))], 200),
+        ([(0, 9)] * 400, None),
+        ([(3 * k, 3 * k + 2) for k in range(400)], 400),
+    ],
+)
+@pytest.mark.parametrize("form", ["path", "polygons"])
+def test_rings_in_rings_are_asked_about_once_each(
+    rings: list[tuple[int, int]], plates: int | None, form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once each was held against all around it, and more than 100 of these were refused."""
+    asked = 0
+    at = Overlap.at
+
+    def count(self: Overlap, t: Point) -> bool:
+        nonlocal asked
+        asked += 1
+        return at(self, t)
+
+    monkeypatch.setattr(Overlap, "at", count)
+    if form == "path":
+        drawn = "".join(f"M{a} {a}H{b}V{b}H{a}z" for a, b in rings)
+        text = f"<svg><path fill-rule='evenodd' d='{drawn}'/></svg>"
+    else:
+        square = "POLYGON (({0} {0}, {1} {0}, {1} {1}, {0} {1}, {0} {0}))"
+        text = "".join(square.format(a, b) for a, b in rings)
+    if plates is None:
+        with pytest.raises(ValueError, match="hole 0, edge 3, and the exterior, edge 3 run along"):
+            parse_regions(text, nested=form == "polygons")
+    else:
+        assert len(parse_regions(text, nested=form == "polygons")) == plates
+    # Whether it lies in the next one, and whether they cross.
+    assert asked <= 2 * len(rings)
 
 
 Box = tuple[int, int, int, int, bool]

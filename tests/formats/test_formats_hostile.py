@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 from linear import require_linear
 
-from exactsweep.formats import FormatError, parse_polygon, read_polygon
+from exactsweep import Polygon
+from exactsweep.formats import FormatError, parse_polygon, parse_polygons, read_polygon
+from exactsweep.formats.candidate import MAX_FAULTS, Candidate
 from exactsweep.formats.reading import MAX_VERTICES
 
 TEXTS: dict[str, Callable[[int], str]] = {
@@ -26,7 +28,7 @@ TEXTS: dict[str, Callable[[int], str]] = {
 }
 SHAPES: dict[str, Callable[[int], str]] = {
     "path edges": lambda n: f'<path d="M0 0{"L1 1" * (n // 20)}"/>',
-    "subpaths": lambda n: f'<path d="{"M0 0h1v1z" * (n // 20)}"/>',
+    "subpaths": lambda n: f'<path fill-rule="evenodd" d="{"M0 0h1v1z" * (n // 20)}"/>',
     "path digits": lambda n: f'<path d="M{"1" * n}x"/>',
     "path gaps": lambda n: f'<path d="{" ," * n}x"/>',
     "points": lambda n: f'<polygon points="{"1" * n}x"/>',
@@ -52,6 +54,14 @@ def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> No
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
 def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
+
+
+def test_equal_rings_are_one_ring_in_linear_time() -> None:
+    def read(n: int) -> None:
+        text = f'<svg><path d="{"M0 0h1v1z" * (n // 20)}"/></svg>'
+        assert parse_polygon(text) == Polygon([(0, 0), (1, 0), (1, 1)])
+
+    require_linear(read)
 
 
 MANY = MAX_VERTICES + 1
@@ -102,3 +112,63 @@ def test_nested_transformations_do_not_grow_without_end() -> None:
     text = f"<svg>{group * 90}<rect width='1' height='1'/>{'</g>' * 90}</svg>"
     with pytest.raises(FormatError, match=r"^line 1: g: the numbers of the product of transform"):
         parse_polygon(text)
+
+
+FAULTS: dict[str, Callable[[int], str]] = {
+    "json numbers": lambda n: f'{{"polygons": [{"1," * n}1]}}',
+    "json objects": lambda n: '{"polygons": [' + '{"vertices": 1},' * n + "1]}",
+    "json lines": lambda n: '{"vertices": 1}\n' * n,
+    "features": lambda n: f'{{"type": "FeatureCollection", "features": [{"1," * n}1]}}',
+    "polygons": lambda n: f'{{"type": "MultiPolygon", "coordinates": [{"1," * n}1]}}',
+    "wkt": lambda n: "POLYGON EMPTY " * n,
+    "svg": lambda n: f"<svg>{'<path/>' * n}</svg>",
+}
+
+
+@pytest.mark.parametrize("text", FAULTS.values(), ids=FAULTS)
+def test_of_what_is_no_polygon_a_bounded_number_is_kept(
+    text: Callable[[int], str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once 2 MiB of GeoJSON took 2.8 GB: each refusal held on to all that it came from."""
+    made = 0
+    refused = Candidate.refused
+
+    def count(reason: str, name: str | None = None, layer: str | None = None) -> Candidate:
+        nonlocal made
+        made += 1
+        return refused(reason, name, layer)
+
+    monkeypatch.setattr(Candidate, "refused", count)
+    with pytest.raises(FormatError, match=f"more than {MAX_FAULTS:,} "):
+        parse_polygon(text(3 * MAX_FAULTS))
+    assert made == MAX_FAULTS + 1
+
+
+def test_refusals_are_kept_as_words() -> None:
+    text = f"[{'[[1]],' * 500}[[1]]]"
+    with pytest.raises(FormatError, match=r"; and 497 more$") as caught:
+        parse_polygons(text)
+    assert caught.value.__context__ is None
+
+
+def test_numbers_elements_and_names_beyond_counting_are_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with pytest.raises(FormatError, match=r"^more than 4,000,000 numbers$"):
+        parse_polygon(f"[{'1,' * (4 * MAX_VERTICES + 1)}1]")
+    monkeypatch.setattr("exactsweep.formats.curved.xml.MAX_ELEMENTS", 9)
+    with pytest.raises(FormatError, match=r"^line 1: more than 9 elements$"):
+        parse_polygon(f"<svg>{'<a/>' * 9}</svg>")
+    monkeypatch.setattr("exactsweep.formats.csv.MAX_POLYGONS", 9)
+    with pytest.raises(FormatError, match=r"^more than 9 polygons$"):
+        parse_polygon("name,x,y\n" + "".join(f"{k},0,0\n" for k in range(99)))
+
+
+def test_columns_that_are_not_asked_for_cost_nothing_in_each_row() -> None:
+    """Once each row went through all names of columns."""
+
+    def read(n: int) -> None:
+        head = ",".join(f"c{k}" for k in range(n))
+        refuse(f"x,y,{head}\n" + "1,2\n" * n)
+
+    require_linear(read, size=2000)

@@ -79,6 +79,15 @@ def test_monotone_is_two_changes_of_sign(polygon: Polygon) -> None:
     assert bool(found) == any(is_weakly_monotone(polygon, u) for u in trials(polygon))
 
 
+@given(own.simple_polygons())
+@often
+def test_to_the_x_axis_it_is_known_however_the_polygon_was_made(polygon: Polygon) -> None:
+    expected = is_weakly_monotone(polygon, (1, 0))
+    turned = polygon.reflected()
+    made = [polygon, Polygon(polygon), Polygon(polygon.vertices), turned, Polygon(turned.vertices)]
+    assert [shape.is_x_monotone for shape in made] == [expected] * 5
+
+
 @given(own.simple_polygons(), own.simple_polygons())
 @often
 def test_shared_directions_are_those_of_both(one: Polygon, other: Polygon) -> None:

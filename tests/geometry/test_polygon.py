@@ -285,7 +285,7 @@ def test_ints_stay_ints(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not polygon.is_convex
 
 
-@pytest.mark.parametrize("bad", [True, math.nan, "0x1", None, 1j, "1" * 11])
+@pytest.mark.parametrize("bad", [True, math.nan, "0x1", None, 1j, "1" * 400])
 @pytest.mark.parametrize("row", [tuple, list])
 def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]) -> None:
     ring = [row((x, x * x)) for x in range(1000)]

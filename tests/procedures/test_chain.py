@@ -14,13 +14,13 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.chain import (
     ChainError,
     complement,
-    convex_chain,
-    convex_parts,
-    corners,
-    graph_edges,
+    find_convex_parts,
     inverse,
+    list_graph_edges,
+    require_convex,
     reverse,
     split,
+    take_corners,
 )
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -69,7 +69,7 @@ def test_reversed_edges_laid_end_to_end_are_the_inverse(chain: list[Vertex]) -> 
 @given(chains())
 @usually
 def test_convex_parts_are_convex_and_lie_on_the_chain(chain: list[Vertex]) -> None:
-    parts = convex_parts(chain)
+    parts = find_convex_parts(chain)
     for part in parts:
         assert len(part) > 1
         assert all(p[0] < q[0] for p, q in pairwise(part))
@@ -81,7 +81,7 @@ def test_convex_parts_are_convex_and_lie_on_the_chain(chain: list[Vertex]) -> No
             assert before[-1] == after[0]
             assert turn(before[-2], after[0], after[1]) < 0
     covered = {edge for part in parts for edge in pairwise(part)}
-    for p, q in graph_edges(chain):
+    for p, q in list_graph_edges(chain):
         assert any(turn(*e, p) == 0 == turn(*e, q) and e[0][0] <= p[0] < e[1][0] for e in covered)
 
 
@@ -90,7 +90,7 @@ def test_convex_parts_are_convex_and_lie_on_the_chain(chain: list[Vertex]) -> No
 def test_corners_are_the_chain_without_straight_points(chain: list[Vertex]) -> None:
     # A line that never turns back: walls only upwards.
     chain = [v for k, v in enumerate(chain) if k == 0 or v[0] > chain[k - 1][0]]
-    kept = corners(chain)
+    kept = take_corners(chain)
     assert (kept[0], kept[-1]) == (chain[0], chain[-1])
     assert set(kept) <= set(chain)
     assert all(turn(*kept[k : k + 3]) != 0 for k in range(len(kept) - 2))
@@ -130,12 +130,12 @@ def test_vertical_edges_bound_the_parts() -> None:
        \|___
     """
     chain: list[Vertex] = [(0, 0), (1, 0), (2, -1), (2, -1), (2, 3), (2, -1), (4, -1)]
-    assert convex_parts(chain) == [[(0, 0), (1, 0)], [(1, 0), (2, -1)], [(2, -1), (4, -1)]]
+    assert find_convex_parts(chain) == [[(0, 0), (1, 0)], [(1, 0), (2, -1)], [(2, -1), (4, -1)]]
 
 
 def test_repeated_and_collinear_points_split_nothing() -> None:
     chain: list[Vertex] = [(0, 0), (0, 0), (1, -1), (1, -1), (2, -2), (3, 0), (3, 0)]
-    assert convex_parts(chain) == [[(0, 0), (2, -2), (3, 0)]]
+    assert find_convex_parts(chain) == [[(0, 0), (2, -2), (3, 0)]]
 
 
 @pytest.mark.parametrize("first", [0, Fraction(1, 3)])
@@ -162,7 +162,7 @@ def test_chains_that_run_back_are_refused() -> None:
         with pytest.raises(ChainError, match=message):
             procedure(top, back)
     with pytest.raises(ChainError, match=message):
-        convex_parts(back)
+        find_convex_parts(back)
     assert issubclass(ChainError, ValueError)
 
 
@@ -183,13 +183,13 @@ def test_a_chain_of_two_parts_is_refused_where_the_second_one_begins(
     chain: list[Vertex], place: str
 ) -> None:
     with pytest.raises(ChainError, match=f"at {place}$"):
-        convex_chain(chain)
+        require_convex(chain)
 
 
 @pytest.mark.parametrize("chain", [[], [(0, 0)], [(0, 0), (0, 1)]])
 def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
     with pytest.raises(ChainError):
-        convex_parts(chain)
+        find_convex_parts(chain)
     for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:
         with pytest.raises(ChainError):
             procedure([(1, 0), (0, 0)], chain)

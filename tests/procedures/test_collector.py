@@ -6,7 +6,8 @@ from collections.abc import Iterator
 import pytest
 
 from exactsweep import sweep
-from exactsweep.evidence.swept import pause_collector
+from exactsweep.evidence.swept import Swept, pause_collector
+from exactsweep.procedures.lower_sweep import LowerSweep, made_once
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
@@ -42,3 +43,12 @@ def test_a_sweep_makes_no_cycles() -> None:
         assert gc.collect() == 0
     finally:
         gc.enable()
+
+
+def test_what_is_made_once_is_made_once() -> None:
+    half = LowerSweep("CC", [(1, 1), (0, 1)], [(0, 0), (1, 0)], [(0, 0), (3, 0)])
+    assert half.outer is half.outer == [(-1, -1), (4, -1)]
+    assert isinstance(LowerSweep.outer, made_once)
+    s = sweep(SQUARE, SQUARE)
+    assert s.trajectory is s.trajectory
+    assert isinstance(Swept._trajectory, made_once)

@@ -12,10 +12,10 @@ from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import Stretch, contact_stretches
-from exactsweep.procedures.cover import Cover, points_in
+from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
+from exactsweep.procedures.cover import Cover, find_points_in
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import free_positions
+from exactsweep.procedures.free_positions import find_free_positions
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
 
@@ -49,13 +49,13 @@ def test_what_is_covered_does_not_matter(
     stationary, orbiting = rings(d, matrix), rings(g, matrix)
     moving: Rings = [inverse(ring) for ring in orbiting]
     overlap = Overlap(stationary, orbiting)
-    whole = contact_stretches(stationary, moving)
+    whole = find_contact_stretches(stationary, moving)
     cover = Cover(stationary, moving, columns)
     left = [piece for stretch in whole for piece in cover.uncovered(stretch)]
     found = []
     for stretches in (whole, left):
         cut_at_crossings(stretches)
-        free = free_positions(stretches, overlap.at)
+        free = find_free_positions(stretches, overlap.at)
         found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
@@ -82,7 +82,7 @@ def test_points_are_all_of_the_interior(
     """Those on the boundary are left out, on vertical edges, too."""
     shape = rings(cells, matrix)
     exterior, *holes = map(Polygon, shape)
-    left, low, columns = points_in(shape, side)
+    left, low, columns = find_points_in(shape, side)
     for k, bits in enumerate(columns):
         for row in range(bits.bit_length() + 2):
             point = Point(Fraction((left + k) * side), Fraction((low + row) * side))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import ChainError, convex_parts, corners, split
+from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import GAP, Envelope, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
@@ -26,7 +26,7 @@ half, third = Fraction(1, 2), Fraction(1, 3)
 def graphs(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over x-ranges that all hold the interval from 4 to 5."""
     xs = {*draw(st.sets(own.tiny(0, 9), max_size=4)), draw(own.tiny(0, 4)), draw(own.tiny(5, 9))}
-    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
 
 def height(chain: Chain, x: Fraction) -> Fraction | None:
@@ -54,7 +54,7 @@ def test_envelope_is_the_least_of_all_chains(chains: list[Chain]) -> None:
 def graphs_anywhere(draw: st.DrawFn) -> Chain:
     """Chains without walls, on a grid, over any x-ranges."""
     xs = draw(st.sets(own.tiny(0, 9), min_size=2, max_size=4))
-    return corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
+    return take_corners([(x, draw(own.tiny(0, 5))) for x in sorted(xs)])
 
 
 @given(st.lists(graphs_anywhere(), min_size=1, max_size=6))
@@ -113,7 +113,7 @@ def test_sources_say_which_chain_an_edge_is_of(chains: list[Chain]) -> None:
 @usually
 def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
     v = list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
-    assert corners(v) == v
+    assert take_corners(v) == v
 
 
 @given(own.pairs("CM"))
@@ -121,7 +121,7 @@ def test_no_three_vertices_are_collinear(chains: list[Chain]) -> None:
 def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
     """Lemmas A.3 and 5.1: sub-trajectories of a convex G meet as LowerEnvelope_CM needs it."""
     (_, top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    pieces = [trajectory_cc(top, part) for part in convex_parts(bottom)]
+    pieces = [trajectory_cc(top, part) for part in find_convex_parts(bottom)]
     partial = Envelope.of(pieces[0], 0)
     for k, piece in enumerate(pieces[1:], 1):
         assert lower_envelope_cm(partial, Envelope.of(piece, k)) is partial
@@ -300,3 +300,37 @@ def test_chains_may_share_their_points() -> None:
     assert list(trajectory_cm(lid, joined)) == list(trajectory_cm(lid, list(joined)))
     straight = lower_envelope_cm(Envelope.of([(0, 0), shared]), Envelope.of([shared, (8, 4)]))
     assert list(straight) == [(0, 0), (8, 4)]
+
+
+@given(st.lists(graphs_anywhere(), min_size=1, max_size=4), st.sets(own.tiny(-1, 20), max_size=6))
+@usually
+def test_what_is_kept_of_an_envelope_is_what_it_has_over_x_ranges(
+    chains: list[Chain], ends: set[int]
+) -> None:
+    whole = lower_envelope_mm([Envelope.of(chain) for chain in chains])
+    cuts = sorted(ends)
+    spans = list(zip(cuts[::2], cuts[1::2], strict=False))
+    kept = whole.keep([((left, 2), (right, 2)) for left, right in spans])
+    start, end = value(whole.breaks[0]), value(whole.breaks[-1])
+    reached = False
+    for k in range(-2 * 7, 11 * 7):
+        x = Fraction(k, 7) + Fraction(1, 97)
+        inside = any(left < 2 * x < right for left, right in spans) and start < x < end
+        reached = reached or inside
+        at = x.as_integer_ratio()
+        found = -1 if kept is None else kept.edge_before(at)
+        if kept is None or not 0 <= found < len(kept.pieces) or kept.pieces[found] == GAP:
+            assert not inside or whole.pieces[whole.edge_before(at)] == GAP
+        else:
+            assert inside
+            assert kept.point(found, at) == whole.point(whole.edge_before(at), at)
+    assert reached == (kept is not None)
+
+
+def test_of_an_envelope_that_reaches_no_x_range_nothing_is_kept() -> None:
+    e = Envelope.of([(0, 0), (2, 2)])
+    assert e.keep([((2, 1), (3, 1)), ((4, 1), (5, 1))]) is None
+    kept = e.keep([((-1, 1), (1, 2)), ((3, 2), (9, 1))])
+    assert kept is not None
+    assert kept.pieces[1] == GAP
+    assert [value(at) for at in kept.breaks] == [0, half, 3 * half, 2]

@@ -12,7 +12,7 @@ from exactsweep.check.definition import reference_loops
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import complement, convex_parts, inverse, split
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
@@ -37,8 +37,8 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
     """Every convex part along every convex part, and nothing left out."""
     chains = [
         trajectory_cc(inverse(part), other)
-        for part in convex_parts(inverse(top))
-        for other in convex_parts(bottom)
+        for part in find_convex_parts(inverse(top))
+        for other in find_convex_parts(bottom)
     ]
     return list(lower_envelope_mm([Envelope.of(chain) for chain in chains]))
 

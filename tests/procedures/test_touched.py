@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from exactsweep import Polygon
 from exactsweep.check import reference_loops
 from exactsweep.geometry.point import Vertex
-from exactsweep.procedures.chain import convex_parts, graph_edges, split
+from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
 from exactsweep.procedures.envelope import value
 from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.mm_inner import find_gaps
@@ -17,7 +17,7 @@ from exactsweep.procedures.mm_inner import find_gaps
 
 def height(chain: list[Vertex], x: Fraction) -> Fraction:
     """Of a chain at an x at which it has no wall."""
-    (px, py), (qx, qy) = next((p, q) for p, q in graph_edges(chain) if p[0] <= x <= q[0])
+    (px, py), (qx, qy) = next((p, q) for p, q in list_graph_edges(chain) if p[0] <= x <= q[0])
     return py + Fraction(x - px) * (qy - py) / (qx - px)
 
 
@@ -26,7 +26,7 @@ def height(chain: list[Vertex], x: Fraction) -> Fraction:
 def test_outside_the_gaps_the_inner_loop_is_the_directrix(pair: tuple[Polygon, Polygon]) -> None:
     (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     inner, _ = split(reference_loops(*pair, (1, 0)).inner)
-    found = find_gaps(trajectory_mm(g_top, bottom), convex_parts(bottom))
+    found = find_gaps(trajectory_mm(g_top, bottom), find_convex_parts(bottom))
     ends = [value(end) for gap in found for end in gap]
     # Between gaps and walls, both functions are continuous: midpoints of what is left will do.
     xs = sorted({*ends, *(Fraction(x) for x, _ in bottom), *(Fraction(x) for x, _ in inner)})
@@ -39,14 +39,14 @@ def test_outside_the_gaps_the_inner_loop_is_the_directrix(pair: tuple[Polygon, P
 def test_a_notch_too_narrow_leaves_one_gap() -> None:
     # A flat top of width 1 under a notch 2 wide: its ends stop where the notch is 1 wide.
     notch = [(0, 0), (2, 0), (3, 2), (4, 0), (6, 0)]
-    found = find_gaps(trajectory_mm([(1, 0), (0, 0)], notch), convex_parts(notch))
+    found = find_gaps(trajectory_mm([(1, 0), (0, 0)], notch), find_convex_parts(notch))
     assert [(value(a), value(b)) for a, b in found] == [(Fraction(5, 2), Fraction(7, 2))]
 
 
 def test_a_lone_vertex_divides_two_gaps() -> None:
     # The flat top of G, 4 wide, rests on the three teeth; between them it reaches nothing.
     comb = [(0, 0), (1, 3), (2, 0), (3, 3), (4, 0)]
-    found = find_gaps(trajectory_mm([(4, 0), (0, 0)], comb), convex_parts(comb))
+    found = find_gaps(trajectory_mm([(4, 0), (0, 0)], comb), find_convex_parts(comb))
     assert [(value(a), value(b)) for a, b in found] == [
         (Fraction(0), Fraction(2)),
         (Fraction(2), Fraction(4)),

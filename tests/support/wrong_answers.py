@@ -70,7 +70,7 @@ def take_first_part(right: Procedure) -> Procedure:
     "Corollary 4.4",
 )
 def leave_undercuts_open(right: Procedure) -> Procedure:
-    return lambda generatrix, directrix, trajectory=None: chain.corners(directrix)
+    return lambda generatrix, directrix, trajectory=None: chain.take_corners(directrix)
 
 
 @sabotage(
@@ -122,7 +122,7 @@ def mirror_instead(right: Procedure) -> Procedure:
     "Definition 2.1",
 )
 def return_directrix(right: Procedure) -> Procedure:
-    return lambda top, trajectory, directrix: chain.corners(directrix)
+    return lambda top, trajectory, directrix: chain.take_corners(directrix)
 
 
 @sabotage(
@@ -157,7 +157,7 @@ def draw_straight(right: Procedure) -> Procedure:
     def sweep_inner_cm(generatrix: Any, directrix: Any, trajectory: Any = None) -> Any:
         inner = right(generatrix, directrix, trajectory)
         known = set(directrix)
-        return chain.corners([p for k, p in enumerate(inner) if p in known or k % 2])
+        return chain.take_corners([p for k, p in enumerate(inner) if p in known or k % 2])
 
     return sweep_inner_cm
 
@@ -185,7 +185,7 @@ def halve_fits(right: Procedure) -> Procedure:
 
 @sabotage(
     "step 1: chains not split at reflex vertices",
-    chain.convex_parts,
+    chain.find_convex_parts,
     "Convex chain",
     "Lemma 4.1",
     "Lemma 5.1",

@@ -61,14 +61,18 @@ def forget_inner_fits(right: Procedure) -> Procedure:
     return lambda *arguments: right(*arguments)._replace(exact_fits=[])
 
 
-@sabotage("loops: not parted where they come back to a point", free_positions._simple, "Inner fit")
+@sabotage(
+    "loops: not parted where they come back to a point",
+    free_positions._part_where_it_touches,
+    "Inner fit",
+)
 def leave_pinched(right: Procedure) -> Procedure:
     return lambda ring: iter([list(ring)])
 
 
 @sabotage(
     "contact segments: those of G's vertices forgotten",
-    contact_lines.contact_stretches,
+    contact_lines.find_contact_stretches,
     "Loops of any shape",
     "Contact segments",
 )
@@ -78,7 +82,7 @@ def forget_one_side(right: Procedure) -> Procedure:
 
 @sabotage(
     "contact segments: right, but each one many times",
-    contact_lines.contact_stretches,
+    contact_lines.find_contact_stretches,
     "Contact segments",
 )
 def repeat_stretches(right: Procedure) -> Procedure:

@@ -25,7 +25,7 @@ class MissingError(ExactSweepError):
     """A program that is not installed here; the message says how to get it."""
 
 
-def _nothing() -> None:
+def _do_nothing() -> None:
     """Do nothing."""
 
 
@@ -42,7 +42,7 @@ class Adapter(NamedTuple):
 
     hello: Hello
     ask: Callable[[str, AskedShape, AskedShape], Mapping[str, Any]]
-    close: Callable[[], object] = _nothing
+    close: Callable[[], object] = _do_nothing
 
     def answer(
         self,
@@ -94,7 +94,7 @@ def sum_adapter(
     add: Callable[[AskedShape, AskedShape], AnsweredRings],
     *,
     shapes: Shapes = "simple",
-    close: Callable[[], object] = _nothing,
+    close: Callable[[], object] = _do_nothing,
 ) -> Adapter:
     """Return the adapter of a program that computes Minkowski sums.
 
@@ -167,7 +167,7 @@ def list_fillings(directrix: AskedRing, inverse: AskedRing) -> list[AskedRing]:
     one, moved to it, inside the other, or the other way round: so it is in D moved by a vertex of
     -G, or in -G moved by a vertex of D.
     """
-    return [_moved(directrix, inverse[0]), _moved(inverse, directrix[0])]
+    return [_move(directrix, inverse[0]), _move(inverse, directrix[0])]
 
 
 def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> list[Position]:
@@ -176,7 +176,7 @@ def refer(ring: Sequence[Sequence[Number]], corner: tuple[Number, Number]) -> li
     return [(to_fraction(px) - x, to_fraction(py) - y) for px, py in ring]
 
 
-def _moved(ring: AskedRing, by: tuple[Number, Number]) -> AskedRing:
+def _move(ring: AskedRing, by: tuple[Number, Number]) -> AskedRing:
     """Return a ring moved by a vector."""
     return [(x + by[0], y + by[1]) for x, y in ring]
 

@@ -67,7 +67,7 @@ def judge(name: str, question: str, chosen: Iterator[Case], seconds: float, fold
 
 
 def find_smallest(run: Run) -> list[Outcome]:
-    """Of each verdict that is shown the failure with the fewest vertices."""
+    """Find for each verdict that is shown the failure with the fewest vertices."""
     found: dict[Verdict, Outcome] = {}
     for outcome in run.show():
         if outcome.verdict in _SHOWN and outcome.case is not None:

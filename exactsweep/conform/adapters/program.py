@@ -1,4 +1,4 @@
-"""Programs that answer a line with a line: rings in, rings out, as words apart by blanks.
+"""Programs that answer a line with a line: rings in, rings out, as words between blanks.
 
 A shape is the number of its rings, and each ring the number of its vertices and their coordinates.
 An answer is written likewise, or starts with "error".

@@ -14,8 +14,9 @@ from fractions import Fraction
 from pathlib import Path
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, outcome_from_json, read_exact
+from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.corpus.case_json import list_expected_rings
+from exactsweep.geometry.number import read_any_length
 
 COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),
@@ -57,7 +58,7 @@ class Row:
         for part in outcome.parts:
             if part["distance_squared"] is None or outcome.verdict not in _OFF:
                 continue
-            square = read_exact(part["distance_squared"][1])
+            square = read_any_length(part["distance_squared"][1])
             if square and self.relative and outcome.case is not None:
                 rings = list_expected_rings(outcome.case, part["name"])
                 square /= max(abs(Fraction(c)) for ring in rings for p in ring for c in p) ** 2

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, pairwise
 
 from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.number import abridge
 from exactsweep.geometry.point import ORIGIN, Point, PointRings
@@ -185,17 +186,17 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
 
 
 def _centroid(polygon: Polygon) -> Point:
-    ring = polygon.vertices
-    x = y = Fraction(0)
-    for k, q in enumerate(ring):
-        p = ring[k - 1]
-        weight = p.x * q.y - p.y * q.x
-        x, y = x + (p.x + q.x) * weight, y + (p.y + q.y) * weight
+    edges = [*pairwise((*polygon.vertices, polygon.vertices[0]))]
+    weights = [p.x * q.y - p.y * q.x for p, q in edges]
+    x, y = (
+        add_up((p[k] + q[k]) * weight for (p, q), weight in zip(edges, weights, strict=True))
+        for k in (0, 1)
+    )
     return Point(x / (6 * polygon.area), y / (6 * polygon.area))
 
 
 def _mean(ring: Sequence[Point]) -> Point:
-    x, y = (sum(values, Fraction(0)) / len(ring) for values in zip(*ring, strict=True))
+    x, y = (add_up(values) / len(ring) for values in zip(*ring, strict=True))
     return Point(x, y)
 
 

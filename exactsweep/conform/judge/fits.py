@@ -51,16 +51,16 @@ def judge_fits(
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
     fits = list_exact_fits(case, name)
-    exact = {_unordered(fit) for fit in fits}
-    answered = [_unordered(fit) for fit in theirs]
+    exact = {_forget_order(fit) for fit in fits}
+    answered = [_forget_order(fit) for fit in theirs]
     if set(answered) == exact and len(answered) == len(exact):
         return PartComparison(name, Verdict.EXACT)
     if unite([*theirs, *whiskers]) == unite(fits):
         kind = "whisker" if whiskers else "given twice or in pieces"
         reason = "traced as whiskers of the loop" if whiskers else kind
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
-    missing = [f for f in fits if _unordered(f) not in answered]
-    others = [f for f in [*theirs, *whiskers] if _unordered(f) not in exact]
+    missing = [f for f in fits if _forget_order(f) not in answered]
+    others = [f for f in [*theirs, *whiskers] if _forget_order(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
     ways = _name_ways(missing, others)
     if twice := len(answered) - len(set(answered)):
@@ -114,7 +114,7 @@ def unite(segments: Iterable[Fit]) -> set[frozenset[Point]]:
             else:
                 rest.append(other)
         united = [*rest, joined]
-    return {_unordered(segment) for segment in united}
+    return {_forget_order(segment) for segment in united}
 
 
 def _meet(one: Fit, other: Fit) -> bool:
@@ -122,7 +122,7 @@ def _meet(one: Fit, other: Fit) -> bool:
     return any(is_on(p, other) for p in one) or any(is_on(p, one) for p in other)
 
 
-def _unordered(segment: Fit) -> frozenset[Point]:
+def _forget_order(segment: Fit) -> frozenset[Point]:
     return frozenset(segment)
 
 

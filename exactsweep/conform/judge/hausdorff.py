@@ -183,7 +183,7 @@ class Edges:
 def find_equally_near(
     edge: LoopEdge, start: Fraction, end: Fraction, near_start: LoopEdge, near_end: LoopEdge
 ) -> Fraction:
-    """Where on a piece of an edge another one takes over from that which is nearest to its start.
+    """Find where, on a piece of an edge, the edge nearest to its end becomes the nearest one.
 
     Args:
         edge: the edge.
@@ -214,7 +214,7 @@ def find_equally_near(
         roots = [Fraction(-constant, mixed)]
     # Where both run along the edge, as if they were one, they are equally near everywhere.
     feet = (edge.foot(p) for near in (near_start, near_end) for p in (near.a, near.b))
-    shares = (t if t.denominator.bit_length() <= _LONG else _rounded(t) for t in (*roots, *feet))
+    shares = (t if t.denominator.bit_length() <= _LONG else _round(t) for t in (*roots, *feet))
     return next((t for t in shares if start < t < end), (start + end) / 2)
 
 
@@ -226,7 +226,7 @@ def _square_root(value: int) -> tuple[int, int]:
     return isqrt(value << 2 * _BITS), 1 << _BITS
 
 
-def _rounded(value: Fraction) -> Fraction:
+def _round(value: Fraction) -> Fraction:
     """The number to some 128 digits in base 2."""
     p, q = value.as_integer_ratio()
     shift = max(0, _BITS + q.bit_length() - p.bit_length())

@@ -25,6 +25,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Point, PointRings
 
@@ -172,7 +173,7 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
         while started < len(edges) and edges[started].left.x == left:
             active.append(edges[started])
             started += 1
-        ordered = _ordered(left, right, active)
+        ordered = _order(left, right, active)
         inner: set[Fraction] = set()
         work += len(active)
         for share in _crossings(ordered):
@@ -183,16 +184,12 @@ def _cut(edges: list[_RegionEdge]) -> Iterator[tuple[Fraction, Fraction, Ordered
         if work > MAX_WORK:
             raise RegionError("too many edges above each other, or crossings, to be measured")
         for a, b in pairwise([left, *sorted(inner), right]):
-            yield a, b, _ordered(a, b, active) if inner else ordered
+            yield a, b, _order(a, b, active) if inner else ordered
 
 
 def add_areas(cells: Iterable[Trapezoid]) -> Fraction:
-    """Return the sum of areas, added in pairs so that numbers of equal length meet."""
-    terms = [cell.area for cell in cells]
-    while len(terms) > 1:
-        odd = terms[len(terms) & ~1 :]
-        terms = [p + q for p, q in zip(terms[::2], terms[1::2], strict=False)] + odd
-    return terms[0] if terms else Fraction(0)
+    """Return the sum of areas."""
+    return add_up(cell.area for cell in cells)
 
 
 def find_simplest(low: Fraction, high: Fraction) -> Fraction:
@@ -249,6 +246,6 @@ def _crossings(ordered: Ordered) -> Iterator[Fraction]:
         below.insert(k, heights)
 
 
-def _ordered(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
+def _order(left: Fraction, right: Fraction, edges: Sequence[_RegionEdge]) -> Ordered:
     """The edges with their heights at two cuts, from below to above."""
     return sorted(((edge.at(left), edge.at(right)), edge) for edge in edges)

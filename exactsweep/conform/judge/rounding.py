@@ -59,7 +59,7 @@ def limit_claim(case: Case, claim: Fraction, granted: Fraction) -> Fraction:
 
 
 def measure_smaller(case: Case) -> Fraction:
-    """The width or height, whichever is greater, of that polygon for which it is less."""
+    """The greater one of width and height, of the polygon for which that is less."""
     return min(_size(case.directrix), _size(case.generatrix))
 
 

@@ -23,11 +23,11 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.report.text import take_root, tell_costs, tell_witness
-from exactsweep.conform.run.outcome import Outcome, list_witnesses, read_exact
+from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
-from exactsweep.geometry.number import NumberError, to_fraction
+from exactsweep.geometry.number import NumberError, read_any_length, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.text.report import approximate
 
@@ -144,17 +144,17 @@ def _part(part: Mapping[str, Any]) -> dict[str, Any]:
         "name": part["name"].replace("_", " "),
         "verdict": part["verdict"],
         "reason": part["reason"],
-        "distance": _about(take_root(read_exact(squares[0]))) if squares else "",
+        "distance": _about(take_root(read_any_length(squares[0]))) if squares else "",
         "permitted": _area(part["permitted"]),
         "forbidden": _area(part["forbidden"]),
-        "granted": _about(read_exact(part["granted"])) if part["granted"] else "",
+        "granted": _about(read_any_length(part["granted"])) if part["granted"] else "",
         "diagnosis": part["diagnosis"],
         "said": said or [part["reason"]],
     }
 
 
 def _area(text: str | None) -> str:
-    return "" if text is None else _about(read_exact(text))
+    return "" if text is None else _about(read_any_length(text))
 
 
 def _about(value: Fraction) -> str:
@@ -261,7 +261,7 @@ def _scene(
     layers.append(("exact", tuple(_rings(exact)), closed))
     layers.append(("theirs", tuple(_rings(theirs)), closed))
     squares = part and part["distance_squared"]
-    return _Scene(tuple(layers), seen, take_root(read_exact(squares[1])) if squares else None)
+    return _Scene(tuple(layers), seen, take_root(read_any_length(squares[1])) if squares else None)
 
 
 def _severity(part: Mapping[str, Any]) -> int:

@@ -23,7 +23,7 @@ from exactsweep.geometry.number import quote
 
 
 class SelectionError(ExactSweepError):
-    """A filter that is none, or cases that cannot be told apart."""
+    """A filter that does not exist, or cases with equal ids."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Selection:
         )
 
     def shipped(self) -> Iterator[Case]:
-        """Yield the cases of the corpus that are like that.
+        """Yield the cases of the corpus that fit.
 
         Raises:
             UnknownNameError: there is no such flag or class.
@@ -81,7 +81,7 @@ class Selection:
         return cases(prefix=self.prefix, flags=self.flags, kind=self.kind, max_size=self.max_size)
 
     def among(self, cases: Iterable[Case]) -> Iterator[Case]:
-        """Yield those of some cases that are like that."""
+        """Yield those of some cases that fit."""
         wanted = set(self.flags)
         for case in cases:
             if (

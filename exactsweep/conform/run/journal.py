@@ -23,7 +23,7 @@ _WORDS = {"hello": "implementation", "seconds": "timeout"}
 
 
 class JournalError(ExactSweepError):
-    """A journal that cannot be begun, gone on with or read; the message says why."""
+    """A journal that cannot be begun, continued or read; the message says why."""
 
 
 class Journal:
@@ -93,7 +93,7 @@ class Journal:
         self._write(outcome.to_json())
 
     def find(self, digest: str) -> Outcome | None:
-        """Return the outcome of before of a case, by its digest, or None if there is none."""
+        """Return the earlier outcome of a case, by its digest, or None if there is none."""
         place = self._places.get(digest)
         if place is None:
             return None

@@ -19,7 +19,7 @@ from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, limits, quote, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 
@@ -83,12 +83,6 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
         return Outcome(**parts)
     except (KeyError, TypeError) as error:
         raise ExactSweepError(f"no outcome: {error}") from None
-
-
-def read_exact(text: str) -> Fraction:
-    """Read a number that `to_json` wrote, of any length: an error may be as small as it likes."""
-    with limits(max_digits=len(text)):
-        return to_fraction(text)
 
 
 def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
@@ -256,11 +250,11 @@ def digest_case(case: Case) -> str:
 
 
 def _plain(result: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    text = json.dumps(result, default=_written)
+    text = json.dumps(result, default=_write_number)
     return json.loads(text) if len(text) <= _MAX_RESULT else None
 
 
-def _written(value: object) -> str:
+def _write_number(value: object) -> str:
     try:
         return format_fraction(to_fraction(value))
     except NumberError:

@@ -66,7 +66,7 @@ def read_answer(result: Mapping[str, Any]) -> Answer:
 
 
 def cut(reason: str) -> str:
-    """Put a foreign message on one line, cut short, without what terminals take for orders.
+    """Put a foreign message on one line, cut short, without characters that a terminal obeys.
 
     >>> cut("first   second ") + cut(chr(27))
     'first second�'

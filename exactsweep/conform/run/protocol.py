@@ -277,7 +277,7 @@ def adapt(case: Case, hello: Hello) -> Case:
     if not hello.parts(case):
         raise UnsupportedError("not asked: the case is not one of an inner fit")
     if hello.reference != "given":
-        case = _referred(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
+        case = _refer(case, ORIGIN if hello.reference == "origin" else case.generatrix_ring[0])
     if hello.numbers == "rational":
         return case
     if hello.numbers == "binary64":
@@ -315,7 +315,7 @@ def scale_case(case: Case) -> Case:
     )
 
 
-def _referred(case: Case, reference: Point) -> Case:
+def _refer(case: Case, reference: Point) -> Case:
     """Return the case with another reference point."""
     dx, dy = reference.x - case.reference.x, reference.y - case.reference.y
     if (dx, dy) == ORIGIN:

@@ -8,8 +8,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, read_exact
+from exactsweep.conform.run.outcome import Outcome
 from exactsweep.corpus.case import KINDS
+from exactsweep.geometry.number import read_any_length
 
 ALL = "all"
 _MOST_DIAGNOSES = 1000
@@ -82,10 +83,10 @@ class Tally:
                     if words in self.diagnoses or len(self.diagnoses) < _MOST_DIAGNOSES:
                         self.diagnoses[words] += 1
             if part["granted"] and Verdict(part["verdict"]) is Verdict.WITHIN:
-                self.granted = max(self.granted, (read_exact(part["granted"]), outcome.id))
+                self.granted = max(self.granted, (read_any_length(part["granted"]), outcome.id))
             if part["distance_squared"] is not None and part["area"] is not None:
-                distance = read_exact(part["distance_squared"][0]), outcome.id
-                area = read_exact(part["area"]), outcome.id
+                distance = read_any_length(part["distance_squared"][0]), outcome.id
+                area = read_any_length(part["area"]), outcome.id
                 old = self.worst.get(part["name"], Worst(distance, area))
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
 

@@ -43,12 +43,12 @@ SCALES = [Fraction(1), Fraction(1), Fraction(1), Fraction(7, 3), Fraction(10**15
 
 def polyomino_pair(random: Prng) -> Regions:
     """Two clumps of squares, with caves, holes and corners that touch."""
-    return trace_outline(_clump(random, 8)), trace_outline(_clump(random, 24))
+    return trace_outline(_draw_clump(random, 8)), trace_outline(_draw_clump(random, 24))
 
 
 def jigsaw_pair(random: Prng) -> Regions:
     """A clump of squares cut in two: the parts fit, along segments or in single positions."""
-    cells = set(_clump(random, 30)) | build_block(2, 2)
+    cells = set(_draw_clump(random, 30)) | build_block(2, 2)
     part = {random.choice(sorted(cells))}
     for _ in range(random.between(0, len(cells) // 2)):
         beside = sorted(set(around(part)) & cells)
@@ -59,7 +59,7 @@ def jigsaw_pair(random: Prng) -> Regions:
 
 def mould_pair(random: Prng) -> Regions:
     """A block with the part cut out of it, closed all round or open to a side."""
-    part = _clump(random, 7)
+    part = _draw_clump(random, 7)
     low = [min(cell[k] for cell in part) for k in (0, 1)]
     inside = move(part, (random.between(0, 1) - low[0], random.between(0, 1) - low[1]))
     width, height = (max(c[k] for c in inside) + random.between(1, 2) for k in (0, 1))
@@ -78,7 +78,7 @@ def cave_pair(random: Prng) -> Regions:
     solid = build_block(width, height) - room - door | pillars
     part = build_block(random.between(1, 2), random.between(1, 2))
     if random.chance(3, 10):
-        part = set(_clump(random, 5))
+        part = set(_draw_clump(random, 5))
     return trace_outline(part), trace_outline(connect(solid))
 
 
@@ -87,7 +87,7 @@ def spiral_pair(random: Prng) -> Regions:
     turns, gap = random.between(3, 7), random.between(2, 3)
     directions = ((1, 0), (0, 1), (-1, 0), (0, -1))
     steps = [directions[k % 4] for k in range(turns) for _ in range((turns - k + 1) // 2 * gap + 1)]
-    part = set(_clump(random, 5))
+    part = set(_draw_clump(random, 5))
     if random.chance(3, 5):
         part = build_block(random.between(1, gap), random.between(1, gap))
     return trace_outline(part), trace_outline(walk(steps))
@@ -107,17 +107,17 @@ def ring_pair(random: Prng) -> Regions:
 
 def star_pair(random: Prng) -> Regions:
     """Two polygons that are seen whole from a point inside, with spikes and notches all round."""
-    return _star(random), _star(random)
+    return _draw_star(random), _draw_star(random)
 
 
 def tangle_pair(random: Prng) -> Regions:
     """Two random simple polygons on a grid of 9."""
-    return Region(_untangled(random, 12, 9)), Region(_untangled(random, 12, 9))
+    return Region(_draw_untangled(random, 12, 9)), Region(_draw_untangled(random, 12, 9))
 
 
 def plate_pair(random: Prng) -> Regions:
     """A plate with holes, some of the shape of the part, and some as wide as it."""
-    part = _untangled(random, 6, 4)
+    part = _draw_untangled(random, 6, 4)
     low, high = part.bounding_box
     width, height = (int(c) + 1 for c in (high.x - low.x, high.y - low.y))
     across, up = random.between(1, 3), random.between(1, 2)
@@ -130,14 +130,14 @@ def plate_pair(random: Prng) -> Regions:
                 holes.append(part.translated((corner[0] - low.x, corner[1] - low.y)))
             elif drawn <= 8:
                 more = width - 1 + random.between(0, 1), height - random.between(0, 1)
-                holes.append(_box(corner, (corner[0] + more[0], corner[1] + max(more[1], 1))))
+                holes.append(_make_box(corner, (corner[0] + more[0], corner[1] + max(more[1], 1))))
     size = across * (width + 1) + 1, up * (height + 1) + 1
-    return Region(part), Region(_box((0, 0), size), holes)
+    return Region(part), Region(_make_box((0, 0), size), holes)
 
 
 def container_pair(random: Prng) -> Regions:
     """A container, with a defect or without, that the part fits with room, exactly, or not."""
-    part = _untangled(random, 7, 5)
+    part = _draw_untangled(random, 7, 5)
     low, high = part.bounding_box
     width, height = int(high.x - low.x), int(high.y - low.y)
     size = width + random.choice([0, 0, 1, 4]), height + random.choice([0, 0, 1, 4])
@@ -145,7 +145,7 @@ def container_pair(random: Prng) -> Regions:
     if random.chance(2, 5) and min(size) > 2:
         x, y = random.between(1, size[0] - 2), random.between(1, size[1] - 2)
         holes.append(Polygon([(x, y), (x + 1, y), (x, y + 1)]))
-    return Region(part), Region(_box((0, 0), size), holes)
+    return Region(part), Region(_make_box((0, 0), size), holes)
 
 
 def comb_pair(random: Prng) -> Regions:
@@ -197,15 +197,15 @@ SHAPES: dict[str, Draw] = {
 }
 
 
-def _clump(random: Prng, most: int) -> frozenset[Cell]:
+def _draw_clump(random: Prng, most: int) -> frozenset[Cell]:
     return grow(random.between(0, 10**6) for _ in range(random.between(0, most - 1)))
 
 
-def _box(low: Cell, high: Cell) -> Polygon:
+def _make_box(low: Cell, high: Cell) -> Polygon:
     return Polygon([low, (high[0], low[1]), high, (low[0], high[1])])
 
 
-def _star(random: Prng) -> Region:
+def _draw_star(random: Prng) -> Region:
     size = random.choice([9, 30, 1000])
     points = {(size, -1), (-1, size), (-size, -size)}  # the origin is inside
     for _ in range(random.between(2, 11)):
@@ -231,7 +231,7 @@ def sort_by_angle(points: set[Cell]) -> list[Cell]:
     return found
 
 
-def _untangled(random: Prng, most: int, side: int) -> Polygon:
+def _draw_untangled(random: Prng, most: int, side: int) -> Polygon:
     """A random simple polygon: of a random walk, parts are turned until no edges cross."""
     while True:
         n = random.between(3, most)

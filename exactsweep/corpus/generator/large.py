@@ -14,7 +14,7 @@ def lower_bound_pair(random: Prng) -> RingPair:
     if random.chance(1, 2):
         sizes = random.choice([(2, 4, 6), (2, 6, 6), (4, 4, 6), (2, 4, 8), (4, 4, 4), (4, 6, 4)])
         slope = random.between(-3, 3)
-        generatrix, directrix = (_sheared(ring, slope) for ring in bumps(*sizes))
+        generatrix, directrix = (_shear(ring, slope) for ring in bumps(*sizes))
         return generatrix, directrix
     generatrix = draw_convex(random, 12, 40)
     width = max(x for x, _ in generatrix) - min(x for x, _ in generatrix)
@@ -40,6 +40,6 @@ def unequal_pair(random: Prng) -> RationalRings:
     return generatrix, [(Fraction(x), Fraction(y)) for x, y in rings[1]]
 
 
-def _sheared(ring: Ring, slope: int) -> Ring:
+def _shear(ring: Ring, slope: int) -> Ring:
     sheared: list[IntegerPoint] = [(x, y + slope * x) for x, y in ring]
     return sheared

@@ -43,12 +43,12 @@ def near_fit_pair(random: Prng) -> RingPair:
 
     Slots are then wider or narrower than G, or as wide, by one part in 2**48.
     """
-    return _perturbed(random, *fitting_pair(random))
+    return _perturb(random, *fitting_pair(random))
 
 
 def perturbed_pair(random: Prng) -> RingPair:
     """A pair of the family "grid", up to 2**48 times larger, its vertices moved by one or not."""
-    return _perturbed(random, *grid_pair(random))
+    return _perturb(random, *grid_pair(random))
 
 
 def sliver_pair(random: Prng) -> RingPair:
@@ -76,7 +76,7 @@ def int64_edge_pair(random: Prng) -> RingPair:
 def far_pair(random: Prng) -> RingPair:
     """A small pair, each polygon moved by up to 2**52: the digits that count are the last ones."""
     generatrix, directrix = random.choice([grid_pair, monotone_pair, fitting_pair])(random)
-    return _moved(random, generatrix, 2**52), _moved(random, directrix, 2**52)
+    return _move(random, generatrix, 2**52), _move(random, directrix, 2**52)
 
 
 def binary64_edge_pair(random: Prng) -> RationalRings:
@@ -113,13 +113,13 @@ def _ripple(random: Prng) -> Ring:
     return close_between(random, bottom, top)
 
 
-def _perturbed(random: Prng, *rings: Ring) -> RingPair:
+def _perturb(random: Prng, *rings: Ring) -> RingPair:
     scale = 2 ** random.choice([10, 24, 40, 48])
-    first, second = (_nudged(random, ring, scale) for ring in rings)
+    first, second = (_nudge(random, ring, scale) for ring in rings)
     return first, second
 
 
-def _nudged(random: Prng, ring: Ring, scale: int) -> Ring:
+def _nudge(random: Prng, ring: Ring, scale: int) -> Ring:
     # All vertices of one x move alike, so that walls stay upright and the ring monotone.
     aside = {x: random.between(-1, 1) for x in sorted({x for x, _ in ring})}
     return [(scale * x + aside[x], scale * y + random.between(-1, 1)) for x, y in ring]
@@ -143,7 +143,7 @@ def _full_range(random: Prng, bits: int) -> Ring:
     return [*bottom, *reversed(top)]
 
 
-def _moved(random: Prng, ring: Ring, most: int) -> Ring:
+def _move(random: Prng, ring: Ring, most: int) -> Ring:
     dx, dy = (random.between(-most, most) for _ in "xy")
     return [(x + dx, y + dy) for x, y in ring]
 

@@ -126,7 +126,7 @@ def respelled_pair(random: Prng) -> RingPair:
 
     Any vertex may be the first.
     """
-    generatrix, directrix = (_respelled(random, ring) for ring in grid_pair(random))
+    generatrix, directrix = (_respell(random, ring) for ring in grid_pair(random))
     return generatrix, directrix
 
 
@@ -136,7 +136,7 @@ def _on_grid(random: Prng) -> Ring:
     return draw_monotone(random, TINY_GRID)
 
 
-def _respelled(random: Prng, ring: Ring) -> Ring:
+def _respell(random: Prng, ring: Ring) -> Ring:
     first = random.between(0, len(ring) - 1)
     ring = [(2 * x, 2 * y) for x, y in ring[first:] + ring[:first]]
     spelled: Ring = []

@@ -137,13 +137,13 @@ def untangle(points: Iterable[IntegerPoint]) -> Ring:
     [(0, 0), (2, 0), (2, 2), (0, 2)]
     """
     ring = list(points)
-    while pair := _crossing(ring):
+    while pair := _find_crossing(ring):
         i, j = pair
         ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
     return ring
 
 
-def _crossing(ring: Ring) -> IntegerPoint | None:
+def _find_crossing(ring: Ring) -> IntegerPoint | None:
     """Two edges that cross, by their first vertices, if there are any."""
 
     def side(p: IntegerPoint, q: IntegerPoint, r: IntegerPoint) -> int:

@@ -83,7 +83,7 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
                 refused = Candidate.refused(f"{place}: {error}", layer=layer)
                 found.append((order, refused))
                 continue
-            points = partial(_naming, place, drawn.points)
+            points = partial(_name_place, place, drawn.points)
             if drawn.ends:
                 ends = drawn.ends[0], drawn.ends[1]
                 line = OpenLine(order, place, ends, points, drawn.shape, drawn.is_exact)
@@ -104,7 +104,7 @@ def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
     return reader(placed.entity, placed.image, reading)
 
 
-def _naming(place: str, points: _PointReader) -> Sequence[Point]:
+def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
     try:
         return points()
     except FormatError as error:

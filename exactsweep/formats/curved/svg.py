@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import MAX_FAULTS, Candidate
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
@@ -69,6 +69,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         # That there is no unit concerns all of the file.
         _ = placed.matrix
     found: list[tuple[int, Candidate]] = []
+    faults = 0
     lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
     for order, shape in enumerate(document.shapes(placed, 0)):
         for drawn in _read(shape, order, reading):
@@ -76,6 +77,9 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
                 lines[shape.layer].append(drawn)
             else:
                 found.append((order, drawn))
+                faults += bool(drawn.fault)
+                if faults > MAX_FAULTS:
+                    raise FormatError(f"more than {MAX_FAULTS:,} shapes are none, as {drawn.fault}")
     for layer, loose in lines.items():
         found += join(loose, layer, reading)
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
@@ -111,11 +115,11 @@ class _Document:
                 if child is not None:
                     yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
         elif name == "use":
-            yield from self._used(placed, depth + 1)
+            yield from self._follow_use(placed, depth + 1)
         elif name in _SHAPES:
             yield placed
 
-    def _used(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
+    def _follow_use(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
@@ -242,7 +246,7 @@ def _path(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[P
     return read_path(shape.element.get("d", ""), matrix, reading)
 
 
-def _nothing(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
+def _refuse_shape(shape: PlacedElement, matrix: Affine, reading: Reading) -> NoReturn:
     raise FormatError("draws nothing that is in the file, or itself")
 
 
@@ -255,5 +259,5 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     "line": _line,
     "path": _path,
     # One whose target is not there.
-    "use": _nothing,
+    "use": _refuse_shape,
 }

@@ -118,7 +118,7 @@ class _Path:
         elif kind == "A":
             self._arc(base, start)
         else:
-            controls = [self._mirrored(control)] if kind in "ST" else []
+            controls = [self._mirror(control)] if kind in "ST" else []
             while len(controls) < (2 if kind in "CS" else 1):
                 controls.append(self._point(base))
             end = self._point(base)
@@ -141,7 +141,7 @@ class _Path:
         self.points += found[1:]
         self.current = end
 
-    def _mirrored(self, control: tuple[str, Point]) -> Point:
+    def _mirror(self, control: tuple[str, Point]) -> Point:
         kinds, point = control
         at = self.current
         if self.command.upper() not in kinds:

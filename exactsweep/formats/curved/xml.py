@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 MAX_DEPTH = 100
 """How deeply elements may be nested."""
 
+MAX_ELEMENTS = 500_000
+"""The most elements of one document, of some 500 bytes each before they are looked at."""
+
 # What is left after a parse of references to entities, outside of comments and the like.
 _REFERENCE = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:]]>|\Z)|<\?.*?(?:\?>|\Z)"
@@ -34,7 +37,7 @@ def parse_xml(text: str) -> Element:
 
     Raises:
         FormatError: not XML, any entity that is declared or referred to, nested deeper than
-            MAX_DEPTH.
+            MAX_DEPTH, more than MAX_ELEMENTS.
 
     Cost: linear in the length of the text.
 
@@ -48,13 +51,16 @@ def parse_xml(text: str) -> Element:
     from defusedxml.ElementTree import DefusedXMLParser
 
     class Builder(TreeBuilder):
-        depth = 0
+        depth = count = 0
 
         def start(self, tag: str, attributes: dict[str, str]) -> Element:
             self.depth += 1
+            self.count += 1
             number = parser.parser.CurrentLineNumber
             if self.depth > MAX_DEPTH:
                 raise FormatError(f"line {number}: nested deeper than {MAX_DEPTH} elements")
+            if self.count > MAX_ELEMENTS:
+                raise FormatError(f"line {number}: more than {MAX_ELEMENTS:,} elements")
             return super().start(tag, {**attributes, _LINE: str(number)})
 
         def end(self, tag: str) -> Element:

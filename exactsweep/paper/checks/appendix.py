@@ -15,7 +15,7 @@ from exactsweep.geometry.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.counting import PairFamily, counting, make_counted
+from exactsweep.paper.counting import PairFamily, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -29,7 +29,7 @@ from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
 from exactsweep.procedures.cc import merge_by_slope, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts, inverse, split
+from exactsweep.procedures.chain import find_convex_parts, inverse, split
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_cm
 
@@ -40,7 +40,7 @@ SHARE = Fraction(5, 17)
 AT_A_WALL = SweepPair([(0, 0), (1, 0), (1, 1)], [(0, 4), (1, 1), (1, 0), (3, 5)])
 
 
-def lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]:
+def list_lasting_positions(s: Sweep, half: str = "lower") -> list[tuple[Step, Point]]:
     """Positions inside the edges of a half of the trajectory, between all changes of contact."""
     found = []
     for step in explain(s):
@@ -58,13 +58,13 @@ def one_edge_at_a_time(pair: SweepPair) -> str:
     s = sweep(*pair)
     if failure := contacts_are_right(s):
         return failure
-    for step, t in lasting_positions(s):
+    for step, t in list_lasting_positions(s):
         now = [touch.contact for touch in step.touches if _within(t, touch.start, touch.end)]
         edges = {c.generatrix for c in now if c.event != "VE"}
         if not now:
             return f"at ({t.x}, {t.y}) no contact lasts"
         if len(now) > 1 and (len(edges) > 1 or any(c.event == "VE" for c in now)):
-            return f"from ({step.start.x}, {step.start.y}) on at the same time: {_named(now)}"
+            return f"from ({step.start.x}, {step.start.y}) on at the same time: {_name(now)}"
     return ""
 
 
@@ -72,7 +72,7 @@ def _within(t: Point, start: Point, end: Point) -> bool:
     return min(start, end) < t < max(start, end)
 
 
-def _named(contacts: Sequence[Contact]) -> str:
+def _name(contacts: Sequence[Contact]) -> str:
     return ", ".join(f"{event} of {i} and {j}" for event, i, j in contacts)
 
 
@@ -87,7 +87,7 @@ def find_passing_events(effort: Effort) -> Evidence:
             if step.half == "lower" and step.ending == "stop" and len(contacts) > 1:
                 if len(edges) == 1 and all(c.event != "VE" for c in contacts):
                     continue
-                return f"at ({step.end.x}, {step.end.y}), in passing: {_named(contacts)}"
+                return f"at ({step.end.x}, {step.end.y}), in passing: {_name(contacts)}"
         return ""
 
     found = search_grid(2, 7, is_convex, is_any, stuck)
@@ -121,7 +121,7 @@ def contact_moves_right(pair: SweepPair) -> str:
     """Both ends of the contact move to the right; points come in at the right, and leave left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
     positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
-    positions |= {t for _, t in lasting_positions(s)}
+    positions |= {t for _, t in list_lasting_positions(s)}
     before: list[Fraction] = []
     for t in sorted(positions):
         now = places_of_contact(s, t, directrix)
@@ -180,7 +180,7 @@ def partial_meets_once(pair: SweepPair, *, outer: bool, strict: bool) -> str:
     """The envelope of the first parts meets the next sub-chain in a point or one segment."""
     top, bottom, directrix = pair.chains
     partial: Envelope | None = None
-    for part in convex_parts(directrix):
+    for part in find_convex_parts(directrix):
         chain = sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
         if partial is None:
             partial = Envelope.of(chain)
@@ -256,7 +256,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
     top, bottom, directrix = pair.chains
     chains = [
         sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)
-        for part in convex_parts(directrix)
+        for part in find_convex_parts(directrix)
     ]
     return all(meetings(before, after)[1] for before, after in pairwise(chains))
 
@@ -264,7 +264,7 @@ def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
 def lower_envelope_cm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_CM returns what is lowest of all sub-trajectories so far."""
     top, _, directrix = pair.chains
-    chains = [trajectory_cc(top, part) for part in convex_parts(directrix)]
+    chains = [trajectory_cc(top, part) for part in find_convex_parts(directrix)]
     partial = Envelope.of(chains[0])
     for k, chain in enumerate(chains[1:], 2):
         partial = lower_envelope_cm(partial, Envelope.of(chain))
@@ -285,10 +285,10 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
         edges = make_counted(inverse(top))  # type: ignore[arg-type]
-        with counting() as tally:
+        with watch_operations() as tally:
             pieces = [
                 Envelope.of(merge_by_slope(edges, part))
-                for part in convex_parts(make_counted(directrix))  # type: ignore[arg-type]
+                for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
             before, partial = tally.total, pieces[0]

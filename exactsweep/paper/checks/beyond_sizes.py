@@ -14,7 +14,7 @@ from exactsweep.paper.counting import PairFamily
 from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import contact_stretches
+from exactsweep.procedures.contact_lines import find_contact_stretches
 
 SPIKES: Bound = ("(m - 6)²(n - 6)²", lambda m, n: float((m - 6) ** 2 * (n - 6) ** 2))
 PAIRS: Bound = ("2mn", lambda m, n: 2.0 * m * n)
@@ -69,7 +69,7 @@ def count_contact_segments(effort: Effort) -> Evidence:
     """Count the stretches of the kernel beside the number of contact segments that there can be."""
 
     def stretches(generatrix: Ring, directrix: Ring) -> int:
-        return len(contact_stretches([directrix], [inverse(generatrix)]))
+        return len(find_contact_stretches([directrix], [inverse(generatrix)]))
 
     last, what = 3 if effort.quick else 4, "stretches of contact segments"
     growth = [
@@ -100,7 +100,9 @@ def count_convolution(effort: Effort) -> Evidence:
         corners = no_fit_polygon(directrix, generatrix).exterior.vertices
         scale = lcm(*(c.denominator for corner in corners for c in corner))
         path = [(int(x * scale), int(y * scale)) for x, y in corners]
-        return len(contact_stretches([path], [[(scale * x, scale * y) for x, y in generatrix]]))
+        return len(
+            find_contact_stretches([path], [[(scale * x, scale * y) for x, y in generatrix]])
+        )
 
     sizes, what = double(16, 2 if effort.quick else 3), "stretches of the convolution"
     found = _beside_bounds(

@@ -37,8 +37,8 @@ def find_contact_pieces(generatrix: Ring, directrix: Ring) -> list[SegmentPiece]
     6
     """
     g, d = Polygon(generatrix).vertices, Polygon(directrix).vertices
-    segments = {_ordered(_minus(v, p), _minus(v, q)) for p, q in _edges(g) for v in d}
-    segments |= {_ordered(_minus(p, w), _minus(q, w)) for p, q in _edges(d) for w in g}
+    segments = {_order(_minus(v, p), _minus(v, q)) for p, q in _edges(g) for v in d}
+    segments |= {_order(_minus(p, w), _minus(q, w)) for p, q in _edges(d) for w in g}
     ends: defaultdict[SegmentPiece, set[Point]] = defaultdict(set)
     for segment in segments:
         ends[segment].update(segment)
@@ -78,7 +78,7 @@ def cut_to_cells(ring: Ring) -> list[list[Point]]:
     points = list(Polygon(ring).vertices)
     if Polygon(ring).is_convex:
         return [points]
-    edges = [_ordered(p, q) for p, q in _edges(points) if p.x != q.x]
+    edges = [_order(p, q) for p, q in _edges(points) if p.x != q.x]
     cells = []
     for left, right in pairwise(sorted({p.x for p in points})):
         across = [edge for edge in edges if edge[0].x <= left and right <= edge[1].x]
@@ -215,7 +215,7 @@ def _minus(p: Point, q: Point) -> Point:
     return Point(p.x - q.x, p.y - q.y)
 
 
-def _ordered(p: Point, q: Point) -> SegmentPiece:
+def _order(p: Point, q: Point) -> SegmentPiece:
     return (p, q) if p < q else (q, p)
 
 

@@ -190,13 +190,13 @@ def sum_is_the_swept_area(pair: SweepPair) -> str:
         ("inner", s.inner, top[::-1], max),
     ):
         for x, y in take_bottom(loop.vertices):
-            found = _summed(path, chain, Fraction(x), best)
+            found = _sum(path, chain, Fraction(x), best)
             if found != y:
                 return f"over {x} the sum of G and T is at {found}, the {name} loop at {y}"
     return ""
 
 
-def _summed(
+def _sum(
     path: Sequence[Vertex],
     chain: Sequence[Vertex],
     x: Fraction,

@@ -158,10 +158,10 @@ def widths_add_up(pair: SweepPair) -> str:
 def steps_have_contacts(pair: SweepPair) -> str:
     """All along every edge of the trajectory there is an EV, VE or EE contact."""
     s = sweep(*pair)
-    return contacts_are_right(s) or find_first_failure(map(_uncovered, explain(s)))
+    return contacts_are_right(s) or find_first_failure(map(_find_uncovered, explain(s)))
 
 
-def _uncovered(step: Step) -> str:
+def _find_uncovered(step: Step) -> str:
     start, end = step.start, step.end
     reached = start
     forward = 1 if start < end else -1

@@ -16,7 +16,7 @@ from exactsweep.paper.laws import Trial
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_chain, convex_parts, inverse, reverse
+from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, reverse
 
 
 def slope(edge: Edge) -> Fraction:
@@ -68,7 +68,7 @@ def reversed_edges_make_the_inverse(pair: SweepPair) -> str:
 def left_turns_merge(pair: SweepPair) -> str:
     """A chain that turns left everywhere is one convex part, and merges by slope."""
     directrix = pair.chains.directrix
-    if keep_corners(convex_chain(directrix)) != keep_corners(directrix):
+    if keep_corners(require_convex(directrix)) != keep_corners(directrix):
         return "a chain that turns left at every vertex is another one as a convex chain"
     return trajectory_by_slope(pair)
 
@@ -76,7 +76,7 @@ def left_turns_merge(pair: SweepPair) -> str:
 def right_turns_are_edges(pair: SweepPair) -> str:
     """A chain that turns right everywhere has as many convex parts as edges."""
     chain = [(x, -y) for x, y in pair.chains.directrix]
-    parts = convex_parts(chain)
+    parts = find_convex_parts(chain)
     return "" if len(parts) == len(chain) - 1 else f"it has {len(parts)} convex parts"
 
 

@@ -25,7 +25,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.laws import Trial, break_law
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
@@ -42,7 +42,7 @@ def lowest(name: str, chains: Sequence[Sequence[Vertex]], envelope: Sequence[Ver
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory and the outer boundary are the lower envelopes of the parts' ones."""
     top, bottom, directrix = pair.chains
-    loops, parts = look_up(pair), convex_parts(directrix)
+    loops, parts = look_up(pair), find_convex_parts(directrix)
     return lowest(
         "sub-trajectory",
         [trajectory_cc(top, part) for part in parts],
@@ -108,8 +108,8 @@ def few_undercuts(pair: SweepPair) -> str:
     if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     lower = [u for u in s.undercuts if u.bottom[0].x < u.bottom[-1].x]
-    if len(lower) >= len(convex_parts(directrix)):
-        return f"{len(lower)} undercuts of {len(convex_parts(directrix))} convex parts"
+    if len(lower) >= len(find_convex_parts(directrix)):
+        return f"{len(lower)} undercuts of {len(find_convex_parts(directrix))} convex parts"
     longest = max((len(u.bottom) - 1 for u in lower), default=0)
     return f"an undercut with {longest} edges" if longest > len(top) - 1 else ""
 
@@ -127,7 +127,7 @@ def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     return ""
 
 
-def resting_pairs() -> list[SweepPair]:
+def build_resting_pairs() -> list[SweepPair]:
     """Pairs in which G rests with an edge on two or three teeth, at several slopes."""
     found = []
     for slope, depth, teeth in product(range(-2, 3), (1, 2), (2, 3)):
@@ -149,7 +149,7 @@ def check_two_forms(effort: Effort) -> Evidence:
         forms.update(undercut.intersection for undercut in sweep(*pair).undercuts)
         return bottom_chains_have_two_forms(pair)
 
-    trial, resting = Trial(effort).of(law, "150 CM"), resting_pairs()
+    trial, resting = Trial(effort).of(law, "150 CM"), build_resting_pairs()
     failure = trial.failure or break_law(law, resting)
     if not failure and min(forms["point"], forms["segment"]) == 0:
         failure = "one of the two forms is never seen"

@@ -19,7 +19,7 @@ from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import MN, Growth, double
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts
+from exactsweep.procedures.chain import find_convex_parts
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 
 
@@ -27,7 +27,7 @@ def sizes_are_bounded(pair: SweepPair) -> str:
     """For k parts, m_b + k n_t, m_b + k (n_t + n_b) and m_b + (k - 1) n_t edges are enough."""
     top, bottom, directrix = pair.chains
     m_b, n_t, n_b = (len(keep_corners(chain)) - 1 for chain in (directrix, top, bottom))
-    k, loops = len(convex_parts(directrix)), look_up(pair)
+    k, loops = len(find_convex_parts(directrix)), look_up(pair)
     found = [
         len(list(chain)) - 1
         for chain in (
@@ -48,7 +48,7 @@ def sizes_are_bounded(pair: SweepPair) -> str:
 def count_outer_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the trajectory and of the outer boundary over deep teeth."""
     sizes = _sizes(effort)
-    return _attained(
+    return _show_attained(
         grow_vertices("trajectory", run_trajectory_cm, cm_hard, MN, sizes),
         grow_vertices("outer boundary", run_outer_cm, cm_hard, MN, sizes),
     )
@@ -56,10 +56,12 @@ def count_outer_vertices(effort: Effort) -> Evidence:
 
 def count_inner_vertices(effort: Effort) -> Evidence:
     """Count the vertices of the inner boundary over close teeth."""
-    return _attained(grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort)))
+    return _show_attained(
+        grow_vertices("inner boundary", run_inner_cm, cm_undercut, MN, _sizes(effort))
+    )
 
 
-def _attained(*growth: Growth) -> Evidence:
+def _show_attained(*growth: Growth) -> Evidence:
     """Families on which a bound holds and the order is attained."""
     falling = (
         "" if g.is_attained else f"{g.what} on {g.family} fall behind {g.bound}" for g in growth
@@ -96,7 +98,7 @@ def find_large_parts(effort: Effort) -> Evidence:
 def parts_are_bounded(pair: SweepPair) -> str:
     """With k convex parts in D_b, these have at most m_b + k n_t and m_b + k (n_t + n_b) edges."""
     top, bottom, directrix = pair.chains
-    parts = convex_parts(directrix)
+    parts = find_convex_parts(directrix)
     k, m_b, n_t, n_b = len(parts), len(directrix) - 1, len(top) - 1, len(bottom) - 1
     inner = sum(len(keep_corners(trajectory_cc(top, part))) - 1 for part in parts)
     outer = sum(len(keep_corners(sweep_outer_cc(top, bottom, part))) - 1 for part in parts)

@@ -25,7 +25,7 @@ from exactsweep.paper.functions import (
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_any, is_convex, search_grid
-from exactsweep.procedures.chain import complement, convex_parts, inverse, split
+from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
@@ -46,7 +46,7 @@ def trajectory_mm_is_right(pair: SweepPair) -> str:
 def sub_trajectories_suffice(pair: SweepPair) -> str:
     """The trajectory is the lower envelope of those of the convex parts of G_t."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     chains = [list(trajectory_cm(inverse(part), directrix)) for part in parts]
     return lowest("sub-trajectory", chains, take_bottom(look_up(pair).trajectory))
 

@@ -36,7 +36,7 @@ from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_
 from exactsweep.paper.growth import MN, MN2, double
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
-from exactsweep.procedures.chain import convex_parts, inverse
+from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -48,7 +48,7 @@ OUTGROWING = SweepPair([(0, 3), (1, 0), (2, 3), (1, 1)], [(0, 0), (1, 1), (3, 0)
 def outgrows_its_parts(pair: SweepPair) -> str:
     """The trajectory has more edges than the sub-trajectories of which it is the envelope."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     sizes = [len(keep_corners(trajectory_cm(inverse(part), directrix))) - 1 for part in parts]
     found = len(keep_corners(trajectory_mm(top, directrix))) - 1
     if found <= sum(sizes):

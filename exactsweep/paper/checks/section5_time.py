@@ -24,10 +24,10 @@ from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_
 from exactsweep.paper.costs import STEPS
 from exactsweep.paper.counting import (
     PairFamily,
-    counting,
     grow_operations,
     grow_vertices,
     make_counted,
+    watch_operations,
 )
 from exactsweep.paper.functions import (
     clip,
@@ -39,7 +39,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
-from exactsweep.procedures.chain import convex_parts, inverse
+from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
@@ -52,7 +52,7 @@ def count_one_merge(effort: Effort) -> Evidence:
     def count(m: int, n: int) -> tuple[int, float]:
         first = [(2 * k, (k % 2) * 10) for k in range(m)]
         second = [(2 * k, 6 - (k % 2)) for k in range(n)]
-        with counting() as tally:
+        with watch_operations() as tally:
             chains = [Envelope.of(make_counted(chain)) for chain in (first, second)]
             merged = lower_envelope_mm(chains)
             out = len(list(merged))
@@ -110,10 +110,10 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
-        with counting() as tally:
+        with watch_operations() as tally:
             chains = [
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
-                for part in convex_parts(inverse(top))
+                for part in find_convex_parts(inverse(top))
             ]
             before, size = tally.total, sum(len(chain.pieces) for chain in chains)
             merged = lower_envelope_mm(chains)
@@ -127,7 +127,7 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:
     """LowerEnvelope_MM returns what is lowest over every x."""
     top, _, directrix = pair.chains
-    parts = convex_parts(inverse(top))
+    parts = find_convex_parts(inverse(top))
     chains = [trajectory_cm(inverse(part), directrix) for part in parts]
     found = lower_envelope_mm(chains)
     return lowest(
@@ -219,7 +219,7 @@ def _inner_grows(
     def count(m: int, n: int) -> tuple[int, float]:
         chains = Chains(*(make_counted(chain) for chain in SweepPair(*rim(m, n)).chains))  # type: ignore[arg-type]
         trajectory = whole_trajectory(chains)
-        with counting() as tally:
+        with watch_operations() as tally:
             out = len(inner(chains, trajectory))
         return tally.total + out, bound[1](m, n)
 

@@ -8,7 +8,7 @@ from exactsweep.corpus.generator.growing import cm_undercut
 from exactsweep.paper import literal
 from exactsweep.paper.checks.appendix import meetings
 from exactsweep.paper.claim import Effort, Evidence
-from exactsweep.paper.counting import counting, make_counted
+from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom
 from exactsweep.paper.growth import Growth, double, grow
 from exactsweep.paper.literal import split_at_reflex
@@ -66,7 +66,7 @@ def grow_beyond_trajectory(effort: Effort) -> Growth:
     def count(m: int, n: int) -> tuple[int, float]:
         chains = Chains(*(make_counted(chain) for chain in SweepPair(*cm_undercut(m, n)).chains))  # type: ignore[arg-type]
         trajectory = trajectory_cm(chains.top, chains.directrix)
-        with counting() as tally:
+        with watch_operations() as tally:
             out = len(sweep_inner_cm(chains.top, chains.directrix, trajectory))
         return tally.total + out, m * n
 

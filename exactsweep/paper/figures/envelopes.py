@@ -25,7 +25,7 @@ from exactsweep.paper.figures.sheet import (
 )
 from exactsweep.paper.functions import keep_corners, take_bottom
 from exactsweep.procedures.cc import sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.sweep import Sweep, sweep
@@ -58,7 +58,7 @@ def sweep_half() -> LowerSweep:
 def _sub_chains() -> tuple[list[list[Vertex]], list[list[Vertex]]]:
     """Sub-trajectories of the reference point, and sub-outer chains."""
     lower, reference = sweep_half(), sweep_example().reference
-    parts = convex_parts(lower.directrix)
+    parts = find_convex_parts(lower.directrix)
     return (
         [shift(trajectory_cc(lower.top, part), reference) for part in parts],
         [sweep_outer_cc(lower.top, lower.bottom, part) for part in parts],
@@ -76,7 +76,7 @@ def _envelopes() -> tuple[list[Vertex], list[Vertex]]:
 
 def list_facts() -> Facts:
     """What the figure states."""
-    parts = convex_parts(sweep_half().directrix)
+    parts = find_convex_parts(sweep_half().directrix)
     paths, outers = _sub_chains()
     path, outer = _envelopes()
     return [
@@ -110,7 +110,7 @@ def draw() -> Figure:
     s = sweep_example()
     paths, outers = _sub_chains()
     path, outer = _envelopes()
-    parts = convex_parts(sweep_half().directrix)
+    parts = find_convex_parts(sweep_half().directrix)
     d_top = split(s.directrix.vertices)[1]
     everything = [s.directrix.vertices, *paths, *outers]
     beside = shift(s.generatrix.vertices, (-5, 0))

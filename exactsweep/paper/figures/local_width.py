@@ -135,7 +135,7 @@ def draw() -> Figure:
         x, y = found.at
         half = Fraction(1, 2)
         corners = [(x - beside[0], y - 4 - half), (x + beside[1], y + 3 + half)]
-        box = Extent.around(*_placed(found), corners, title=title)
+        box = Extent.around(*_place(found), corners, title=title)
         boxes.append(box._replace(is_cut=True))
     with Sheet([boxes], PAGE) as sheet:
         left, right = sheet.panels
@@ -149,14 +149,14 @@ def draw() -> Figure:
         left.label(
             find_middle(*ends, share=Fraction(3, 4)), _equal("d", first.width), 5, 2, ha="left"
         )
-        high, side = max(y for _, y in _placed(second)[1]), second.at[0] - 4
+        high, side = max(y for _, y in _place(second)[1]), second.at[0] - 4
         low = high - second.width
         right.arrow((side, high), (side, low), both=True)
         right.label((side, (high + 2 * low) / 3), _equal("d", second.width), -4, 0, ha="right")
     return sheet.figure
 
 
-def _placed(found: Widths) -> tuple[list[Vertex], list[Vertex]]:
+def _place(found: Widths) -> tuple[list[Vertex], list[Vertex]]:
     """I(G) inside and outside."""
     turned = invert_generatrix(found.sweep).vertices
     return shift(turned, found.inside), shift(turned, found.outside)
@@ -174,7 +174,7 @@ def _draw_widths(panel: BarePicture, found: Widths) -> None:
     panel.line(s.inner.vertices, INNER, closed=True)
     panel.line(s.outer.vertices, OUTER, closed=True)
     panel.line(s.trajectory.vertices, TRAJECTORY, closed=True)
-    for ring in _placed(found):
+    for ring in _place(found):
         panel.area(ring, INVERSE)
     for end, letters, distance, side in (
         (found.inside, "d'", found.inner, "right"),

@@ -47,10 +47,10 @@ LOOKS = {
 def _turn() -> int:
     """The number of the vertex of the trajectory between whose edges most edges of G_b fall."""
     path = sort_by_slope("D_b", "G_t")
-    return max(range(1, len(path)), key=lambda k: len(_between(path[k - 1], path[k])))
+    return max(range(1, len(path)), key=lambda k: len(_take_between(path[k - 1], path[k])))
 
 
-def _between(before: Move, after: Move) -> list[Move]:
+def _take_between(before: Move, after: Move) -> list[Move]:
     return [m for m in list_edges()["G_b"] if before.slope < m.slope < after.slope]
 
 
@@ -70,7 +70,10 @@ def list_facts() -> Facts:
         ("edges of D_b, G_t, G_b", ", ".join(str(len(moves)) for moves in list_edges().values())),
         ("edges of the outer boundary", str(len(_outer()) - 1)),
         ("slopes of t_i and t_(i+1)", f"{before.slope}, {after.slope}"),
-        ("slopes of G_b between them", ", ".join(str(m.slope) for m in _between(before, after))),
+        (
+            "slopes of G_b between them",
+            ", ".join(str(m.slope) for m in _take_between(before, after)),
+        ),
     ]
 
 

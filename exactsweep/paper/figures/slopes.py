@@ -91,7 +91,7 @@ def find_stations() -> list[Vertex]:
     return lay(split(sweep_example().directrix.vertices)[0][0], sort_by_slope("D_b", "G_t"))
 
 
-def _upcoming(step: int) -> tuple[Move, Move]:
+def _find_upcoming(step: int) -> tuple[Move, Move]:
     """The next edges of D_b and of reversed G_t before a move."""
     done = sort_by_slope("D_b", "G_t")[:step]
     waiting = [
@@ -109,7 +109,7 @@ def list_facts() -> Facts:
     """What the figure states."""
     rows = []
     for step in range(STEPS):
-        ours, theirs = _upcoming(step)
+        ours, theirs = _find_upcoming(step)
         taken = sort_by_slope("D_b", "G_t")[step]
         rows.append(
             (
@@ -130,7 +130,7 @@ def find_failures() -> Iterator[str]:
         "trajectory", shift(trajectory_cc(half[0][1], half[1][0]), s.reference), find_stations()
     )
     for step in range(STEPS):
-        first = min(_upcoming(step), key=lambda move: move.slope)
+        first = min(_find_upcoming(step), key=lambda move: move.slope)
         yield differ(f"edge taken in step {step}", sort_by_slope("D_b", "G_t")[step], first)
         contacts = [c.event for c in s.contacts_at(find_stations()[step])]
         yield differ(f"contacts before step {step}", contacts, ["VV"])
@@ -161,8 +161,8 @@ def draw() -> Figure:
 
 def _show_step(panel: BarePicture, step: int) -> None:
     """Mark the vertices that have met, the edge along which G goes on, and both slopes."""
-    ours, theirs = _upcoming(step)
-    x, y = _meeting(step)
+    ours, theirs = _find_upcoming(step)
+    x, y = _find_meeting(step)
     on_d = (x, y), (x + ours.by[0], y + ours.by[1])
     on_g = (x, y), (x - theirs.by[0], y - theirs.by[1])
     edge = on_d if sort_by_slope("D_b", "G_t")[step] == ours else on_g
@@ -172,7 +172,7 @@ def _show_step(panel: BarePicture, step: int) -> None:
     panel.label(find_middle(*on_g), write_slope(theirs.slope), -7, -9, size=SMALL)
 
 
-def _meeting(step: int) -> Vertex:
+def _find_meeting(step: int) -> Vertex:
     """The vertex of D_b at which G's vertex is before a move."""
     done = [move for move in sort_by_slope("D_b", "G_t")[:step] if move.owner == "D_b"]
     return lay(split(sweep_example().directrix.vertices)[0][0], done)[-1]

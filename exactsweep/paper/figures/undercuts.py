@@ -26,7 +26,7 @@ from exactsweep.paper.figures.sheet import (
 )
 from exactsweep.paper.functions import take_bottom
 from exactsweep.procedures.cc import trajectory_cc
-from exactsweep.procedures.chain import convex_parts, split
+from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.sweep import Sweep, sweep
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def find_failures() -> Iterator[str]:
 def sweep_sub_trajectories(s: Sweep) -> list[list[Vertex]]:
     """The paths of the reference point along the two convex chains of D_b."""
     top, d_bottom = split(s.generatrix.vertices)[1], split(s.directrix.vertices)[0]
-    return [shift(trajectory_cc(top, part), s.reference) for part in convex_parts(d_bottom)]
+    return [shift(trajectory_cc(top, part), s.reference) for part in find_convex_parts(d_bottom)]
 
 
 def draw() -> Figure:

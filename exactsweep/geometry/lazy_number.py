@@ -1,0 +1,105 @@
+"""Long numbers whose signs are told by their first digits, and exactly where these do not tell.
+
+A cross product of coordinates of thousands of digits takes milliseconds, and whether a ring is
+simple is a question of thousands of signs. So each number comes with an interval of ints that holds
+it, times a scale that is the same for all coordinates of a ring. Differences and products of
+intervals hold those of the numbers; (1) two numbers whose intervals are apart are told apart, and
+(2) all others are computed, as quotients of ints that are never reduced: a greatest common divisor
+of n digits takes n^2 steps, a product n^1.6. What is compared must be of one degree in the
+coordinates, or else the intervals are not on one scale; predicates of geometry are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+from exactsweep.geometry.point import Vertex
+
+# Of the largest coordinate.
+_BITS = 256
+
+_Ratio = tuple[int, int]
+
+
+class LazyNumber:
+    """A number, computed when its interval does not tell what is asked; made by `lazy_points`."""
+
+    __slots__ = ("_compute", "_high", "_low", "_ratio")
+
+    def __init__(self, low: int, high: int, compute: Callable[[], _Ratio]) -> None:
+        self._low, self._high, self._compute = low, high, compute
+        self._ratio: _Ratio | None = None
+
+    def _exact(self) -> _Ratio:
+        if self._ratio is None:
+            self._ratio = self._compute()
+        return self._ratio
+
+    def __sub__(self, other: LazyNumber) -> LazyNumber:
+        def difference() -> _Ratio:
+            (n, d), (m, e) = self._exact(), other._exact()
+            return (n - m, d) if d == e else (n * e - m * d, d * e)
+
+        return LazyNumber(self._low - other._high, self._high - other._low, difference)
+
+    def __mul__(self, other: LazyNumber) -> LazyNumber:
+        def product() -> _Ratio:
+            (n, d), (m, e) = self._exact(), other._exact()
+            return n * m, d * e
+
+        a, b, c, d = self._low, self._high, other._low, other._high
+        ends = a * c, a * d, b * c, b * d
+        return LazyNumber(min(ends), max(ends), product)
+
+    def _sign(self, other: LazyNumber | int) -> int:
+        """The sign of the difference, times something positive; the only int is 0."""
+        low, high = (0, 0) if isinstance(other, int) else (other._low, other._high)
+        if self._low > high:
+            return 1
+        if self._high < low:
+            return -1
+        n, d = self._exact()
+        if isinstance(other, int):
+            return n
+        m, e = other._exact()
+        return n - m if d == e else n * e - m * d
+
+    def __lt__(self, other: LazyNumber | int) -> bool:
+        return self._sign(other) < 0
+
+    def __le__(self, other: LazyNumber | int) -> bool:
+        return self._sign(other) <= 0
+
+    def __gt__(self, other: LazyNumber | int) -> bool:
+        return self._sign(other) > 0
+
+    def __ge__(self, other: LazyNumber | int) -> bool:
+        return self._sign(other) >= 0
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, LazyNumber | int) and self._sign(other) == 0
+
+    def __hash__(self) -> int:
+        return hash(Fraction(*self._exact()))
+
+
+def lazy_points(points: Sequence[Vertex]) -> list[tuple[LazyNumber, LazyNumber]]:
+    """Make points of lazy numbers, all on one scale.
+
+    Example:
+        >>> (x, y), (u, v) = lazy_points([(Fraction(1, 3), 2), (1, 0)])
+        >>> x * v - y * u < 0, x - x == 0, x == u
+        (True, True, False)
+    """
+    # The length of the whole part, negative where there is none; half a bit more or less.
+    sizes = (c.numerator.bit_length() - c.denominator.bit_length() for p in points for c in p if c)
+    shift = _BITS - max(sizes, default=0)
+
+    def lazy(value: int | Fraction) -> LazyNumber:
+        n, d = value.as_integer_ratio()
+        scaled = n << shift if shift > 0 else n
+        low = scaled // (d if shift > 0 else d << -shift)
+        return LazyNumber(low, low + 1, lambda: (n, d))
+
+    return [(lazy(x), lazy(y)) for x, y in points]
