@@ -130,5 +130,5 @@ def test_a_full_disk_is_one_line() -> None:
                 check=False,
             )
         assert result.returncode == 1, arguments
-        assert re.fullmatch(r"Error: [a-z: ]*No space left on device\n", result.stderr), arguments
+        assert re.fullmatch(r"Error: .*No space left on device\n", result.stderr), arguments
     require_row("output to a full disk", len(FULL))
