@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: scaling, spent, peers, report."""
+"""`python -m benchmarks`: scaling, spent, floors, batches, peers, report."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from tempfile import TemporaryDirectory
 import click
 from rich.console import Console
 
+from benchmarks import batches as batch_runs
+from benchmarks import floors as floors_runs
 from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
@@ -69,6 +71,27 @@ def scaling(quick: bool) -> None:
 def spent() -> None:
     """Count what small pairs are spent on: instructions, objects, comparisons."""
     Console(width=max(WIDTH, Console().width)).print(*spent_counts.tabulate(), sep="\n")
+
+
+@main.command()
+@quick_option
+def floors(quick: bool) -> None:
+    """What proofs, undercuts and the page cost beside the sweep."""
+    console = Console(width=max(WIDTH, Console().width))
+    console.print(machine())
+    for table in floors_runs.tabulate(quick=quick):
+        console.print(table)
+
+
+@main.command()
+@quick_option
+@click.option("--workers", default=2, help="How many processes of a Dask cluster.")
+def batches(workers: int, quick: bool) -> None:
+    """Batches over two decades of pairs on a Dask cluster, and what 10^9 pairs would take."""
+    console = Console(width=max(WIDTH, Console().width))
+    console.print(machine())
+    for table in batch_runs.tabulate(workers=workers, quick=quick):
+        console.print(table)
 
 
 @main.command()

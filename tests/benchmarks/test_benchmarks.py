@@ -8,7 +8,9 @@ from click.testing import CliRunner
 
 from benchmarks import scaling
 from benchmarks.__main__ import main
+from benchmarks.batches import BatchCost, tabulate_model
 from benchmarks.families import FAMILIES
+from benchmarks.floors import comb
 from benchmarks.outlines import OUTLINES, part_pairs
 from benchmarks.spent import COUNTED, count
 from exactsweep import Polygon, sweep
@@ -160,3 +162,21 @@ def test_instructions_are_counted_by_what_they_do() -> None:
     x = 3
     found = count(lambda: ([x * x, x // 2], x < 6))
     assert [found[name] for name in COUNTED[1:]] == [1, 2, 0, 2, 1]
+
+
+def test_a_comb_has_four_vertices_a_tooth_and_two() -> None:
+    assert len(Polygon(comb(3))) == 14
+    assert len(Polygon(comb(250))) == 1002
+
+
+def test_a_large_batch_is_as_its_model_says() -> None:
+    """By hand: 100 chunks more take the client a second, so one takes it 10 ms."""
+    costs = [
+        BatchCost(1, 1, 0.2, 2.0, 100),
+        BatchCost(1001, 101, 1.2, 4.0, 300_300),
+        BatchCost(9001, 901, 7.0, 22.0, 2_800_000),
+    ]
+    columns = tabulate_model(costs, alone=0.0015).columns
+    first, last = ([[*column.cells][row] for column in columns] for row in (0, 1))
+    assert first == ["9,001", "10", "9.2 s", "20.0 s", "2,700,300"]
+    assert last == ["1,000,000,000", "512", "5.4 h", "556 h", "300,000,000,000"]

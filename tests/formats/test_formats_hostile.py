@@ -28,6 +28,7 @@ TEXTS: dict[str, Callable[[int], str]] = {
 }
 SHAPES: dict[str, Callable[[int], str]] = {
     "path edges": lambda n: f'<path d="M0 0{"L1 1" * (n // 20)}"/>',
+    "subpaths": lambda n: f'<path fill-rule="evenodd" d="{"M0 0h1v1z" * (n // 20)}"/>',
     "path digits": lambda n: f'<path d="M{"1" * n}x"/>',
     "path gaps": lambda n: f'<path d="{" ," * n}x"/>',
     "points": lambda n: f'<polygon points="{"1" * n}x"/>',

@@ -1,0 +1,139 @@
+"""What a batch costs on a Dask cluster, measured over two decades of pairs, and the model of it.
+
+Processor time of the client with its scheduler, and of the workers, on one machine. The model: each
+pair takes the workers the same time, and each chunk the client with its scheduler, however many
+pairs are in it. Both are taken from the batches but the largest, and held against that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from random import Random
+from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
+from tempfile import TemporaryDirectory
+from time import process_time
+from typing import NamedTuple
+
+from rich.table import Table
+
+from benchmarks.families import FAMILIES
+from exactsweep import Polygon
+from exactsweep.batch import run, take_all_pairs
+from exactsweep.batch.job import Job
+from exactsweep.batch.parts import Part
+
+SIDES = (1, 10, 32, 100)
+"""How many parts each of the two lists has; one pair alone is what it takes to start and end."""
+LARGE, LARGE_CHUNK = 10**9, 512
+_SAMPLE = 1000
+
+
+class BatchCost(NamedTuple):
+    """What a batch took: seconds of processor time, and bytes of its records."""
+
+    pairs: int
+    chunks: int
+    client: float
+    workers: float
+    bytes: int
+
+
+def draw_parts(count: int) -> list[Part]:
+    """Parts of 16 to 24 vertices of all classes."""
+    names = ("cc", "cm", "mm", "stair")
+    return [
+        Part(f"{name} {k}", Polygon(FAMILIES[name](16 + k % 9 // 2 * 2, 16, k)[1]))
+        for k in range(count)
+        for name in [names[k % 4]]
+    ]
+
+
+def measure(job: Job, folder: Path, workers: int) -> BatchCost:
+    """Run a batch on a Dask cluster of its own."""
+    output = folder / "records.jsonl"
+    before = [_seconds(who) for who in (RUSAGE_SELF, RUSAGE_CHILDREN)]
+    run(job, str(output), workers=workers, scheduler="local", restart=True)
+    client, children = (
+        _seconds(who) - start
+        for who, start in zip((RUSAGE_SELF, RUSAGE_CHILDREN), before, strict=True)
+    )
+    chunks = sum(1 for _ in job.chunks(0))
+    return BatchCost(job.total, chunks, client, children, output.stat().st_size)
+
+
+def measure_pair(job: Job) -> float:
+    """Seconds that a pair of a batch takes, computed in this process."""
+    chunks = [single for chunk in job.chunks(0) for single in chunk.singles()]
+    chunks = Random(0).sample(chunks, min(_SAMPLE, len(chunks)))
+    start = process_time()
+    for chunk in chunks:
+        job.work.lines(chunk)
+    return (process_time() - start) / len(chunks)
+
+
+def tabulate(*, workers: int, quick: bool) -> Iterator[Table]:
+    """The measured batches; and the model beside them, with what it says of a large one."""
+    with TemporaryDirectory() as folder:
+        jobs = []
+        for side in SIDES[:3] if quick else SIDES:
+            parts = draw_parts(side)
+            jobs.append(take_all_pairs(parts, parts, "areas"))
+        # The first one alone pays for what is imported.
+        costs = [measure(job, Path(folder), workers) for job in (jobs[0], *jobs)][1:]
+        alone = measure_pair(jobs[-1])
+    yield tabulate_costs(costs, workers)
+    yield tabulate_model(costs, alone)
+
+
+def tabulate_costs(costs: Sequence[BatchCost], workers: int) -> Table:
+    """What was measured; and of each batch, what a pair more took than in the one before."""
+    table = Table(
+        *("pairs", "chunks", "client and scheduler", "workers", "records"),
+        *("workers, ms a further pair", "client, ms a further chunk"),
+        title=f"processor time, {workers} workers",
+    )
+    for k, cost in enumerate(costs):
+        slopes = ["", ""]
+        if k:
+            before = costs[k - 1]
+            slopes = [
+                f"{1000 * (cost.workers - before.workers) / (cost.pairs - before.pairs):.2f}",
+                f"{1000 * (cost.client - before.client) / (cost.chunks - before.chunks):.1f}",
+            ]
+        table.add_row(
+            *(f"{cost.pairs:,}", f"{cost.chunks:,}", f"{cost.client:.1f} s"),
+            *(f"{cost.workers:.1f} s", f"{cost.bytes:,}", *slopes),
+        )
+    return table
+
+
+def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
+    """The model, from all batches but the last: what it says of that, and of a large one."""
+    start, middle, largest = costs[0], costs[-2], costs[-1]
+    pair = (middle.workers - start.workers) / (middle.pairs - start.pairs)
+    chunk = (middle.client - start.client) / (middle.chunks - start.chunks)
+    record = middle.bytes / middle.pairs
+    table = Table(
+        *("pairs", "pairs a chunk", "client and scheduler", "workers", "records"),
+        title=f"by the model: {1000 * pair:.2f} ms a pair ({1000 * alone:.2f} in one process alone)"
+        f", {1000 * chunk:.1f} ms a chunk, {record:.0f} bytes a record",
+    )
+    client = start.client + chunk * (largest.chunks - start.chunks)
+    workers = start.workers + pair * (largest.pairs - start.pairs)
+    table.add_row(
+        *(f"{largest.pairs:,}", f"{largest.pairs / largest.chunks:.0f}", f"{client:.1f} s"),
+        *(f"{workers:.1f} s", f"{record * largest.pairs:,.0f}"),
+    )
+    client = chunk * LARGE / LARGE_CHUNK
+    table.add_row(
+        *(f"{LARGE:,}", f"{LARGE_CHUNK}", f"{client / 3600:.1f} h"),
+        *(f"{pair * LARGE / 3600:,.0f} h", f"{record * LARGE:,.0f}"),
+    )
+    table.caption = f"{pair * LARGE / client:.0f} workers keep the scheduler as busy as themselves"
+    return table
+
+
+def _seconds(who: int) -> float:
+    usage = getrusage(who)
+    return usage.ru_utime + usage.ru_stime

@@ -1,0 +1,114 @@
+"""What evidence and proof cost beside the sweep: `verify`, undercuts and the page.
+
+The sweep is its three loops, of polygons that are made; `verify` is given the certificate as
+`json.loads` gives it; what is least of all, reading the numbers of a certificate, is shown apart.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import product
+
+from rich.table import Table
+
+from benchmarks.clock import milliseconds
+from benchmarks.families import FAMILIES
+from exactsweep import Polygon, sweep
+from exactsweep.check import verify
+from exactsweep.check.certificate import read
+from exactsweep.corpus.generator.growing import mm
+from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.evidence.swept import Swept
+
+VERIFY_BAR = 20.0
+PAGE_BAR = 2000.0
+NAMES = ("cc", "cm", "cm_hard", "mm", "stair")
+SIZES = ((16, 16), (64, 64), (256, 64), (256, 256))
+
+
+def comb(teeth: int, pitch: int = 4000, height: int = 10**6) -> Ring:
+    """A comb with its teeth up, each a quarter of the pitch wide, of 4 k + 2 vertices."""
+    top: Ring = []
+    for x in range(0, pitch * teeth, pitch):
+        top += [(x, 2 * height), (x + pitch // 4, 2 * height)]
+        top += [(x + pitch // 4, height), (x + pitch, height)]
+    return [(0, 0), (pitch * teeth, 0), *top[::-1]]
+
+
+def least(call: Callable[[], object]) -> float:
+    """The least time of a call, in milliseconds: what others do to the machine comes on top."""
+    return min(milliseconds(call))
+
+
+def after_loops(step: Callable[[Swept], object], *pair: Polygon) -> float:
+    """The least time of a step on a sweep that has its loops already, in milliseconds."""
+    times = []
+    for _ in range(3):
+        s = sweep(*pair)
+        take_loops(s)
+        times += milliseconds(partial(step, s), seconds=0)
+    return min(times)
+
+
+def take_loops(s: Swept) -> None:
+    """Read the three loops."""
+    assert s.trajectory.vertices
+    assert s.inner.vertices
+    assert s.outer.vertices
+
+
+def run_trajectory(generatrix: Polygon, directrix: Polygon) -> None:
+    """Sweep, and read the trajectory."""
+    assert sweep(generatrix, directrix).trajectory.vertices
+
+
+def run_loops(generatrix: Polygon, directrix: Polygon) -> None:
+    """Sweep, and read the three loops."""
+    take_loops(sweep(generatrix, directrix))
+
+
+def tabulate(*, quick: bool) -> Iterator[Table]:
+    """The pairs of every family; unless `quick`, also a page of a large pair."""
+    table = Table(
+        *("family", "m, n", "trajectory", "three loops", "verify", "times", "reading it, times"),
+        *("undercuts", "times the trajectory", "certificate"),
+        title=f"milliseconds, least of several runs; verify at most {VERIFY_BAR:g} times the loops",
+    )
+    for name, (m, n) in product(NAMES, SIZES[:1] if quick else SIZES):
+        pair = tuple(map(Polygon, FAMILIES[name](m, n, 0)))
+        certificate = json.loads(json.dumps(sweep(*pair).certificate()))
+        assert verify(certificate).proved
+        trajectory, loops = least(partial(run_trajectory, *pair)), least(partial(run_loops, *pair))
+        proof, reading = least(partial(verify, certificate)), least(partial(read, certificate))
+        undercuts = after_loops(lambda s: s.undercuts, *pair)
+        table.add_row(
+            *(name, f"{m}, {n}", f"{trajectory:.2f}", f"{loops:.2f}"),
+            *(f"{proof:.1f}", f"{proof / loops:.1f}", f"{reading / loops:.1f}"),
+            *(f"{undercuts:.2f}", f"{undercuts / trajectory:.1f}"),
+            f"{after_loops(lambda s: s.certificate(), *pair):.1f}",
+        )
+    yield table
+    if not quick:
+        yield tabulate_page()
+
+
+def tabulate_page() -> Table:
+    """The data of the page of a zigzag of 1,000 vertices around a comb of 1,002."""
+    # The page is not needed for anything else here.
+    from exactsweep.view.data import gather_page_data
+
+    pair = Polygon(mm(1002, 1000, 0)[0]), Polygon(comb(250))
+    table = Table("the page of 1,000 around 1,002", "ms", title=f"at most {PAGE_BAR:g} ms")
+    table.add_row("three loops", f"{least(partial(run_loops, *pair)):.0f}")
+    steps: dict[str, Callable[[Swept], object]] = {
+        "undercuts": lambda s: s.undercuts,
+        "exact fits": lambda s: s.exact_fits,
+        "contacts": lambda s: s.contacts,
+        "certificate": lambda s: s.certificate(),
+    }
+    for name, step in steps.items():
+        table.add_row(name, f"{after_loops(step, *pair):.0f}")
+    table.add_row("all of the page", f"{least(lambda: gather_page_data(sweep(*pair))):.0f}")
+    return table
