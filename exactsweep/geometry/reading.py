@@ -38,7 +38,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
     Example:
         >>> import shapely
         >>> read_interface(shapely.box(0, 0, 2, 1))
-        [((2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]
+        [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
     told = getattr(shape, "__geo_interface__", None)
     if isinstance(told, Mapping) and told.get("type") == "Feature":
