@@ -1,5 +1,9 @@
 """The command line: `exactsweep`, a module for each of its commands."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
 import click
 
 from exactsweep import __version__
@@ -25,22 +29,33 @@ from exactsweep.formats.files import show_path
 class _Commands(click.Group):
     """Commands that answer a refusal with one line on standard error and exit code 1."""
 
+    def make_context(self, *arguments: Any, **options: Any) -> click.Context:
+        # --help and --version write here.
+        with _refuse_in_one_line():
+            return super().make_context(*arguments, **options)
+
     def invoke(self, ctx: click.Context) -> object:
-        try:
+        with _refuse_in_one_line():
             return super().invoke(ctx)
-        except click.ClickException as error:
-            if type(error) is not click.ClickException:
-                raise  # of click, which writes on several lines how a command is used
-            raise click.ClickException(_on_one_line(error.message)) from None
-        except ValueError as error:
-            raise click.ClickException(_on_one_line(str(error))) from None
-        except BrokenPipeError:
-            raise  # click ends without a word
-        except OSError as error:
-            place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
-            raise click.ClickException(f"{place}{error.strerror or error}") from None
-        except MemoryError:
-            raise click.ClickException("out of memory") from None
+
+
+@contextmanager
+def _refuse_in_one_line() -> Iterator[None]:
+    try:
+        yield
+    except click.ClickException as error:
+        if type(error) is not click.ClickException:
+            raise  # of click, which writes on several lines how a command is used
+        raise click.ClickException(_on_one_line(error.message)) from None
+    except ValueError as error:
+        raise click.ClickException(_on_one_line(str(error))) from None
+    except BrokenPipeError:
+        raise  # click ends without a word
+    except OSError as error:
+        place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
+        raise click.ClickException(f"{place}{error.strerror or error}") from None
+    except MemoryError:
+        raise click.ClickException("out of memory") from None
 
 
 def _on_one_line(message: str) -> str:

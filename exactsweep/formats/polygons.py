@@ -155,7 +155,9 @@ def parse_regions(
     return read_each(parse_candidates(text, tolerance, **options), Candidate.named_region)
 
 
-def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]) -> Polygon:
+def read_polygon(
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
+) -> Polygon:
     """Read a polygon from a file, or from standard input.
 
     Args:
@@ -174,7 +176,9 @@ def read_polygon(path: str, tolerance: object = None, **options: Unpack[Options]
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
-def read_region(path: str, tolerance: object = None, **options: Unpack[Options]) -> Region:
+def read_region(
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
+) -> Region:
     """Read a polygon with its holes from a file, or from standard input.
 
     Args:
@@ -194,7 +198,7 @@ def read_region(path: str, tolerance: object = None, **options: Unpack[Options])
 
 
 def read_polygons(
-    path: str, tolerance: object = None, **options: Unpack[Options]
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedPolygon]:
     """Read all polygons of a file, or of standard input.
 
@@ -214,7 +218,7 @@ def read_polygons(
 
 
 def read_regions(
-    path: str, tolerance: object = None, **options: Unpack[Options]
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedRegion]:
     """Read all polygons of a file, or of standard input, with their holes.
 
@@ -235,7 +239,7 @@ def read_regions(
 
 
 def read_candidates(
-    path: str, tolerance: object = None, **options: Unpack[Options]
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = split_choice(path)
@@ -248,6 +252,8 @@ def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> Sequence[Candidate]:
     """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
+    if not isinstance(text, str):
+        raise FormatError(f"{type(text).__name__} is not text")
     reading = Reading(tolerance, **options)
     found = _parse(text, reading)
     return nest_candidates(found) if reading.nested else found
@@ -326,8 +332,12 @@ def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
     return read_exact(document, path)
 
 
-def split_choice(path: str) -> tuple[str, str | None]:
+def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     """Split a path from the choice after it; both may have the sign "#" in their names."""
+    if isinstance(path, os.PathLike):
+        path = os.fspath(path)
+    if not isinstance(path, str):
+        raise FormatError(f"{type(path).__name__} is not a path")
     if os.path.lexists(path):
         return path, None
     places = [k for k, letter in enumerate(path) if letter == "#" and k > 0]

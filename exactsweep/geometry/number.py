@@ -86,9 +86,9 @@ def limits(*, max_digits: int) -> Iterator[None]:
         ...     to_fraction("1e5000") == 10**5000
         True
     """
-    if operator.index(max_digits) < 1:
-        raise NumberError("max_digits must be at least 1")
-    token = _max_digits.set(operator.index(max_digits))
+    if type(max_digits) is not int or max_digits < 1:
+        raise NumberError("max_digits must be an int, at least 1")
+    token = _max_digits.set(max_digits)
     try:
         yield
     finally:

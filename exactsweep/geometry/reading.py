@@ -1,6 +1,6 @@
 """Vertices in: pairs of numbers, and what other libraries tell by `__geo_interface__`."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import name_refusals
@@ -38,7 +38,7 @@ def read_interface(shape: object) -> list[Pairs] | None:
     Example:
         >>> import shapely
         >>> read_interface(shapely.box(0, 0, 2, 1))
-        [((2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]
+        [[(2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, 0.0), (2.0, 0.0)]]
     """
     told = getattr(shape, "__geo_interface__", None)
     if isinstance(told, Mapping) and told.get("type") == "Feature":
@@ -48,7 +48,12 @@ def read_interface(shape: object) -> list[Pairs] | None:
     kind = told.get("type") if isinstance(told, Mapping) else type(told).__name__
     if kind not in ("Polygon", "LinearRing"):
         raise PolygonError(f"a {kind} is not a polygon")
-    rings = [*told["coordinates"]] if kind == "Polygon" else [told["coordinates"]]
-    if not any(map(len, rings)):
+    coordinates = told.get("coordinates")
+    rings = coordinates if kind == "Polygon" else [coordinates]
+    if not isinstance(rings, Sequence) or not all(isinstance(ring, Iterable) for ring in rings):
+        raise PolygonError(f"a {kind} without rings is not a polygon")
+    # Some are read only once.
+    rings = [[*ring] for ring in rings]
+    if not any(rings):
         raise PolygonError("the polygon is empty")
-    return rings
+    return [*rings]

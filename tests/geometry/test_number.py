@@ -203,9 +203,10 @@ def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:
         assert to_fraction(Fraction(1, 10**5)) == Fraction(1, 10**5)
 
 
-def test_limits_are_positive() -> None:
-    with pytest.raises(ValueError, match=r"^max_digits must be at least 1$"), limits(max_digits=0):
-        pass
+@pytest.mark.parametrize("bad", [0, -5, "5", 1.5, None, True])
+def test_limits_are_positive(bad: object) -> None:
+    with pytest.raises(NumberError, match=r"^max_digits must be an int, at least 1$"):
+        limits(max_digits=bad).__enter__()  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("sign", ["", "-"])

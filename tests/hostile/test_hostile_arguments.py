@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -16,6 +17,7 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import classify, reference_loops, reference_no_fit, verify
+from exactsweep.formats import parse_polygons, read_polygon, read_polygons
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
 
@@ -67,6 +69,43 @@ SHAPES = [
     *([(0, 0), (1, 0), (0, 0), (0, 1)], [(0, 0), (2, 2), (2, 0), (0, 2)], {0: 1}, Lying(), NESTED),
     *(CYCLE, [(0, 0), (1, 0), (None, 1)], [(0, 0), (1, 0), (0, "x")], [UNIT, UNIT], object(), int),
 ]
+
+
+class Telling:
+    """Has a `__geo_interface__`, of whatever kind."""
+
+    def __init__(self, told: object) -> None:
+        self.__geo_interface__ = told
+
+
+RINGS: list[Any] = [None, 5, "ab", [], [5], [[]], [None, UNIT], [[5]], [UNIT, 5], {}]
+TOLD: list[Any] = [
+    *(
+        5,
+        {},
+        "Polygon",
+        {"type": ["Polygon"], "coordinates": []},
+        {"type": "Feature", "geometry": 5},
+    ),
+    *({"type": kind} for kind in ("Polygon", "LinearRing", "Point", None)),
+    *(
+        {"type": kind, "coordinates": coordinates}
+        for kind in ("Polygon", "LinearRing", "MultiPolygon")
+        for coordinates in RINGS
+    ),
+]
+TEXTS: list[Any] = [
+    None,
+    5,
+    b"[[0, 0], [1, 0], [0, 1]]",
+    [],
+    True,
+    "\x00",
+    "a\x00b",
+    "\ud800",
+    "\ufeff",
+    Lying(),
+]
 DIRECTIONS = [
     *POINTS[1:],
     "12",
@@ -87,6 +126,10 @@ REFUSING: dict[str, tuple[Callable[[Any], object], list[Any]]] = {
     "holes of a `Region`": (lambda hole: Region(UNIT, [hole]), SHAPES),
     "generatrix of a `sweep`": (lambda g: sweep(g, UNIT), SHAPES),
     "directrix of a `sweep`": (lambda d: sweep(UNIT, d), SHAPES),
+    "`__geo_interface__`": (lambda told: Polygon(Telling(told)), TOLD),  # type: ignore[arg-type]
+    "`__geo_interface__` of a `Region`": (lambda told: Region(Telling(told)), TOLD),  # type: ignore[arg-type]
+    "`parse_polygons`": (parse_polygons, TEXTS),
+    "`read_polygons`": (read_polygons, TEXTS),
     "`direction`": (lambda u: sweep(UNIT, UNIT, direction=u), DIRECTIONS),
     "`reference`": (lambda r: sweep(UNIT, UNIT, reference=r), POINTS),
     "`no_fit_polygon`": (lambda d: no_fit_polygon(d, UNIT), SHAPES),
@@ -122,3 +165,12 @@ def test_exact_numbers_of_any_kind_come_in() -> None:
     """What looks hostile and is not."""
     for value in (10**9999, Fraction(1, 10**9999), -0.0, 5e-324, "-0", "0e0", Decimal("-0")):
         assert Polygon([(0, 0), (1, 0), (0, 1 + to_fraction(value))])
+
+
+def test_paths_may_be_objects(tmp_path: Path) -> None:
+    """Once one that could not be read ended in Python's own words."""
+    path = tmp_path / "unit.json"
+    with pytest.raises(ExactSweepError, match=r"unit\.json: No such file"):
+        read_polygon(path)
+    path.write_text("[[0, 0], [1, 0], [0, 1]]")
+    assert read_polygon(path).area == Fraction(1, 2)

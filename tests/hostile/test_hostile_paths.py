@@ -1,5 +1,6 @@
 """Paths and names that no program should be given: one line of an error from every command."""
 
+import re
 import resource
 import subprocess
 import sys
@@ -109,3 +110,25 @@ def test_too_little_memory_is_one_line(tmp_path: Path) -> None:
     )
     assert result.returncode == 1
     assert result.stderr == "Error: out of memory\n"
+
+
+FULL = [
+    *(("--help",), ("--version",), ("sweep", "--help"), ("sweep", HOUSE, NOTCH)),
+    *(("convert", HOUSE, "--to", "wkt"), ("corpus", "list"), ("reproduce", "--cite")),
+]
+
+
+def test_a_full_disk_is_one_line() -> None:
+    """Once help and version ended in Python's own words."""
+    for arguments in FULL:
+        with Path("/dev/full").open("w") as full:
+            result = subprocess.run(
+                [sys.executable, "-m", "exactsweep", *arguments],
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+                check=False,
+            )
+        assert result.returncode == 1, arguments
+        assert re.fullmatch(r"Error: .*No space left on device\n", result.stderr), arguments
+    require_row("output to a full disk", len(FULL))
