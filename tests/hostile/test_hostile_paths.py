@@ -118,7 +118,7 @@ FULL = [
 ]
 
 
-def test_a_full_disk_is_one_line() -> None:
+def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     """Once help and version ended in Python's own words."""
     for arguments in FULL:
         with Path("/dev/full").open("w") as full:
@@ -127,6 +127,7 @@ def test_a_full_disk_is_one_line() -> None:
                 stdout=full,
                 stderr=subprocess.PIPE,
                 text=True,
+                cwd=tmp_path,  # where it writes files, too
                 check=False,
             )
         assert result.returncode == 1, arguments
