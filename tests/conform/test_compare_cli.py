@@ -108,6 +108,7 @@ def test_what_cannot_be_compared_is_refused_in_one_line(
     lying = case_to_json(CASE)
     lying["expected"]["inner"] = ANSWER["outer"]
     lying["expected"]["counts"]["inner"] = len(ANSWER["outer"])
+    lying["expected"]["area"] = "0"
     (folder / "lying.json").write_text(json.dumps(lying))
     assert message in refusal(run("compare", case, answer))
 

@@ -85,15 +85,16 @@ def test_answers_are_those_of_another_exact_program() -> None:
 def test_the_other_program_notices_what_is_wrong_and_goes_on_after_a_crash() -> None:
     (case,) = cases(prefix="caves-two-rooms-thirds")
     (crashing,) = cases(prefix="spirals-two-thirds")
+    assert not case.unswept
     square = Polygon([(0, 0), (1, 0), (1, 1)])
     wrong = [
         replace(case, trajectory=Polygon(case.trajectory.vertices[1:])),
         replace(case, holes=case.holes[1:]),
         replace(case, holes=(*case.holes, square)),
         crashing,
-        replace(case, outer=case.trajectory),
-        replace(case, inner=square),
-        replace(case, unswept=(*case.unswept, square)),
+        replace(case, outer=case.trajectory, area=case.trajectory.area - case.inner.area),
+        replace(case, inner=square, area=case.outer.area - square.area),
+        replace(case, unswept=(square,), area=case.area - square.area),
         case,
     ]
     parts = ("trajectory", "holes", "holes", "", "outer", "unswept", "unswept")

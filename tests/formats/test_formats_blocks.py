@@ -110,8 +110,12 @@ def test_blocks_that_cannot_be_drawn_are_refused(text: str) -> None:
 def test_uses_that_draw_each_other_end() -> None:
     uses = [f'<use href="#g{k + 1}"/>' * 10 for k in range(9)]
     bomb = "".join(f'<g id="g{k}">{drawn}</g>' for k, drawn in enumerate(uses))
-    with pytest.raises(FormatError, match="uses draw more than 20,000 elements"):
+    with pytest.raises(
+        FormatError, match="more than 10,000 shapes are none, as line 1: use: draws"
+    ):
         parse_polygon(f"<svg>{bomb}</svg>")
+    with pytest.raises(FormatError, match="uses draw more than 20,000 elements"):
+        parse_polygon(f'<svg>{bomb}<rect id="g9" width="1" height="1"/></svg>')
     text = '<svg><g id="a"><use href="#a"/><rect width="2" height="1"/></g></svg>'
     with pytest.raises(FormatError, match="draws nothing that is in the file, or itself"):
         parse_polygon(text, "0")
