@@ -133,7 +133,7 @@ VERDICTS = [
 def test_changes_of_modules_are_noticed(
     tree: Path, old: str, new: str, verdict: str, by: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("trial.SPARE", 0.5)
+    monkeypatch.setattr("trial.SPARE", 2)
     (tree / MODULE_PATH).write_bytes(mutant_of(old, new).applied(TEXT))
     tests = [LESS, GREATER, LIMIT]
     assert run_afresh(tree, tests, dict.fromkeys(tests, 0.0))[:2] == (verdict, by)
@@ -142,7 +142,7 @@ def test_changes_of_modules_are_noticed(
 def test_changes_of_functions_are_noticed_without_reading_the_tests_again(
     tree: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("trial.SPARE", 0.5)
+    monkeypatch.setattr("trial.SPARE", 2)
     tests = [LESS, GREATER, LIMIT]
     reader = Reader(tree, ["test_least.py"], dict.fromkeys(tests, 0.0))
     for old, new, verdict, by in VERDICTS[::-1]:
