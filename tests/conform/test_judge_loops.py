@@ -228,6 +228,12 @@ def test_what_numbers_do_to_all_coordinates_is_named(words: str, x: Any, change:
     assert words not in judge(case, other, numbers="rational").diagnosis
 
 
+def test_numbers_beyond_doubles_are_not_rounded_to_nothing() -> None:
+    far = Case.of("beyond", "", [(10**400 * x, y) for x, y in BLOCK], SQUARE)
+    flat = [[x if abs(x) < 10**300 else 0, y] for x, y in far.trajectory.vertices]
+    assert judge(far, flat, numbers="rational").diagnosis == ()
+
+
 @pytest.mark.parametrize(("numbers", "verdict"), [("rational", "unsound"), ("integer", "within")])
 def test_integers_are_rounded_only_by_programs_that_read_nothing_else(
     numbers: str, verdict: str

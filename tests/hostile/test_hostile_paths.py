@@ -73,24 +73,25 @@ def require_one_line(arguments: tuple[str, ...], path: str) -> None:
     assert not usage or usage[0].startswith("Usage: "), result.stderr
 
 
-@pytest.mark.parametrize("command", READING)
-def test_paths_that_cannot_be_read(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("command", "done", "arguments", "paths"),
+    [
+        *((command, "read", arguments, PATHS) for command, arguments in READING.items()),
+        *((command, "written", arguments, UNWRITABLE) for command, arguments in WRITING.items()),
+    ],
+)
+def test_paths_that_cannot_be_used(
+    command: str,
+    done: str,
+    arguments: tuple[str, ...],
+    paths: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    for path in PATHS:
-        require_one_line(READING[command], path)
-    require_row(f"paths read by `{command}`", len(PATHS))
-
-
-@pytest.mark.parametrize("command", WRITING)
-def test_paths_that_cannot_be_written(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    for path in UNWRITABLE:
-        require_one_line(WRITING[command], path)
-    require_row(f"paths written by `{command}`", len(UNWRITABLE))
+    for path in paths:
+        require_one_line(arguments, path)
+    require_row(f"paths {done} by `{command}`", len(paths))
 
 
 def test_too_little_memory_is_one_line(tmp_path: Path) -> None:

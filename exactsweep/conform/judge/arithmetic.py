@@ -16,7 +16,7 @@ Change = Callable[[Fraction], Fraction]
 _MOST_DECIMALS = 12
 _DIGITS = range(3, 16)
 _WIDTHS = (32, 64, 16, 8)
-# The least numbers that are rounded to infinity.
+# The least numbers that are rounded to infinity; such numbers are left as they are.
 _BEYOND = Fraction(2**1024 - 2**970)
 _BEYOND_SINGLE = Fraction(2**128 - 2**103)
 
@@ -48,7 +48,7 @@ def name_arithmetic(exact: PointRings, theirs: PointRings) -> tuple[str, ...]:
     found = []
     for words, change in _changes():
         image = {Point(change(x), change(y)) for x, y in points}
-        doubles = {Point(*map(Fraction, map(_to_double, p))) for p in image}
+        doubles = {Point(_to_double(x), _to_double(y)) for x, y in image}
         if answered in (image, doubles):
             found.append(words)
     return tuple(found)
@@ -67,18 +67,18 @@ def _changes() -> Iterator[tuple[str, Change]]:
 
 
 def _print(c: Fraction, form: str) -> Fraction:
-    return Fraction(format(_to_double(c), form))
+    return Fraction(format(float(c), form)) if abs(c) < _BEYOND else c
 
 
-def _to_double(c: Fraction) -> float:
-    return float(c) if abs(c) < _BEYOND else 0.0
+def _to_double(c: Fraction) -> Fraction:
+    return Fraction(float(c)) if abs(c) < _BEYOND else c
 
 
 def _to_single(c: Fraction) -> Fraction:
-    c = Fraction(_to_double(c))
-    return (
-        Fraction(*struct.unpack("f", struct.pack("f", float(c)))) if abs(c) < _BEYOND_SINGLE else c
-    )
+    if abs(c) >= _BEYOND_SINGLE:
+        return c
+    (single,) = struct.unpack("f", struct.pack("f", float(c)))
+    return Fraction(single)
 
 
 def _wrap(c: Fraction, half: int) -> Fraction:
