@@ -4,6 +4,10 @@ Both loops are drawn by G moving along the trajectory T. An edge of a loop is a 
 of G at a vertex of T, of the path of a vertex of G along an edge of T, or of the path of an edge
 of G along an edge of T parallel to it. Several may be needed for one edge: what D's edge shows of
 itself to the inner loop can be touched by one vertex of G after the other.
+
+A vertex of G whose path is on a loop is a convex one, and G beside it on one side of the path: G
+moves inside the outer loop and does not enter the inner one. For two convex polygons that leaves
+two vertices, or four, for each direction of T.
 """
 
 from __future__ import annotations
@@ -15,11 +19,11 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.contact import minus
+from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.geometry.point import ORIGIN, Edge, Rational, Vertex
 from exactsweep.geometry.segment import (
     Segment,
     choose_cover,
@@ -81,6 +85,11 @@ class Tracer:
             self._lines[piece.direction, piece.offset].append((piece, k))
         self._longest = {key: max(s.high - s.low for s, *_ in p) for key, p in self._paths.items()}
         self._g_vertices: dict[Vector, _LinedVertices] = {}
+        self._g_facing: defaultdict[Vector, set[int]] = defaultdict(set)
+        directions = list({direction for direction, _ in self._paths})
+        both_ways: list[Edge] = [edge for u in directions for edge in ((ORIGIN, u), (u, ORIGIN))]
+        for way, i in find_facing(dict(enumerate(both_ways)), generatrix):
+            self._g_facing[directions[way // 2]].add(i)
 
     def trace(self, edge: Edge) -> list[Trace]:
         """Return features that together draw an edge of the inner or of the outer loop.
@@ -215,7 +224,9 @@ class Tracer:
     def _vertices_along(self, u: Vector) -> _LinedVertices:
         if u not in self._g_vertices:
             by_offset: defaultdict[Rational, dict[int, Rational]] = defaultdict(dict)
-            for i, w in enumerate(self._generatrix.vertices):
+            ends = {k for i, *_ in self._g_edges.get(u, ()) for k in (i, self._generatrix.after[i])}
+            for i in sorted(ends | self._g_facing[u]):
+                w = self._generatrix.vertices[i]
                 by_offset[find_offset(u, w)][i] = measure_along(u, w)
             places = [place for ends in by_offset.values() for place in ends.values()]
             self._g_vertices[u] = _LinedVertices(by_offset, min(places), max(places))
@@ -239,7 +250,7 @@ class Tracer:
 
 
 class _LinedVertices(NamedTuple):
-    """Vertices by their lines in one direction: by number, the coordinate along the line."""
+    """Vertices that may draw, by their lines in one direction: by number, the place on the line."""
 
     by_offset: Mapping[Rational, dict[int, Rational]]
     low: Rational

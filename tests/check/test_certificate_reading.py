@@ -21,7 +21,7 @@ from shape_certificates import (
 )
 from tampering import changes
 
-from exactsweep import Point, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.check import size, verify
 from exactsweep.check.certificate import CertificateError
 
@@ -126,12 +126,42 @@ def test_loop_that_meets_itself_is_refused() -> None:
 
 
 def test_many_edges_are_refused_at_once() -> None:
-    loop = [[str(k), str(k * k)] for k in range(10**4)] + [["0", str(10**8)]]
-    loop.sort(key=lambda point: point != ["0", "0"])
-    certificate = {**sweep(UNIT, VALLEY).certificate(), "generatrix": loop, "directrix": loop}
+    """Convex corners that are all alone, so that each has to be held against each."""
+    saw = Polygon([*((k, k % 2) for k in range(2 * 10**4)), (0, 9)])
+    turned = Polygon([(-x, -y) for x, y in saw.vertices])
+    loops = {
+        name: [[str(x), str(y)] for x, y in polygon.vertices]
+        for name, polygon in (("generatrix", turned), ("directrix", saw))
+    }
+    certificate = {**sweep(UNIT, VALLEY).certificate(), **loops}
     assert verify(certificate).reason == (
         "too large: to check it would take more than 100000000 steps"
     )
+
+
+def test_certificates_of_many_convex_edges_are_proved() -> None:
+    """Once 10,000 around 10,000 were too many, which take a second."""
+    parabola = [(k, k * k) for k in range(100)]
+    assert verify(sweep(parabola, parabola).certificate(), max_steps=5000).proved
+
+
+def test_places_for_exact_fits_count_in_steps() -> None:
+    """Walls that all go with each other: as many places as pairs, each looked at all along."""
+    n = 10
+
+    def castle(step: int, width: int) -> list[tuple[int, int]]:
+        walls = [(step * k, 0, step * k + width) for k in range(n)]
+        low = [(x, y) for a, y, b in walls for x, y in ((a, 1), (a, y), (b, y), (b, 1))]
+        return [*low[1:-1], (low[-1][0], 9), (0, 9)]
+
+    turned = [(-x, -y) for x, y in castle(4, 2)]
+    s = sweep(turned, castle(4 * n, 2 * n - 2))
+    loops = [s.generatrix, s.directrix, s.trajectory, s.inner, s.outer]
+    least = sum(map(len, loops))
+    certificate = s.certificate()
+    assert verify(certificate).proved
+    steps = next(k for k in range(least, 10**6, 100) if verify(certificate, max_steps=k).proved)
+    assert steps > n * n * len(s.generatrix)
 
 
 def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
