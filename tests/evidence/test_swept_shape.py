@@ -11,7 +11,8 @@ from exactsweep import Point, Polygon, Region, sweep
 from exactsweep.check import classify, verify
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.steps import explain
-from exactsweep.evidence.swept_shape import SweptShape
+from exactsweep.evidence.swept_shape import SweptShape, _number
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN
 
 Ring = list[tuple[int, int]]
@@ -177,3 +178,19 @@ def test_a_bottom_chain_with_a_corner_is_one_mouth() -> None:
     (mouth,) = find_mouths([p if p != (3, 2) else (3, 5) for p in roof], roof)
     assert mouth.bottom == [(4, 6), (3, 5), (2, 6)]
     assert mouth.top == [(2, 6), (3, 2), (4, 6)]
+
+
+def test_features_of_several_holes_are_numbered_as_given() -> None:
+    rings = [
+        [(9, 0), (9, 9), (0, 9), (0, 0)],
+        [(2, 1), (1, 1), (1, 2)],
+        [(5, 3), (5, 5), (3, 5), (3, 3)],
+        [(7, 7), (6, 7), (7, 6)],
+    ]
+    shape, given = Region(rings[0], rings[1:]), [p for ring in rings for p in ring]
+    following = [p for ring in rings for p in ring[1:] + ring[:1]]
+    outline = Outline(shape.lattice()[1])
+    for k, vertex in enumerate(outline.vertices):
+        assert given[_number(shape, outline, k, of_edge=False)] == vertex
+        i = _number(shape, outline, k, of_edge=True)
+        assert {given[i], following[i]} == set(outline.edge(k))

@@ -198,6 +198,9 @@ def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
     points = [(1, -1), (5, 0), (1, 1), (0, 5), (-1, 1), (-5, 0), (-1, -1), (0, -5)]
     star = Polygon([(x + y, 2 * x - 2 * y) for x, y in points])
     assert choose_direction(star, Polygon(UNIT)) == (2, -1)
+    # To (1, 2) and (1, -2).
+    star = Polygon([(2 * x + 2 * y, x - y) for x, y in points])
+    assert choose_direction(star, Polygon(UNIT)) == (1, -2)
 
 
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:

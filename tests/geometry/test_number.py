@@ -14,6 +14,7 @@ from exactsweep.geometry.number import (
     answer_digits,
     format_fraction,
     limits,
+    quote,
     to_fraction,
 )
 
@@ -239,3 +240,11 @@ def test_a_rational_with_the_denominator_zero_is_refused() -> None:
 
     with pytest.raises(NumberError, match=r"has the denominator 0$"):
         to_fraction(Broken(1, 2))
+
+
+def test_what_is_quoted_stands_on_one_line() -> None:
+    class Foreign:
+        def __repr__(self) -> str:
+            return "two\nlines, \u00e9 and \x07"
+
+    assert quote(Foreign()) == "two\\nlines, \u00e9 and \\x07"

@@ -5,6 +5,7 @@ import json
 import pickle
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import chain
 from types import SimpleNamespace
 from typing import Any
 
@@ -216,3 +217,9 @@ def test_a_point_is_a_pair() -> None:
     x, y = point
     assert (x, y) == point == (0.5, 0) < (1, 0)
     assert pickle.loads(pickle.dumps(point)) == point
+
+
+def test_what_a_float_can_be_is_one_in_geojson() -> None:
+    x, y, z = Fraction(1, 2), Fraction(1, 3), Fraction(10**400 + 1, 2)
+    (ring,) = Polygon([(0, 0), (x, 0), (y, z)]).__geo_interface__["coordinates"]
+    assert [*map(repr, chain.from_iterable(ring))] == [*map(repr, [0, 0, 0.5, 0, y, z, 0, 0])]
