@@ -287,12 +287,12 @@ def test_an_exact_fit_in_a_hole_is_not_passed() -> None:
 @pytest.mark.parametrize("d", [SLOT, [(0, 0), (4, 0), (0, 3)]])
 def test_what_blocks_does_not_depend_on_the_size(g: list[Vertex], d: list[Vertex]) -> None:
     small = Fraction(1, 9)
-    shapes = [Outline([shape]) for shape in (g, d)]
-    scaled = [Outline([[(x * small, y * small) for x, y in shape]]) for shape in (g, d)]
+    shapes = Outline([g]), Outline([d])
+    one, other = (Outline([[(x * small, y * small) for x, y in shape]]) for shape in (g, d))
     for position in sweep(g, d).trajectory.vertices:
         for contact in find_contacts(*shapes, (int(position.x), int(position.y))):
             for way in product((-1, 0, 1), (-1, 0, 1)):
-                assert blocks(contact, way, *scaled) == blocks(contact, way, *shapes)
+                assert blocks(contact, way, one, other) == blocks(contact, way, *shapes)
 
 
 def test_an_undercut_is_done_with_where_the_last_of_three_positions_is() -> None:
