@@ -2,12 +2,14 @@
 
 import json
 from fractions import Fraction
+from typing import Any
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, frame, polyominoes, region
 
-from exactsweep import Point, Polygon, Region, sweep
+from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify, verify
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.steps import explain
@@ -194,3 +196,13 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
         assert given[_number(shape, outline, k, of_edge=False)] == vertex
         i = _number(shape, outline, k, of_edge=True)
         assert {given[i], following[i]} == set(outline.edge(k))
+
+
+@pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])
+def test_answers_with_exact_fits_are_proved_for_any_reference_point(reference: Any) -> None:
+    frame = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (3, 2), (3, 3), (0, 3)]
+    n = no_fit_polygon(frame, UNIT, reference=reference)
+    f = inner_fit_polygon([(0, 0), (3, 0), (3, 1), (0, 1)], UNIT, reference=reference)
+    for answer in (n, f):
+        assert len(answer.exact_fits) == 1
+        assert verify(answer.certificate()).proved

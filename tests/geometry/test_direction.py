@@ -13,6 +13,8 @@ from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
     X_AXIS,
     Directions,
+    _find_simplest_between,
+    angle_key,
     choose_direction,
     find_monotone_directions,
     read_direction,
@@ -254,3 +256,15 @@ def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None
     assert members(a & b) == members(b & a)
     assert members((a & b) & c) == members(a & (b & c))
     assert members(a & a) == members(a)
+
+
+def test_the_simplest_between_two_directions_is_strictly_between() -> None:
+    """All directions of small components, by angle; the X axis would have been taken before."""
+    half = [(p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)]
+    half.sort(key=angle_key)
+    for i, u in enumerate(half):
+        for j in range(i + 2, len(half)):
+            between = half[i + 1 : j]
+            if X_AXIS not in between:
+                least = min(between, key=lambda w: w[0] ** 2 + w[1] ** 2)
+                assert _find_simplest_between(u, half[j]) == least, (u, half[j])
