@@ -34,30 +34,33 @@ def on_segment(p: Point, a: Point, b: Point) -> bool:
     return turn == 0 and min(a, b) <= p <= max(a, b)
 
 
-def rings_of(shape: Region) -> list[list[Point]]:
-    """The rings as the caller gave them, here canonical."""
-    return [list(ring) for ring in shape.rings]
+def respell(shape: Region, turns: bool, by: int) -> list[list[Point]]:
+    """The rings from another vertex on, perhaps the other way round."""
+    rings = [[*ring[by % len(ring) :], *ring[: by % len(ring)]] for ring in shape.rings]
+    return [ring[::-1] for ring in rings] if turns else rings
 
 
-def feature(shape: Region, k: int, event: str) -> tuple[Point, ...]:
-    for ring in rings_of(shape):
+def feature(rings: list[list[Point]], k: int, event: str) -> tuple[Point, ...]:
+    for ring in rings:
         if k < len(ring):
             return (ring[k], ring[(k + 1) % len(ring)]) if event == "E" else (ring[k],)
         k -= len(ring)
     raise IndexError(k)
 
 
-@given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
+@given(
+    polyominoes(12, 5),
+    polyominoes(7, 4),
+    st.sampled_from(SHEARS),
+    st.booleans(),
+    st.integers(0, 5),
+)
 @settings(max_examples=60)
 def test_contacts_touch_where_they_are_said_to(
-    d: Cells, g: Cells, matrix: tuple[int, int, int, int]
+    d: Cells, g: Cells, matrix: tuple[int, int, int, int], turns: bool, by: int
 ) -> None:
-    # Read again from canonical vertices, so that features are numbered by these.
-    directrix, generatrix = (
-        Region(shape.exterior.vertices, [hole.vertices for hole in shape.holes])
-        for shape in (region(d, matrix), region(g, matrix))
-    )
-    s = shape_sweep(generatrix, directrix)
+    directrix, generatrix = (respell(region(cells, matrix), turns, by) for cells in (d, g))
+    s = shape_sweep(*(Region(rings[0], rings[1:]) for rings in (generatrix, directrix)))
     for k, t in enumerate(s.trajectory.vertices):
         after = s.trajectory.vertices[(k + 1) % len(s.trajectory)]
         middle = Point((t.x + after.x) / 2, (t.y + after.y) / 2)

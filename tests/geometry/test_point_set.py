@@ -134,10 +134,12 @@ def test_unrelated_denominators_are_mapped_exactly() -> None:
     corners = [(5 + long[0], zero), (9 + zero, long[1]), (zero, 7 + long[2])]
     polygon = Polygon(corners)
     assert polygon.lattice()[0] == 1
-    assert polygon.translated(("1/3", "2/3")) == Polygon(
-        [(x + Fraction(1, 3), y + Fraction(2, 3)) for x, y in corners]
-    )
-    assert polygon.rotated(90) == Polygon([(-y, x) for x, y in corners])
+    moved = polygon.translated(("1/3", "2/3"))
+    assert moved == Polygon([(x + Fraction(1, 3), y + Fraction(2, 3)) for x, y in corners])
+    assert moved.lattice() == (1, moved.vertices)
+    turned = polygon.rotated(90)
+    assert turned == Polygon([(-y, x) for x, y in corners])
+    assert turned.lattice() == (1, turned.vertices)
 
 
 @pytest.mark.parametrize(
