@@ -67,6 +67,11 @@ class Result(NamedTuple):
     seconds: float
     doubts: dict[str, str]  # the tests whose failure was not confirmed, and why
 
+    @property
+    def is_noticed(self) -> bool:
+        """Whether a test fails, or takes too long."""
+        return self.verdict in ("killed", "time")
+
 
 # What is changed: the kernel and the checking side.
 MODULES = [
@@ -212,7 +217,7 @@ def try_mutants(sample: Sequence[Changed], budget: float, workers: int) -> Itera
 @click.option(
     "--results",
     type=click.Path(dir_okay=False, path_type=Path),
-    help="A file of results, as JSON lines; what stands there is not tried again.",
+    help="A file of results, as JSON lines; what is noticed there is not tried again.",
 )
 def main(
     sample: int, seed: int, under: str, budget: float, workers: int, results: Path | None
@@ -232,8 +237,8 @@ def main(
     if results is not None and results.exists():
         for row in map(json.loads, results.read_text().splitlines()):
             known[tuple(row[:3])] = Result(*row[3:])
-    found = {key: known[key] for key in drawn if key in known}
-    left = [key for key in drawn if key not in known]
+    found = {key: known[key] for key in drawn if key in known and known[key].is_noticed}
+    left = [key for key in drawn if key not in found]
     tried = try_mutants([drawn[key] for key in left], budget, workers)
     shown = track(tried, "mutants", len(left), console=Console(stderr=True))
     for key, result in zip(left, shown, strict=True):
@@ -254,7 +259,7 @@ def report(found: Mapping[tuple[str, str, str], Result]) -> bool:
     for doubt, times in doubts.most_common():
         click.echo(f"not counted, {times} times: {doubt}")
     matter = counts.total() - counts["equivalent"]
-    noticed = counts["killed"] + counts["time"]
+    noticed = sum(result.is_noticed for result in found.values())
     click.echo(f"{len(found)} mutants: {dict(counts)}")
     click.echo(f"{noticed} of {matter} that matter are noticed")
     return noticed < matter
