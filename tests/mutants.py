@@ -55,7 +55,7 @@ NEEDED = ("exactsweep", "tests", "benchmarks", "pyproject.toml", "README.md", "L
 LOADED = ("hypothesis.strategies", "rich.table", "rich.progress", "click.testing", "sympy", "numpy")
 
 Changed = tuple[Mutant, bytes]  # with the text of its module
-_Run = Callable[[Changed, Sequence[str]], Trial | None]
+_Run = Callable[[Changed, Sequence[str]], Trial]
 
 
 class Result(NamedTuple):
@@ -111,16 +111,18 @@ class Bench:
         self._equivalent = read_equivalent()
 
     def try_mutant(self, changed: Changed) -> Result:
-        """First the tests for which a function can be changed, then all, with its file changed."""
+        """First the tests for which a function can be changed, then those that import the change."""
         mutant, text = changed
         if why := self._equivalent.get((mutant.path, *mutant.shown(text))):
             return Result("equivalent", "", why, 0, {})
         lines, reach = mutant.lines(text), self._reach
         tests = within(reach.tests_of(mutant.path, lines), reach.seconds, self._budget)
         importing = reach.importing(mutant.path, lines)
-        running = [test for test in tests if test not in importing]
         doubts: dict[str, str] = {}
-        for run, chosen in ((self._run_read, running), (self._run_written, tests)):
+        for run, chosen in (
+            (self._run_read, [test for test in tests if test not in importing]),
+            (self._run_written, [test for test in tests if test in importing]),
+        ):
             if found := self._find(changed, chosen, run, doubts):
                 return Result(*found, doubts)
         return Result("survived", "", "" if tests else "no test reaches it", 0, doubts)
@@ -137,7 +139,7 @@ class Bench:
         while tests := [test for test in tests if test not in doubts]:
             with written(self._tree, mutant, text):
                 hint = run(changed, tests)
-            if hint is None or hint.verdict == "survived":
+            if hint.verdict == "survived":
                 return None
             test = hint.find_test(tests)
             found = self._jury.confirm(mutant, text, test)
@@ -148,8 +150,8 @@ class Bench:
                 tests = tests[tests.index(test) :]
         return None
 
-    def _run_read(self, changed: Changed, tests: Sequence[str]) -> Trial | None:
-        return self._reader.run(*changed, tests)
+    def _run_read(self, changed: Changed, tests: Sequence[str]) -> Trial:
+        return self._reader.run(*changed, tests) or self._run_written(changed, tests)
 
     def _run_written(self, _: Changed, tests: Sequence[str]) -> Trial:
         return run_afresh(self._tree, tests, self._reach.seconds)
