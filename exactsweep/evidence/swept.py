@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -295,18 +294,17 @@ class Swept:
         )
 
 
-@contextmanager
-def pause_collector() -> Iterator[None]:
+class pause_collector:  # noqa: N801
     """Keep the collector from running while many objects are made that refer to one another.
 
     It looks for cycles among all objects each time that their number has grown by some share. The
     kernel makes none, but 100,000 vertices make it look so often that this takes half of the time.
     """
-    if not gc.isenabled():
-        yield
-        return
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.enable()
+
+    def __enter__(self) -> None:
+        self.runs = gc.isenabled()
+        gc.disable()
+
+    def __exit__(self, *error: object) -> None:
+        if self.runs:
+            gc.enable()

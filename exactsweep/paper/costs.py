@@ -166,7 +166,7 @@ def _list_costs() -> Iterator[Cost]:
         yield Cost(row, name, run, MN, family, "n", 32, 128)
     yield Cost("Corollary 4.5", "Trajectory_CM", run_trajectory_cm, MN, wide, "m", 64, 128)
     row, name, run = "Corollary 5.7", "Trajectory_MM", _run_trajectory_mm
-    yield Cost(row, name, run, MN_LOG, figure10, "mn", 8, 16, limit=STEPS)
+    yield Cost(row, name, run, MN_LOG, figure10, "mn", 16, 16, limit=STEPS)
     yield Cost(row, name, run, MN_LOG, figure10, "m", 32, 32, limit=STEPS)
     yield Cost(row, name, run, MN_LOG, figure10, "n", 32, 32, limit=STEPS)
     yield Cost(row, name, run, MN_LOG, mm, "mn", 16, 16, limit=STEPS)

@@ -13,14 +13,18 @@ chain turns left at every vertex. Its slope, "measured clockwise", is meant coun
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
+from itertools import chain as link
 from itertools import pairwise
 from typing import TypeVar
 
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import negate
-from exactsweep.geometry.point import Edge, Vertex
+from exactsweep.geometry.number import divide_exactly, negate
+from exactsweep.geometry.point import Edge, Rational, Vertex
 
 T = TypeVar("T")
+
+SlopedPart = tuple[list[Vertex], list[Rational], list[Vertex]]
+"""A convex part: its points, and of each edge its slope and the vector (dx, dy)."""
 
 
 class ChainError(ExactSweepError):
@@ -64,6 +68,84 @@ def complement(chain: Sequence[Vertex]) -> list[Vertex]:
     return list(reversed(chain))
 
 
+def measure_width(chain: Sequence[Vertex]) -> Rational | None:
+    """The width of a chain from left to right, if all its coordinates are ints. Cost: O(n).
+
+    >>> measure_width([(0, 0), (2, 1), (3, 0)])
+    3
+    """
+    kinds = set(map(type, link.from_iterable(chain)))
+    if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
+        return chain[-1][0] - chain[0][0]
+    return None
+
+
+def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[SlopedPart]:
+    """Split a bottom chain at its reflex vertices into convex parts, with the slopes of edges.
+
+    As `find_convex_parts`, which see. Slopes of edges no wider than w differ by 1 / w^2 at least,
+    if they differ. So, counted in that unit and rounded down, they are ints in the same order, and
+    equal only where the slopes are.
+
+    Args:
+        chain: points from left to right; x must not decrease.
+        unit: how many units of slope one is: w^2, if all is of ints; else None, and the slopes
+            are Fractions.
+
+    Raises:
+        ChainError: x decreases, or never increases.
+
+    Cost: O(m).
+
+    >>> split_by_slope([(0, 0), (1, -2), (2, -1)], 4)
+    [([(0, 0), (1, -2), (2, -1)], [-8, 4], [(1, -2), (1, 1)])]
+    """
+    if not chain:
+        raise ChainError("a chain without points")
+    parts: list[SlopedPart] = []
+    points: list[Vertex] = [chain[0]]
+    slopes: list[Rational] = []
+    edges: list[Vertex] = []
+    px, py = chain[0]
+    for vertex in chain:
+        x, y = vertex
+        dx, dy = x - px, y - py
+        if dx <= 0:
+            if dx < 0:
+                index = next(k for k in range(1, len(chain)) if chain[k][0] < chain[k - 1][0])
+                raise ChainError(
+                    f"point {index} lies left of point {index - 1}: not an X-monotone chain"
+                )
+            if dy == 0:
+                continue
+            # A vertical edge bounds its neighbours from the side only: as functions of x they
+            # jump there, and what the sweep sees of the edge follows from their closed ends.
+            if edges:
+                parts.append((points, slopes, edges))
+            points, slopes, edges = [vertex], [], []
+            px, py = vertex
+            continue
+        slope = divide_exactly(dy, dx) if unit is None else dy * unit // dx
+        if slopes and slope <= slopes[-1]:
+            if slope == slopes[-1]:
+                slopes.pop()
+                points.pop()
+                along, rise = edges.pop()
+                dx, dy = dx + along, dy + rise
+            else:
+                parts.append((points, slopes, edges))
+                points, slopes, edges = [points[-1]], [], []
+        slopes.append(slope)
+        edges.append((dx, dy))
+        points.append(vertex)
+        px, py = x, y
+    if edges:
+        parts.append((points, slopes, edges))
+    if not parts:
+        raise ChainError("a chain of no width: all of its edges are vertical")
+    return parts
+
+
 def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     """Split a bottom chain at its reflex vertices into convex chains without vertical edges.
 
@@ -84,42 +166,8 @@ def find_convex_parts(chain: Sequence[Vertex]) -> list[list[Vertex]]:
     >>> find_convex_parts([(0, 0), (1, -2), (2, -1), (3, -3), (3, -4), (5, -4)])
     [[(0, 0), (1, -2), (2, -1)], [(2, -1), (3, -3)], [(3, -4), (5, -4)]]
     """
-    if not chain:
-        raise ChainError("a chain without points")
-    parts: list[list[Vertex]] = []
-    part: list[Vertex] = [chain[0]]
-    for index in range(1, len(chain)):
-        x, y = vertex = chain[index]
-        px, py = part[-1]
-        dx = x - px
-        if dx <= 0:
-            if dx < 0:
-                raise ChainError(
-                    f"point {index} lies left of point {index - 1}: not an X-monotone chain"
-                )
-            if y == py:
-                continue
-            # A vertical edge bounds its neighbours from the side only: as functions of x they
-            # jump there, and what the sweep sees of the edge follows from their closed ends.
-            if len(part) > 1:
-                parts.append(part)
-            part = [vertex]
-            continue
-        if len(part) > 1:
-            qx, qy = part[-2]
-            turn = (px - qx) * (y - py) - (py - qy) * dx
-            if turn == 0:
-                part[-1] = vertex
-                continue
-            if turn < 0:
-                parts.append(part)
-                part = [part[-1]]
-        part.append(vertex)
-    if len(part) > 1:
-        parts.append(part)
-    if not parts:
-        raise ChainError("a chain of no width: all of its edges are vertical")
-    return parts
+    width = measure_width(chain)
+    return [points for points, _, _ in split_by_slope(chain, width and width * width)]
 
 
 def require_convex(chain: Sequence[Vertex]) -> list[Vertex]:

@@ -14,7 +14,7 @@ edges included: it is zero in one point, on one segment, or nowhere.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import reduce
 from typing import cast
 
@@ -22,7 +22,7 @@ from exactsweep.geometry.number import add_to_all
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope
 from exactsweep.procedures.chain import find_convex_parts, inverse, require_convex, take_corners
-from exactsweep.procedures.convex_part import ConvexPart, count_flatter, split_parts, take_whole
+from exactsweep.procedures.convex_part import count_flatter, measure_unit, split_parts, take_whole
 from exactsweep.procedures.envelope import (
     Break,
     Envelope,
@@ -54,7 +54,7 @@ def trajectory_cm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_cm([(1, 0), (0, 0)], [(0, 0), (2, 2), (4, 0)]))
     (-1, 0) (0, 0) (3/2, 3/2) (3, 0) (4, 0)
     """
-    return sweep_parts(require_convex(inverse(generatrix)), split_parts(directrix))
+    return sweep_parts(inverse(generatrix), directrix)
 
 
 def sweep_outer_cm(
@@ -72,19 +72,18 @@ def sweep_outer_cm(
     (-1, 0) (1, 0) (2, 1) (3, 0) (5, 0)
     """
     top, bottom = require_convex(inverse(generatrix_top)), require_convex(generatrix_bottom)
-    return sweep_parts(merge_by_slope(top, bottom), split_parts(directrix))
+    return sweep_parts(merge_by_slope(top, bottom), directrix)
 
 
-def sweep_parts(
-    edges: Sequence[Vertex], parts: Iterable[ConvexPart], first_source: int = 0
-) -> Envelope:
+def sweep_parts(edges: Sequence[Vertex], directrix: Sequence[Vertex] | Envelope) -> Envelope:
     """Step 2: solve the CC sweep of each convex part and take the lower envelope.
 
     The edges of reversed G_t (or of reversed G_t and G_b) come as one convex chain.
     """
-    chain = take_whole(edges)
-    pieces = (part.sweep(chain, source) for source, part in enumerate(parts, first_source))
-    return reduce(lower_envelope_cm, pieces)
+    unit = measure_unit(edges, directrix)
+    chain = take_whole(edges, unit)
+    pieces = (part.sweep(chain, k) for k, part in enumerate(split_parts(directrix, unit)))
+    return reduce(lower_envelope_cm, filter(None, pieces))
 
 
 def sweep_inner_cm(

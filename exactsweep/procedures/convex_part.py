@@ -18,31 +18,29 @@ What matters of T(G_t, D_i), the sum of a part c of reversed G_t and a part p = 
     (5)  At a convex end of both, on the lattice, or at a lower end than the neighbour's, p has to
          be turned about; so it has at the ends of D_b.
 
-In an MM sweep what matters of a pair is the edges whose slopes lie between the ends of both parts,
-which for most pairs of real outlines is nothing.
+So what matters of a pair is the edges with slopes between the ends of both parts, which in an MM
+sweep of real outlines is nothing for most pairs. Slopes are ints (see `split_by_slope`), so that
+edges are found and merged without products.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 from math import inf
 from operator import itemgetter
 from typing import NamedTuple, cast
 
+from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import find_convex_parts
-from exactsweep.procedures.envelope import Break, Envelope, Piece, bound_slope, take_edges
+from exactsweep.procedures.chain import measure_width, require_convex, split_by_slope
+from exactsweep.procedures.envelope import Break, Envelope, Piece
 
 Box = tuple[Rational, Rational, Rational]
 """Bounds of a convex part: (left, right, low), of its x-range and its least y, rounded to ints."""
 
-Slopes = tuple[Rational | float, Rational | float]
-"""Bounds of the slopes in which a convex part matters: (flattest, steepest).
-
-They are ints as `bound_slope` gives them, or infinite where the other polygon turns about an end of
-the part.
-"""
+Slope = Rational | float
+"""Of an edge, as `split_by_slope` has it, or infinite."""
 
 _height = itemgetter(1)
 
@@ -52,80 +50,83 @@ class ConvexPart(NamedTuple):
 
     Attributes:
         points: its vertices, the end edges whole.
-        left: the break on the first edge from which on it holds.
+        left: the break on the first edge from which on it holds; None if that is its start.
         right: the same on the last edge.
-        turns_left: whether the other polygon has to turn about the left end, (5).
-        turns_right: the same for the right end.
-        edges: its edges as pieces.
+        flattest: the slope from which on it matters: of its first edge, or infinite where the other
+            polygon has to turn about the left end, (5).
+        steepest: the same for the right end.
+        slopes: of its edges, ascending.
+        edges: each as a vector.
     """
 
     points: Sequence[Vertex]
-    left: Break
-    right: Break
-    turns_left: bool
-    turns_right: bool
-    edges: Sequence[Piece]
+    left: Break | None
+    right: Break | None
+    flattest: Slope
+    steepest: Slope
+    slopes: Sequence[Rational]
+    edges: list[Vertex]
 
     @property
     def box(self) -> Box:
         """Its box."""
-        return (*self.x_range, min(self.points, key=_height)[1])
+        return (*self.x_range, min(map(_height, self.points)))
 
     @property
     def x_range(self) -> tuple[Rational, Rational]:
         """Its x-range, rounded outwards to ints."""
-        return round_outwards(self.left, self.right)
+        points = self.points
+        return round_outwards(self.left or (points[0][0], 1), self.right or (points[-1][0], 1))
 
-    @property
-    def slopes(self) -> Slopes:
-        """The slopes in which it matters."""
-        return bound_slopes(self.edges, self.turns_left, self.turns_right)
-
-    def sweep(self, chain: ConvexPart, source: int) -> Envelope:
+    def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
         Args:
             chain: the part of G_t, not cut.
             source: the number of what is swept.
 
-        Returns an envelope, which has no pieces if nothing matters. Cost: O(m_i + n_t).
+        Returns an envelope; None if nothing matters. Cost: O(m_i + n_t).
         """
-        points, (left, left_d), (right, right_d), turns_left, turns_right, own = self
-        origins, _, _, chain_left, chain_right, others = chain
+        points, left, right, flattest, steepest, slopes, edges = self
+        origins, _, _, chain_flattest, chain_steepest, chain_slopes, others = chain
         i, last_i, j, last_j = _find_what_matters(
-            own, turns_left, turns_right, others, chain_left, chain_right
+            slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
         )
+        if i >= last_i and j >= last_j:
+            return None
         (x, y), (ox, oy) = points[i], origins[j]
         x += ox
         y += oy
         # Whole, an end edge goes beyond the break; it may have been left out for its slope, (4).
-        cuts_left = i == 0 < last_i and left != points[0][0] * left_d
-        cuts_right = i < last_i == len(own) and right != points[-1][0] * right_d
-        breaks: list[Break] = [(left + ox * left_d, left_d) if cuts_left else (x, 1)]
-        pieces: list[Piece] = []
+        breaks: list[Break] = [(x, 1)]
+        if left is not None and i == 0 < last_i:
+            n, d = left
+            breaks = [(n + ox * d, d)]
+        cuts_right = right is not None and i < last_i == len(edges)
+        merged: list[Vertex] = []
         while i < last_i and j < last_j:  # (1)
-            dx, dy, _, _, _ = own[i]
-            edx, edy, _, _, _ = others[j]
-            turn = edx * dy - edy * dx
-            if turn > 0:
-                dx, dy = edx, edy
+            turn = slopes[i] - chain_slopes[j]
+            if turn < 0:
+                merged.append(edges[i])
+                i += 1
+            elif turn > 0:
+                merged.append(others[j])
                 j += 1
             else:
+                (dx, dy), (along, rise) = edges[i], others[j]
+                merged.append((dx + along, dy + rise))
                 i += 1
-                if turn == 0:
-                    dx, dy = dx + edx, dy + edy
-                    j += 1
-            pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
-            x += dx
-            y += dy
-            breaks.append((x, 1))
-        for dx, dy, _, _, _ in own[i:last_i] or others[j:last_j]:
+                j += 1
+        merged += edges[i:last_i] or others[j:last_j]
+        pieces: list[Piece] = []
+        for dx, dy in merged:
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
             x += dx
             y += dy
             breaks.append((x, 1))
         if cuts_right:
-            breaks[-1] = right + (x - points[-1][0]) * right_d, right_d
+            n, d = cast(Break, right)
+            breaks[-1] = n + (x - points[-1][0]) * d, d
         return Envelope(breaks, pieces)
 
 
@@ -135,19 +136,21 @@ class CrossingPart(NamedTuple):
     Attributes:
         edges: its edges as pieces.
         breaks: edge k holds from break k to break k + 1.
-        turns_left: whether the other polygon has to turn about the left end, (5).
-        turns_right: the same for the right end.
+        flattest: as of a `ConvexPart`.
+        steepest: the same.
+        slopes: of its edges, ascending.
     """
 
     edges: Sequence[Piece]
     breaks: Sequence[Break]
-    turns_left: bool
-    turns_right: bool
+    flattest: Slope
+    steepest: Slope
+    slopes: Sequence[Rational]
 
     @property
     def box(self) -> Box:
         """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
-        edges, breaks, _, _ = self
+        edges, breaks = self.edges, self.breaks
         lows = [
             (dy * n + c * d) // (dx * d)
             for (dx, dy, c, _, _), (n, d) in zip((*edges, edges[-1]), breaks, strict=True)
@@ -159,12 +162,7 @@ class CrossingPart(NamedTuple):
         """Its x-range, rounded outwards to ints."""
         return round_outwards(self.breaks[0], self.breaks[-1])
 
-    @property
-    def slopes(self) -> Slopes:
-        """The slopes in which it matters."""
-        return bound_slopes(self.edges, self.turns_left, self.turns_right)
-
-    def sweep(self, chain: ConvexPart, source: int) -> Envelope:
+    def sweep(self, chain: ConvexPart, source: int) -> Envelope | None:
         """The CC sweep of a part of reversed G_t along this part, as far as it matters.
 
         An edge is moved by a vertex of G; an edge of G by a crossing (x/w, y/w), which makes its
@@ -172,31 +170,32 @@ class CrossingPart(NamedTuple):
 
         Arguments, result and cost as for `ConvexPart.sweep`.
         """
-        own, breaks, turns_left, turns_right = self
-        points, _, _, chain_left, chain_right, steps = chain
+        own, breaks, flattest, steepest, slopes = self
+        points, _, _, chain_flattest, chain_steepest, chain_slopes, others = chain
         first, last, at, end = _find_what_matters(
-            own, turns_left, turns_right, steps, chain_left, chain_right
+            slopes, flattest, steepest, chain_slopes, chain_flattest, chain_steepest
         )
+        if first >= last and at >= end:
+            return None
         n, d = breaks[first]
         pieces: list[Piece] = []
         found: list[Break] = [(n + points[at][0] * d, d)]
         for k in range(first, last + 1):
             # About vertex k, G turns up to the slope of edge k, in the end up to its own last edge.
-            dx, dy, c, _, _ = own[k] if k < len(own) else own[-1]
-            start = at
-            while at < end and (k == last or steps[at][1] * dx < steps[at][0] * dy):
-                at += 1
-            if at > start:
+            stop = bisect_left(chain_slopes, slopes[k], at, end) if k < last else end
+            if stop > at:
                 n, d = breaks[k]
+                dx, dy, c, _, _ = own[k] if k < len(own) else own[-1]
                 x, y, w = n * dx, dy * n + c * d, dx * d
-                for (ex, ey, ec, _, _), (px, _) in zip(
-                    steps[start:at], points[start + 1 : at + 1], strict=True
-                ):
-                    pieces.append((ex * w, ey * w, ec * w + y * ex - x * ey, None, source))
-                    found.append((n + px * d, d))
+                for (ex, ey), (px, py) in zip(others[at:stop], points[at:stop], strict=True):
+                    c = (py * w + y) * ex - (px * w + x) * ey
+                    pieces.append((ex * w, ey * w, c, None, source))
+                    found.append((n + (px + ex) * d, d))
+                at = stop
             if k < last:
+                dx, dy, c, _, _ = own[k]
                 px, py = points[at]
-                if at < end and steps[at][1] * dx == steps[at][0] * dy:
+                if at < end and chain_slopes[at] == slopes[k]:
                     at += 1
                 pieces.append((dx, dy, c + py * dx - px * dy, None, source))
                 n, d = breaks[k + 1]
@@ -210,55 +209,27 @@ def round_outwards(start: Break, end: Break) -> tuple[Rational, Rational]:
     return n // d, -(-m // e)
 
 
-def bound_slopes(edges: Sequence[Piece], turns_left: bool, turns_right: bool) -> Slopes:
-    """The slopes in which a convex part of some edges matters. Cost: O(1)."""
-    return (
-        -inf if turns_left else bound_slope(edges[0]),
-        inf if turns_right else bound_slope(edges[-1]),
-    )
-
-
 def _find_what_matters(
-    own: Sequence[Piece],
-    turns_left: bool,
-    turns_right: bool,
-    others: Sequence[Piece],
-    chain_left: bool,
-    chain_right: bool,
+    slopes: Sequence[Rational],
+    flattest: Slope,
+    steepest: Slope,
+    chain_slopes: Sequence[Rational],
+    chain_flattest: Slope,
+    chain_steepest: Slope,
 ) -> tuple[int, int, int, int]:
-    """Which edges of a part and of a part of reversed G_t matter.
-
-    Args:
-        own: the edges of the part.
-        turns_left: whether the other polygon has to turn about its left end, (5).
-        turns_right: the same for its right end.
-        others: the edges of the part of reversed G_t.
-        chain_left: whether the other polygon has to turn about its left end.
-        chain_right: the same for its right end.
+    """Which edges of a part and of a part of reversed G_t matter, by what their attributes say.
 
     Returns (first of the part, first that does not matter after it, the same two of the other).
     """
-    i, last_i, j, last_j = 0, len(own), 0, len(others)
-    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[0], others[0]
-    turn = edx * dy - edy * dx
-    if turn > 0 and not turns_left:  # (2)
-        j = 1
-        while j < last_j and others[j][1] * dx < others[j][0] * dy:
-            j += 1
-    elif turn < 0 and not chain_left:  # (4)
-        i = 1
-        while i < last_i and own[i][1] * edx < own[i][0] * edy:
-            i += 1
-    (dx, dy, _, _, _), (edx, edy, _, _, _) = own[-1], others[-1]
-    turn = edx * dy - edy * dx
-    if turn < 0 and not turns_right:  # (3)
-        last_j -= 1
-        while j < last_j and others[last_j - 1][1] * dx > others[last_j - 1][0] * dy:
-            last_j -= 1
-    elif turn > 0 and not chain_right:  # (4)
-        last_i -= 1
-        while i < last_i and own[last_i - 1][1] * edx > own[last_i - 1][0] * edy:
-            last_i -= 1
+    i, last_i, j, last_j = 0, len(slopes), 0, len(chain_slopes)
+    if flattest > chain_flattest:  # (2)
+        j = bisect_left(chain_slopes, flattest)
+    elif flattest < chain_flattest:  # (4)
+        i = bisect_left(slopes, chain_flattest)
+    if steepest < chain_steepest:  # (3)
+        last_j = bisect_right(chain_slopes, steepest)
+    elif steepest > chain_steepest:  # (4)
+        last_i = bisect_right(slopes, chain_steepest)
     return i, last_i, j, last_j
 
 
@@ -275,29 +246,50 @@ def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
     return low
 
 
-def take_whole(chain: Sequence[Vertex]) -> ConvexPart:
-    """A strictly convex chain as the only part. Cost: O(n)."""
-    return ConvexPart(chain, (chain[0][0], 1), (chain[-1][0], 1), True, True, take_edges(chain))
+def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> Rational | None:
+    """The unit in which the slopes of chains or envelopes are ints, for `split_parts`.
+
+    None if there are others than ints. Cost: O(n).
+    """
+    widths = [d.widest if isinstance(d, Envelope) else measure_width(d) for d in directrices]
+    return None if None in widths else max(cast("list[Rational]", widths)) ** 2
 
 
-def split_chain(chain: Sequence[Vertex]) -> list[ConvexPart]:
+def take_whole(chain: Sequence[Vertex], unit: Rational | None) -> ConvexPart:
+    """A convex chain as the only part. Raises ChainError when it is not convex. Cost: O(n)."""
+    part, *others = split_chain(chain, unit)
+    if others:
+        require_convex(chain)
+    return part
+
+
+def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPart]:
     """Step 1: the convex parts of a bottom chain, from left to right.
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
-    parts = find_convex_parts(chain)
-    # Not zero at a wall, of which the lower end has to be turned about.
-    rises = [after[0][1] - before[-1][1] for before, after in pairwise(parts)]
-    return [
-        ConvexPart(part, (part[0][0], 1), (part[-1][0], 1), before < 0, after > 0, take_edges(part))
-        for part, before, after in zip(parts, [-1, *rises], [*rises, 1], strict=True)
-    ]
+    found = split_by_slope(chain, unit)
+    parts: list[ConvexPart] = []
+    # What joins two parts is a vertex, or a wall, of which the lower end has to be turned about.
+    falls = True
+    for k, (points, slopes, edges) in enumerate(found, 1):
+        flattest: Slope = -inf if falls else slopes[0]
+        rises, falls = k == len(found), False
+        if not rises:
+            end, start = points[-1][1], found[k][0][0][1]
+            rises, falls = start > end, start < end
+        steepest: Slope = inf if rises else slopes[-1]
+        parts.append(ConvexPart(points, None, None, flattest, steepest, slopes, edges))
+    return parts
 
 
-def split_envelope(envelope: Envelope) -> Iterator[CrossingPart]:
+def split_envelope(envelope: Envelope, unit: Rational | None) -> Iterator[CrossingPart]:
     """Step 1: the convex parts of an envelope without gaps, from left to right. Cost: O(m)."""
     breaks, pieces = envelope.breaks, envelope.pieces
-    first, turns_left = 0, True
+    slopes: list[Rational] = [
+        divide_exactly(dy, dx) if unit is None else dy * unit // dx for dx, dy, _, _, _ in pieces
+    ]
+    first, flattest = 0, cast(Slope, -inf)
     adx, ady, ac, _, _ = pieces[0]
     for k in range(1, len(pieces)):
         bdx, bdy, bc, _, _ = pieces[k]
@@ -305,13 +297,15 @@ def split_envelope(envelope: Envelope) -> Iterator[CrossingPart]:
         u = ady * bdx - bdy * adx
         above = u * n + (ac * bdx - bc * adx) * d
         if above != 0 or u >= 0:
-            yield CrossingPart(pieces[first:k], breaks[first : k + 1], turns_left, above < 0)
-            first, turns_left = k, above > 0
+            steepest = inf if above < 0 else slopes[k - 1]
+            own = slopes[first:k]
+            yield CrossingPart(pieces[first:k], breaks[first : k + 1], flattest, steepest, own)
+            first, flattest = k, -inf if above > 0 else slopes[k]
         adx, ady, ac = bdx, bdy, bc
-    yield CrossingPart(pieces[first:], breaks[first:], turns_left, True)
+    yield CrossingPart(pieces[first:], breaks[first:], flattest, inf, slopes[first:])
 
 
-def split_parts(directrix: Sequence[Vertex] | Envelope) -> list[ConvexPart]:
+def split_parts(directrix: Sequence[Vertex] | Envelope, unit: Rational | None) -> list[ConvexPart]:
     """Step 1: the convex parts of a bottom chain, or of an envelope of edges on the lattice.
 
     A crossing in a lower envelope is concave, so that it ends a part: with the edges that it cuts
@@ -324,15 +318,16 @@ def split_parts(directrix: Sequence[Vertex] | Envelope) -> list[ConvexPart]:
         >>> e = Envelope.of([(0, 0), (3, 1)])
         >>> print(lower_envelope_cm(e, Envelope.of([(1, 2), (4, -1)])))
         (0, 0) (9/4, 3/4) (4, -1)
-        >>> [part.points for part in split_parts(e)]
+        >>> [part.points for part in split_parts(e, measure_unit(e))]
         [[(0, 0), (3, 1)], [(1, 2), (4, -1)]]
     """
     if not isinstance(directrix, Envelope):
-        return split_chain(directrix)
+        return split_chain(directrix, unit)
     parts = []
-    for edges, breaks, turns_left, turns_right in split_envelope(directrix):
-        points = [cast(Vertex, start) for _, _, _, start, _ in edges]
-        (x, y), (dx, dy, _, _, _) = points[-1], edges[-1]
+    for pieces, breaks, flattest, steepest, slopes in split_envelope(directrix, unit):
+        points = [cast(Vertex, start) for _, _, _, start, _ in pieces]
+        (x, y), (dx, dy, _, _, _) = points[-1], pieces[-1]
         points.append((x + dx, y + dy))
-        parts.append(ConvexPart(points, breaks[0], breaks[-1], turns_left, turns_right, edges))
+        edges = [(dx, dy) for dx, dy, _, _, _ in pieces]
+        parts.append(ConvexPart(points, breaks[0], breaks[-1], flattest, steepest, slopes, edges))
     return parts

@@ -16,7 +16,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from exactsweep.geometry.number import divide_exactly, ratio
 from exactsweep.geometry.point import Edge, Rational, Vertex
@@ -37,8 +37,6 @@ It is of the edge from `start` to start + (dx, dy), or of one whose ends are not
 
 GAP: Piece = (0, 0, 1, None, -1)
 """Where there is no chain: the line at infinity, above all others, of chain -1."""
-
-_SLOPE_UNITS = 2**32
 
 
 class Envelope:
@@ -82,6 +80,14 @@ class Envelope:
         """Of each piece the number of the chain that it comes from."""
         return [piece[4] for piece in self.pieces]
 
+    @property
+    def widest(self) -> Rational | None:
+        """The width of its widest edge, if all edges are of ints. Cost: O(n)."""
+        steps = [piece[:2] for piece in self.pieces]
+        if all(issubclass(kind, int) for kind in set(map(type, chain.from_iterable(steps)))):
+            return max(steps)[0]
+        return None
+
     def point(self, k: int, at: Break) -> Vertex:
         """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
         return find_point(self.pieces[k], at)
@@ -104,7 +110,8 @@ class Envelope:
 
         The break lies on the last piece or where it starts. Cost: O(pieces appended).
         """
-        if last == len(chain.pieces) or not precedes(chain.breaks[last], end):
+        (n, d), (m, e) = chain.breaks[last], end
+        if n * e >= m * d:
             last -= 1
         if last >= first:
             self.pieces += chain.pieces[first : last + 1]
@@ -172,19 +179,27 @@ class Envelope:
         breaks, pieces = self.breaks, self.pieces
         before = pieces[0]
         found = [find_point(before, breaks[0])]
-        adx, ady, ac, _, _ = before
         for piece, at in zip(pieces[1:], breaks[1:], strict=False):
             bdx, bdy, bc, start, _ = piece
             n, d = at
+            adx, ady, ac, begin, _ = before
             u = ady * bdx - bdy * adx
-            step = u * n + (ac * bdx - bc * adx) * d
-            if step:
-                found.append(find_point(before, at))
-            if step or u:
-                if start is None or n != start[0] * d:
-                    start = find_point(piece, at)
+            if (
+                u
+                and start is not None
+                and begin is not None
+                and n == start[0] * d
+                and start == (begin[0] + adx, begin[1] + ady)
+            ):
+                # Mostly a whole edge follows another one.
                 found.append(start)
-            before, adx, ady, ac = piece, bdx, bdy, bc
+            else:
+                step = u * n + (ac * bdx - bc * adx) * d
+                if step:
+                    found.append(find_point(before, at))
+                if step or u:
+                    found.append(find_point(piece, at))
+            before = piece
         found.append(find_point(before, breaks[-1]))
         return iter(found)
 
@@ -227,14 +242,6 @@ def find_point_on(edge: Edge, at: Break) -> Vertex:
 def cross(start: Vertex, end: Vertex, piece: Piece) -> Rational:
     """Positive when start to end is steeper than a piece, zero when parallel. Cost: O(1)."""
     return piece[0] * (end[1] - start[1]) - piece[1] * (end[0] - start[0])
-
-
-def bound_slope(piece: Piece) -> Rational:
-    """The slope of a line in units of 2**-32, rounded down to an int.
-
-    One that is greater than another's is the slope of a steeper line.
-    """
-    return piece[1] * _SLOPE_UNITS // piece[0]
 
 
 def height(first: Piece, second: Piece, at: Break) -> Rational:

@@ -50,29 +50,28 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
-    breaks, piece_breaks = partial.breaks, piece.breaks
-    (first, first_d), (n, d) = breaks[0], breaks[-1]
+    piece_breaks = piece.breaks
+    (first, first_d), end = partial.breaks[0], partial.breaks[-1]
     (start, start_d), (last, last_d) = piece_breaks[0], piece_breaks[-1]
+    n, d = end
     over = n * start_d - start * d
     if start * first_d < first * start_d or over < 0:
         raise ChainError("the piece does not start over the partial trajectory")
     i, j = len(partial.pieces) - 1, 0
     if last * d < n * last_d:
-        i, j = partial.edge_before(piece_breaks[-1]), len(piece.pieces) - 1
-        takeover = _find_takeover(partial, i, piece, j, piece_breaks[-1])
-        if takeover is not None:
-            partial.replace_end(*takeover)
+        end = piece_breaks[-1]
+        _take_over(partial, partial.edge_before(end), piece, len(piece.pieces) - 1, end)
         return partial
     if over > 0:
-        if precedes(piece_breaks[1], breaks[-1]):
-            j = piece.edge_before(breaks[-1], 1)
-        takeover = _find_takeover(partial, i, piece, j, breaks[-1])
-        if takeover is not None:
-            partial.replace_end(*takeover)
+        m, e = piece_breaks[1]
+        if m * d < n * e:
+            j = piece.edge_before(end, 1)
+            m, e = piece_breaks[j + 1]
+        if _take_over(partial, i, piece, j, end):
             return partial
-        if not precedes(breaks[-1], piece_breaks[j + 1]):
+        if m * d <= n * e:
             j += 1
-    partial.replace_end(i + 1, breaks[-1], piece, j)
+    partial.replace_end(i + 1, end, piece, j)
     return partial
 
 
@@ -97,13 +96,10 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
 # Each round ends the walk or takes one from i, from j or from both.
 
 
-def _find_takeover(
-    partial: Envelope, i: int, piece: Envelope, j: int, end: Break
-) -> tuple[int, Break, Envelope, int] | None:
-    """Find where the piece takes over, both being on their edges i and j just left of `end`.
+def _take_over(partial: Envelope, i: int, piece: Envelope, j: int, end: Break) -> bool:
+    """Let the piece take over, both being on their edges i and j just left of `end`.
 
-    Returns what `Envelope.replace_end` takes: the number of edges of the partial trajectory that
-    are kept, the break, the piece, and its edge there; None if (1) does not hold at the end.
+    Returns whether it did: not if (1) does not hold at the end.
     """
     breaks, piece_breaks = partial.breaks, piece.breaks
     edges, piece_edges = partial.pieces, piece.pieces
@@ -111,31 +107,39 @@ def _find_takeover(
     bdx, bdy, bc, _, _ = piece_edges[j]
     u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
     if u * end[0] + v * end[1] <= 0:
-        return None
+        return False
     while True:
-        mine, others = breaks[i], piece_breaks[j]
-        order = others[0] * mine[1] - mine[0] * others[1]
-        n, d = at = others if order > 0 else mine
+        n, d = at = breaks[i]
+        m, e = others = piece_breaks[j]
+        order = m * d - n * e
+        if order > 0:
+            n, d = at = others
         above = u * n + v * d
         if above < 0:  # (2)
-            return i + 1, find_crossing(u, v), piece, j
+            i, at = i + 1, find_crossing(u, v)
+            break
         if order > 0:
             if above == 0 or j == 0:  # (3), (4)
-                return i + 1, at, piece, j
+                i += 1
+                break
         else:
             if above == 0 or i == 0:  # (3), (5)
-                return i, at, piece, j
+                break
             i -= 1  # (6)
             adx, ady, ac, _, _ = edges[i]
             u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
             if u * n + v * d <= 0:
-                return i + 1, at, piece, j
+                i += 1
+                break
         if order >= 0:  # (7)
             if j == 0:
-                return i + 1, at, piece, j
+                i += 1
+                break
             j -= 1
             bdx, bdy, bc, _, _ = piece_edges[j]
             u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+    partial.replace_end(i, at, piece, j)
+    return True
 
 
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
@@ -202,38 +206,41 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
     size_a, size_b = len(a_pieces), len(b_pieces)
     adx, ady, ac, _, _ = a_pieces[i]
     bdx, bdy, bc, _, _ = b_pieces[j]
+    (a_n, a_d), (b_n, b_d) = a_breaks[i + 1], b_breaks[j + 1]
     changes: list[tuple[Break, int, int]] = []
-    at = n, d
     while True:
         u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-        at_start = u * n + v * d
-        begin = at
-        (n, d), (m, e) = end_a, end_b = a_breaks[i + 1], b_breaks[j + 1]
-        order = n * e - m * d
-        at = end_a
+        s = u * n + v * d
+        order = a_n * b_d - b_n * a_d
         if order > 0:
-            n, d = at = end_b
-        at_end = u * n + v * d
-        if not on_first:
-            at_start, at_end = -at_start, -at_end
-        if at_start >= 0 and (at_start or at_end > 0):  # (3)
-            changes.append((begin, i, j))
-            on_first = not on_first
-            at_end = -at_end
-        if at_end > 0:  # (4)
-            changes.append((find_crossing(u, v), i, j))
-            on_first = not on_first
+            n, d = b_n, b_d
+        else:
+            n, d = a_n, a_d
+        e = u * n + v * d
+        if (s >= 0 or e > 0) if on_first else (s <= 0 or e < 0):
+            if not on_first:
+                s, e = -s, -e
+            if s > 0 or s == 0 < e:  # (3)
+                mine, others = a_breaks[i], b_breaks[j]
+                changes.append((others if precedes(mine, others) else mine, i, j))
+                on_first = not on_first
+                e = -e
+            if e > 0:  # (4)
+                changes.append((find_crossing(u, v), i, j))
+                on_first = not on_first
         if order <= 0:
             i += 1
             if i == size_a:
                 j += order == 0
                 break
             adx, ady, ac, _, _ = a_pieces[i]
+            a_n, a_d = a_breaks[i + 1]
         if order >= 0:
             j += 1
             if j == size_b:
                 break
             bdx, bdy, bc, _, _ = b_pieces[j]
+            b_n, b_d = b_breaks[j + 1]
     # What has ended cannot be own any more.
     if on_first == (i == size_a):
         changes.append(((n, d), i, j))

@@ -20,7 +20,7 @@ from collections.abc import Sequence
 
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.convex_part import split_parts
+from exactsweep.procedures.convex_part import measure_unit, split_chain, split_parts
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm_inner import inner_mm
 from exactsweep.procedures.part_pairs import sweep_pairs
@@ -47,7 +47,8 @@ def trajectory_mm(generatrix: Sequence[Vertex], directrix: Sequence[Vertex] | En
     >>> print(trajectory_mm([(2, 1), (1, 0), (0, 1)], [(0, 0), (1, 1), (2, 0)]))
     (-2, -1) (-1, 0) (0, -1) (1, 0) (2, -1)
     """
-    return sweep_pairs(split_parts(inverse(generatrix)), split_parts(directrix))
+    unit = measure_unit(inverted := inverse(generatrix), directrix)
+    return sweep_pairs(split_chain(inverted, unit), split_parts(directrix, unit))
 
 
 def sweep_mm(

@@ -26,8 +26,9 @@ from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, take_corners
 from exactsweep.procedures.convex_part import (
     count_flatter,
+    measure_unit,
+    split_chain,
     split_envelope,
-    split_parts,
 )
 from exactsweep.procedures.envelope import (
     Break,
@@ -139,9 +140,9 @@ def inner_mm(
     open_spans = [((-n, d), (-m, e)) for (m, e), (n, d) in reversed(find_gaps(trajectory, parts))]
     if not open_spans:
         return take_corners(directrix)
-    chains = split_parts(inverse(generatrix_top))
-    inside = take_inside(trajectory)
-    slots = list(split_envelope(inside))
+    inside, reversed_top = take_inside(trajectory), inverse(generatrix_top)
+    unit = measure_unit(reversed_top, inside)
+    chains, slots = split_chain(reversed_top, unit), list(split_envelope(inside, unit))
 
     def guess() -> Iterator[tuple[int, int]]:
         # The part of G_t that draws the trajectory likely reaches deepest into the gap beside it.

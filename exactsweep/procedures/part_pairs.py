@@ -5,8 +5,7 @@ of a trajectory nothing matters but what lies over gaps. If many pairs are left,
 come near the envelope. So its x-range is cut into strips of equal width,
 each with an upper bound of an envelope already computed; a sub-trajectory whose least y is no less
 than the bounds of all strips that it crosses is nowhere below that envelope, and need not be made.
-Heights of the envelope are rounded upwards to ints and those of the boxes downwards; slopes are all
-rounded downwards, which keeps their order except for ties, and ties count as in common.
+Heights of the envelope are rounded upwards to ints and those of the boxes downwards.
 """
 
 from __future__ import annotations
@@ -106,7 +105,7 @@ class Ceiling:
         n, d = at
         return int((n // d - self.start) // self.width)
 
-    def find_reaching(self, part: Box, boxes: Boxes, numbers: list[int]) -> list[int]:
+    def find_reaching(self, part: Box, boxes: Boxes, numbers: Sequence[int]) -> list[int]:
         """Which boxes give a sum with that of a part that comes below the ceiling.
 
         Args:
@@ -189,12 +188,10 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    if gaps is None and len(rows) * len(columns) <= FEW_PAIRS:
-        facing = [list(range(len(columns)))] * len(rows)
-    else:
-        facing = find_facing(rows, columns)
+    asked: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
     if gaps is not None:
-        facing = keep_over(gaps, facing, rows, columns)
+        asked = keep_over(gaps, rows, columns)
+    facing = asked if len(rows) * len(columns) <= FEW_PAIRS else find_facing(asked, rows, columns)
 
     def sweep_row(i: int, numbers: Iterable[int]) -> Iterable[Envelope]:
         """The runs of one row, with some of the columns."""
@@ -202,7 +199,7 @@ def sweep_pairs(
         for k in numbers:
             chain, part = (k, i) if exchanged else (i, k)
             piece = parts[part].sweep(chains[chain], chain * len(parts) + part)
-            if piece.pieces and not (runs and add_to_run(runs[-1], piece)):
+            if piece is not None and not (runs and add_to_run(runs[-1], piece)):
                 runs.append(piece)
         return runs if gaps is None else filter(None, [run.keep(gaps) for run in runs])
 
@@ -213,7 +210,9 @@ def sweep_pairs(
     row_boxes, boxes = Boxes.of(rows).boxes, Boxes.of(columns)
     span = row_boxes[0][0] + boxes.lefts[0], row_boxes[-1][1] + boxes.rights[-1]
 
-    def sweep_batch(envelope: Envelope | None, batch: Mapping[int, list[int]]) -> Envelope | None:
+    def sweep_batch(
+        envelope: Envelope | None, batch: Mapping[int, Sequence[int]]
+    ) -> Envelope | None:
         runs: list[Envelope] = []
         ceiling = None
         if envelope is not None:
@@ -232,7 +231,7 @@ def sweep_pairs(
         guessed = {(k, i) if exchanged else (i, k) for i, k in guess()}
         likely = {i: [k for k in facing[i] if (i, k) in guessed] for i in order}
         envelope = sweep_batch(envelope, likely)
-    batch: dict[int, list[int]] = {}
+    batch: dict[int, Sequence[int]] = {}
     size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
     for i in order:
         if batch and pairs + len(facing[i]) > size:
@@ -245,33 +244,35 @@ def sweep_pairs(
     return envelope
 
 
-def find_facing(rows: Parts, columns: Parts) -> list[list[int]]:
-    """For each row the numbers of the columns that may have slopes in common. Cost: O(m n)."""
-    slopes = [column.slopes for column in columns]
+def find_facing(asked: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> list[list[int]]:
+    """Of the columns asked about for each row, those with slopes in common.
+
+    Cost: O(columns asked about).
+    """
+    ends = [[(part.flattest, part.steepest) for part in parts] for parts in (rows, columns)]
     return [
-        [k for k, (first, last) in enumerate(slopes) if first <= steepest and flattest <= last]
-        for flattest, steepest in [row.slopes for row in rows]
+        [k for k in numbers if ends[1][k][0] <= steepest and flattest <= ends[1][k][1]]
+        for (flattest, steepest), numbers in zip(ends[0], asked, strict=True)
     ]
 
 
-def keep_over(
-    gaps: Sequence[Span], numbers: Sequence[list[int]], rows: Parts, columns: Parts
-) -> list[list[int]]:
-    """Of the numbers of columns that each row comes with, those whose sums lie over some gap.
+def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[int]]:
+    """For each row the numbers of the columns with which its sums lie over some gap.
 
     Cost: O(log m) for each row and each gap, and O(numbers returned).
     """
     lefts: list[Rational] = [column.x_range[0] for column in columns]
     rights: list[Rational] = [column.x_range[1] for column in columns]
+    ends = [(n // d, -(-m // e)) for (n, d), (m, e) in gaps]
     kept = []
-    for i, asked in enumerate(numbers):
-        left, right = rows[i].x_range
+    for row in rows:
+        left, right = row.x_range
         found: list[int] = []
         done = 0
-        for (n, d), (m, e) in gaps:
-            begin = max(done, bisect_right(rights, n // d - right))
-            done = bisect_left(lefts, -(-m // e) - left, begin)
-            found += asked[bisect_left(asked, begin) : bisect_left(asked, done)]
+        for low, high in ends:
+            begin = bisect_right(rights, low - right, done)
+            done = bisect_left(lefts, high - left, begin)
+            found += range(begin, done)
         kept.append(found)
     return kept
 
@@ -281,13 +282,12 @@ def add_to_run(run: Envelope, piece: Envelope) -> bool:
 
     Returns whether it did. Cost: as for `lower_envelope_cm`.
     """
-    (a, a_d), (b, b_d) = run.breaks[0], run.breaks[-1]
-    (start, start_d), (b, b_d) = piece.breaks[0], run.breaks[-1]
-    if b * start_d <= start * b_d:
+    (end, end_d), (start, start_d) = run.breaks[-1], piece.breaks[0]
+    if end * start_d <= start * end_d:
         run.take_all(piece)
         return True
-    (a, a_d), (end, end_d) = run.breaks[0], piece.breaks[-1]
-    if start * a_d >= a * start_d and end * b_d >= b * end_d:
+    (first, first_d), (last, last_d) = run.breaks[0], piece.breaks[-1]
+    if start * first_d >= first * start_d and last * end_d >= end * last_d:
         lower_envelope_cm(run, piece)
         return True
     return False

@@ -2,16 +2,18 @@
 
 from fractions import Fraction
 from itertools import pairwise
+from math import inf
 
 import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.convex_part import CrossingPart, take_whole
+from exactsweep.procedures.convex_part import ConvexPart, CrossingPart, measure_unit, take_whole
+from exactsweep.procedures.envelope import take_edges
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(max_examples=100)
@@ -73,18 +75,30 @@ def test_merging_is_commutative_and_inverse_to_nothing(pair: Pair) -> None:
     assert merge_by_slope([(1, 2)], one) == [plus(v, (1, 2)) for v in one]
 
 
+def take_with_ends(
+    chain: list[Vertex], unit: Rational | None, turns_left: bool, turns_right: bool
+) -> ConvexPart:
+    """A convex chain, at whose ends the other polygon has to turn, or not."""
+    part = take_whole(chain, unit)
+    return part._replace(
+        flattest=-inf if turns_left else part.slopes[0],
+        steepest=inf if turns_right else part.slopes[-1],
+    )
+
+
 @given(own.pairs("CC"), st.tuples(*[st.booleans()] * 4))
 @usually
 def test_a_cut_end_leaves_out_the_other_chains_edges_beyond_it(
     pair: Pair, cut: tuple[bool, bool, bool, bool]
 ) -> None:
     one, other = (split(polygon.vertices)[0] for polygon in pair)
+    unit = measure_unit(one, other)
     first, second = (
-        take_whole(chain)._replace(turns_left=not left, turns_right=not right)
+        take_with_ends(chain, unit, not left, not right)
         for chain, left, right in ((one, *cut[:2]), (other, *cut[2:]))
     )
     swept = second.sweep(first, 0)
-    found = list(swept) if swept.pieces else []
+    found = list(swept) if swept else []
     slopes = [[y / x for x, y in steps(chain)] for chain in (one, other)]
     ends = [s[k] for s in slopes for k in (0, -1)]
     low = max((e for e, c in zip(ends[::2], cut[::2], strict=True) if c), default=None)
@@ -104,14 +118,17 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
     pair: Pair, turns: tuple[bool, bool, bool, bool]
 ) -> None:
     one, other = (split(polygon.vertices)[0] for polygon in pair)
+    unit = measure_unit(one, other)
     chain, part = (
-        take_whole(points)._replace(turns_left=left, turns_right=right)
+        take_with_ends(points, unit, left, right)
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
-    same = CrossingPart(part.edges, [(x, 1) for x, _ in other], *turns[2:])
+    breaks = [(x, 1) for x, _ in other]
+    same = CrossingPart(take_edges(other), breaks, part.flattest, part.steepest, part.slopes)
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
-    assert len(found.pieces) == len(again.pieces)
-    if found.pieces:
+    assert (found is None) == (again is None)
+    if found and again:
+        assert len(found.pieces) == len(again.pieces)
         assert list(found) == list(again)
 
 

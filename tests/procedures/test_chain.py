@@ -1,7 +1,7 @@
 """Chains: the operators of the paper, convex parts, and splitting a polygon."""
 
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import pytest
@@ -17,9 +17,11 @@ from exactsweep.procedures.chain import (
     find_convex_parts,
     inverse,
     list_graph_edges,
+    measure_width,
     require_convex,
     reverse,
     split,
+    split_by_slope,
     take_corners,
 )
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
@@ -51,6 +53,38 @@ def test_inverse_and_complement_are_involutions(chain: list[Vertex]) -> None:
     assert inverse(inverse(chain)) == chain
     assert complement(complement(chain)) == chain
     assert inverse(complement(chain)) == complement(inverse(chain))
+
+
+@given(st.integers(1, 40), st.data())
+@usually
+def test_slopes_are_in_order_in_the_unit_of_a_chain(width: int, data: st.DataObject) -> None:
+    """Those of two edges as wide as the chain can differ by 1 / width squared."""
+    vectors = st.tuples(st.integers(1, width), st.integers(-3 * width, 3 * width))
+    edges = data.draw(st.lists(vectors, min_size=2, max_size=9))
+    exact = [Fraction(dy, dx) for dx, dy in edges]
+    found = [split_by_slope([(0, 0), edge], width * width)[0][1][0] for edge in edges]
+    for a, b in product(range(len(edges)), repeat=2):
+        assert (found[a] < found[b]) == (exact[a] < exact[b])
+
+
+def test_a_unit_too_coarse_would_take_slopes_for_one() -> None:
+    """1/4 and 1/5 differ by 1/20, and are one in units of 1/3."""
+    assert [split_by_slope([(0, 0), (k, 1)], 20)[0][1] for k in (4, 5)] == [[5], [4]]
+    assert [split_by_slope([(0, 0), (k, 1)], 3)[0][1] for k in (4, 5)] == [[0], [0]]
+
+
+def test_a_chain_has_a_width_if_it_is_of_ints() -> None:
+    assert measure_width([(0, 0), (2, 5), (7, 1)]) == 7
+    assert measure_width([(0, 0), (Fraction(2), 5), (7, 1)]) is None
+
+
+@given(chains(), st.sampled_from([1, 3, Fraction(7, 3)]))
+@usually
+def test_parts_do_not_depend_on_the_kind_of_numbers(chain: list[Vertex], scale: int) -> None:
+    """Ints are split by slopes in a unit, other numbers by Fractions."""
+    scaled: list[Vertex] = [(x * scale, y * scale) for x, y in chain]
+    parts = [[(x * scale, y * scale) for x, y in part] for part in find_convex_parts(chain)]
+    assert find_convex_parts(scaled) == parts
 
 
 @given(chains())

@@ -1,6 +1,7 @@
 """The MM procedures on chains: Lemmas 5.1 and 5.3."""
 
 import random
+from fractions import Fraction
 
 import families
 import pytest
@@ -63,6 +64,19 @@ def test_no_pair_of_convex_parts_is_missed(
         left, right = bottom[0][0], bottom[-1][0]
         closed = [v for v in inverse(complement(inside)) if left < v[0] < right]
         assert closed == [v for v in inner if left < v[0] < right], number
+
+
+@given(own.pairs("MM"))
+@usually
+def test_other_numbers_than_ints_are_swept_alike(pair: Pair) -> None:
+    """Where there is no lattice, slopes are Fractions."""
+    (g_bottom, g_top), (bottom, _) = (split(polygon.lattice()[1]) for polygon in pair)
+    whole = [list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)]
+    top, below, under = (
+        [(Fraction(x, 3), Fraction(y, 3)) for x, y in chain] for chain in (g_top, g_bottom, bottom)
+    )
+    found = [list(trajectory_mm(top, under)), *sweep_mm(top, below, under)]
+    assert found == [[(Fraction(x) / 3, Fraction(y) / 3) for x, y in chain] for chain in whole]
 
 
 @given(own.pairs("MM"))

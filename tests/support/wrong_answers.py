@@ -6,7 +6,16 @@ from typing import Any
 from sabotage import Procedure, sabotage
 
 from exactsweep.evidence import contact, exact_fit, steps, undercut
-from exactsweep.procedures import cc, chain, cm, lower_envelope, mm, mm_inner, part_pairs
+from exactsweep.procedures import (
+    cc,
+    chain,
+    cm,
+    convex_part,
+    lower_envelope,
+    mm,
+    mm_inner,
+    part_pairs,
+)
 from exactsweep.procedures.envelope import Envelope
 
 
@@ -51,14 +60,14 @@ def forget_bottom(right: Procedure) -> Procedure:
 
 @sabotage(
     "Trajectory_CM, step 2: only the first convex part of D_b",
-    cm.sweep_parts,
+    convex_part.split_parts,
     "Trajectory_CM",
     "SweepO_CM",
     "Lemma 4.2",
     "Corollary 4.3",
 )
 def take_first_part(right: Procedure) -> Procedure:
-    return lambda edges, parts, first_source=0: right(edges, list(parts)[:1], first_source)
+    return lambda directrix, unit: right(directrix, unit)[:1]
 
 
 @sabotage(
@@ -185,14 +194,18 @@ def halve_fits(right: Procedure) -> Procedure:
 
 @sabotage(
     "step 1: chains not split at reflex vertices",
-    chain.find_convex_parts,
+    chain.split_by_slope,
     "Convex chain",
     "Lemma 4.1",
     "Lemma 5.1",
     "Trajectory_CM",
 )
 def never_split(right: Procedure) -> Procedure:
-    return lambda points: [[p for part in right(points) for p in part]]
+    def split_by_slope(points: Any, unit: Any) -> Any:
+        columns = zip(*right(points, unit), strict=True)
+        return [tuple([item for part in column for item in part] for column in columns)]
+
+    return split_by_slope
 
 
 @sabotage(
