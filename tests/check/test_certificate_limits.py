@@ -23,7 +23,8 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import verify
-from exactsweep.check.size import reading_steps
+from exactsweep.check.certificate import CertificateError
+from exactsweep.check.size import check_size, reading_steps
 from exactsweep.cli import main
 from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.geometry.limits import answer_digits
@@ -164,3 +165,13 @@ def test_the_work_on_a_claim_is_told_before_it_is_begun() -> None:
 
 def _box(low: int, high: int) -> list[tuple[int, int]]:
     return [(low, low), (high, low), (high, high), (low, high)]
+
+
+def test_the_longest_number_is_what_a_step_costs() -> None:
+    """With 6,400 bits it is 101 steps and 10; 100 steps, and as many as a loop has points, and the
+    area of a loop with no denominators."""
+    for far in (2**6399, -(2**6399)):
+        loop = [(0, 0, 1), (1, 0, 1), (0, far, 1)]
+        check_size([loop], 100, 103 * 111 + 1)
+        with pytest.raises(CertificateError, match="too large"):
+            check_size([loop], 100, 103 * 111)

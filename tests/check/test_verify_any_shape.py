@@ -224,3 +224,11 @@ def test_many_edges_are_refused_at_once_for_any_shape() -> None:
     shape = {"exterior": edges, "holes": []}
     result = verify({**certificate, "directrix": shape, "generatrix": shape})
     assert result.reason == "too large: to check it would take more than 100000000 steps"
+
+
+def test_loops_of_a_sweep_that_are_no_loops_are_refused_as_such() -> None:
+    certificate = sweep_certificate(C, UNIT)
+    for name in ("outer", "inner"):
+        loop = certificate[name]
+        result = verify({**certificate, name: [loop[0], *loop[:0:-1]]})
+        assert result.reason == f"{name}: not canonical"

@@ -6,13 +6,16 @@ from itertools import combinations, pairwise
 from typing import Any
 
 import families
+import pytest
 import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut
+from exactsweep.geometry.outline import Outline
 
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
@@ -264,3 +267,20 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
         assert [[*u.positions] for u in far.undercuts] == positions
         for name in ("contacts", "inner_drawn", "outer_drawn"):
             assert far.certificate()[name] == near.certificate()[name], (seed, name)
+
+
+@pytest.mark.parametrize(
+    ("third", "covered"),
+    [((3, 0), True), ((2, 0), False), ((3, -1), False)],
+    ids=["as G is", "another x", "another y"],
+)
+def test_all_corners_of_a_chain_are_corners_of_the_generatrix(
+    third: tuple[int, int], covered: bool
+) -> None:
+    """First and last edges are on G's, and the first corner is one of G's, whatever is between."""
+    g = Outline([[(-1, 5), (0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]])
+    square = Outline([[(0, 0), (9, 0), (9, 9), (0, 9)]])
+    chain = [(0, 2), (1, 0), third, (4, 2), (5, 5)]
+    for way in (chain, chain[::-1]):
+        found = Tracer(square, g).covering_position(way)
+        assert found == ((0, 0) if covered else None)
