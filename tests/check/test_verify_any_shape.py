@@ -237,8 +237,8 @@ def test_loops_of_a_sweep_that_are_no_loops_are_refused_as_such() -> None:
 
 def test_the_work_on_a_sweep_is_told_besides_that_on_its_trajectory() -> None:
     """The trajectory has more vertices than D."""
-    comb, g = grid("###", "#..", "###", "#..", "###"), Holed(Polygon([(0, 0), (2, -1), (1, 2)]))
-    trajectory, whole = no_fit_certificate(comb, g), sweep_certificate(comb, g)
+    hook, g = grid("####", "#..#", "#.##", "#..."), Holed(Polygon([(0, 0), (2, -1), (1, 2)]))
+    trajectory, whole = no_fit_certificate(hook, g), sweep_certificate(hook, g)
     enough = bisect_left(
         range(10**4), True, key=lambda steps: verify(trajectory, max_steps=steps).proved
     )
