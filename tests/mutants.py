@@ -111,7 +111,7 @@ class Bench:
         self._equivalent = read_equivalent()
 
     def try_mutant(self, changed: Changed) -> Result:
-        """First the tests for which a function can be changed, then those that import the change."""
+        """First the tests for which a function can be changed, then those that import it."""
         mutant, text = changed
         if why := self._equivalent.get((mutant.path, *mutant.shown(text))):
             return Result("equivalent", "", why, 0, {})

@@ -147,6 +147,23 @@ def test_reading_counts_in_steps() -> None:
     assert not verify({**certificate, "contacts": nested}).proved
 
 
+def test_long_strings_count_for_more_and_deep_ones_not_at_all() -> None:
+    assert [reading_steps("7" * n) for n in (99, 100)] == [1, 2]
+    nested: list[Any] = ["1"]
+    for _ in range(6):
+        nested = [nested]
+    assert reading_steps(nested) == 1
+    assert reading_steps([nested]) == 0
+
+
+def test_the_area_counts_with_the_length_of_all_denominators() -> None:
+    """Numbers of 640 bits: 11 times 100 steps and 3 points. Twice 1, 640 and 1 bits: 21."""
+    loop = [(0, 0, 1), (1, 0, 2**639), (0, 1, 1)]
+    check_size([loop], 100, 103 * 11 + 21)
+    with pytest.raises(CertificateError, match="too large"):
+        check_size([loop], 100, 103 * 11 + 20)
+
+
 def test_polygons_written_by_a_program_are_read() -> None:
     """The largest number that is accepted, and its inverse, through the format of the package."""
     largest = Fraction(10**4300 - 1)

@@ -12,7 +12,7 @@ from shapes import Cells, cell_sets
 
 from exactsweep import NumberError, Point, Polygon, PolygonError
 from exactsweep.check import Classification, classify, point_in_polygon
-from exactsweep.check.cone import Cone, is_between
+from exactsweep.check.cone import is_between
 from exactsweep.corpus.generator.cells import move
 from exactsweep.geometry.number import to_fraction
 
@@ -280,19 +280,3 @@ def test_a_segment_holds_its_ends() -> None:
     a, b = (0, 0), (4, 2)
     found = [p for p in [(-2, -1), a, (2, 1), (2, 2), b, (6, 3)] if is_between(p, a, b)]
     assert found == [p for p in found if is_between(p, b, a)] == [a, (2, 1), b]
-
-
-@pytest.mark.parametrize(
-    ("cone", "inside"),
-    [
-        (Cone((1, 0), (0, 1)), {(1, 1)}),
-        (Cone((1, 0), (-1, 0)), {(1, 1), (0, 1), (-1, 1)}),
-        (Cone((0, 1), (1, 0)), {(-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)}),
-    ],
-)
-def test_a_cone_surrounds_what_is_strictly_between_its_rays(
-    cone: Cone, inside: set[tuple[int, int]]
-) -> None:
-    compass = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y]
-    assert {d for d in compass if cone.surrounds(d)} == inside
-    assert {d for d in compass if cone.holds(d)} == inside | {cone.start}

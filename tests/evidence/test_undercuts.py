@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.evidence.trace import Tracer
+from exactsweep.evidence.trace import Feature, Tracer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
@@ -284,3 +285,21 @@ def test_all_corners_of_a_chain_are_corners_of_the_generatrix(
     for way in (chain, chain[::-1]):
         found = Tracer(square, g).covering_position(way)
         assert found == ((0, 0) if covered else None)
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1)], ids=["upright", "lying"])
+def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
+    way: tuple[int, int],
+) -> None:
+    """An edge of G of length 2 draws one of length 4 that begins and ends in its middle."""
+
+    def turn(*points: tuple[int, int]) -> list[Vertex]:
+        c, s = way
+        return [(c * x - s * y, s * x + c * y) for x, y in points]
+
+    square = Outline([turn((0, 0), (1, 0), (1, 2), (0, 2))])
+    zigzag = Outline([turn((3, 0), (4, 1), (3, 2), (4, 3), (3, 4), (8, 2))])
+    start, end = turn((3, 5), (3, 1))
+    traces = Tracer(zigzag, square).trace((start, end))
+    assert {trace.position for trace in traces} == {Feature("vertex", k) for k in (0, 2, 4)}
+    assert {trace.feature for trace in traces} == {Feature("edge", 3)}

@@ -12,7 +12,7 @@ import pytest
 from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
 from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.convex_part import split_parts
+from exactsweep.procedures.convex_part import measure_unit, split_parts
 from exactsweep.procedures.envelope import Break, Envelope, Span, value
 from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.part_pairs import Boxes, Ceiling
@@ -65,7 +65,9 @@ def test_no_strip_is_lower_than_the_envelope_over_it(seed: int) -> None:
 def test_what_reaches_below_the_strips_is_found_and_nothing_else(seed: int) -> None:
     rng = Random(seed)
     top, bottom = draw(rng)
-    rows, columns = split_parts(inverse(top)), split_parts(bottom)
+    inverted = inverse(top)
+    unit = measure_unit(inverted, bottom)
+    rows, columns = split_parts(inverted, unit), split_parts(bottom, unit)
     boxes = Boxes.of(columns)
     envelope = trajectory_mm(top, bottom)
     low = rows[0].box[0] + boxes.lefts[0]
