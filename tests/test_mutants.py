@@ -1,13 +1,16 @@
 """The command that mutates the kernel: its operators, and its list of equivalent mutants."""
 
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import mutants
 import pytest
 from operators import Mutant, mutants_of
 from reach import measure
-from trial import Reader, run_afresh
+from reader import Reader
+from trial import run_afresh, written
 
 MODULE = b'''"""A module."""
 
@@ -120,23 +123,26 @@ def test_tests_are_known_by_the_lines_that_they_reach(tree: Path) -> None:
 
 
 VERDICTS = [
-    ("a < b", "a < b + 0", "survived", ""),
-    ("a < b", "a > b", "killed", LESS),
-    ("-(-b)", "a", "killed", GREATER),
-    ("return -(-b)", "while True: pass", "time", GREATER),
-    ("LIMIT = 2", "LIMIT = 3", "killed", LIMIT),
-    ("LIMIT = 2", "LIMIT = 1 / 0", "killed", "when modules are imported"),
+    ("a < b", "a < b + 0", "survived", "", ""),
+    ("a < b", "a > b", "killed", LESS, "test_least.py:3: AssertionError"),
+    ("-(-b)", "a", "killed", GREATER, "test_least.py:4: AssertionError"),
+    ("return -(-b)", "while True: pass", "time", GREATER, "SIGXCPU"),
+    ("LIMIT = 2", "LIMIT = 3", "killed", LIMIT, "test_least.py:5: AssertionError"),
+    ("LIMIT = 2", "LIMIT = 1 / 0", "killed", "test_least.py", "least.py:1: ZeroDivisionError"),
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "verdict", "by"), VERDICTS)
+@pytest.mark.parametrize(("old", "new", "verdict", "by", "why"), VERDICTS)
 def test_changes_of_modules_are_noticed(
-    tree: Path, old: str, new: str, verdict: str, by: str, monkeypatch: pytest.MonkeyPatch
+    tree: Path, old: str, new: str, verdict: str, by: str, why: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trial.SPARE", 2)
-    (tree / MODULE_PATH).write_bytes(mutant_of(old, new).applied(TEXT))
     tests = [LESS, GREATER, LIMIT]
-    assert run_afresh(tree, tests, dict.fromkeys(tests, 0.0))[:2] == (verdict, by)
+    with written(tree, mutant_of(old, new), TEXT):
+        found = run_afresh(tree, tests, dict.fromkeys(tests, 0.0))
+    assert found[:2] == (verdict, by)
+    assert found.why.startswith(why)
+    assert (tree / MODULE_PATH).read_bytes() == TEXT
 
 
 def test_changes_of_functions_are_noticed_without_reading_the_tests_again(
@@ -145,15 +151,92 @@ def test_changes_of_functions_are_noticed_without_reading_the_tests_again(
     monkeypatch.setattr("trial.SPARE", 2)
     tests = [LESS, GREATER, LIMIT]
     reader = Reader(tree, ["test_least.py"], dict.fromkeys(tests, 0.0))
-    for old, new, verdict, by in VERDICTS[::-1]:
+    for old, new, verdict, by, why in VERDICTS[::-1]:
         found = reader.run(mutant_of(old, new), TEXT, tests)
         if "LIMIT" in old:
             assert found is None
         else:
             assert found is not None
             assert found[:2] == (verdict, by)
+            assert found.why.startswith(why)
         (tree / "test_least.py").write_text("no longer read")
     reader.close()
+
+
+def test_a_mutant_that_is_written_at_once_is_not_read(tree: Path) -> None:
+    """Once the first mutant of a run was in all that were tried after it: false kills."""
+    reader = Reader(tree, ["test_least.py"], dict.fromkeys([LESS, GREATER], 0.0))
+    with written(tree, mutant_of("a < b", "a > b"), TEXT):
+        found = reader.run(mutant_of("a < b", "a < b + 0"), TEXT, [LESS, GREATER])
+    reader.close()
+    assert found is not None
+    assert found.verdict == "survived"
+
+
+DOUBTFUL = """import os
+import time
+from little.least import least
+
+seen = []
+
+def test_first(): seen.append(least(2, 1))
+def test_after(): assert not seen
+
+def test_flaky():
+    new = not os.path.exists("seen")
+    open("seen", "w").close()
+    assert not new
+
+def test_broken(): assert least(2, 1) == 3
+
+def test_slow():
+    while time.process_time() < 1.3: least(2, 1)
+"""
+FIRST, AFTER, FLAKY, BROKEN, SLOW = (
+    f"test_doubtful.py::test_{name}" for name in ("first", "after", "flaky", "broken", "slow")
+)
+
+
+class Reached(NamedTuple):
+    """As if some tests had been measured."""
+
+    tests: list[str]
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        return dict.fromkeys(self.tests, 0.0)
+
+    def tests_of(self, path: str, lines: Sequence[int]) -> list[str]:
+        return self.tests
+
+    def importing(self, path: str, lines: Sequence[int]) -> set[str]:
+        return set()
+
+
+def test_what_is_not_confirmed_does_not_count(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A test that fails after another one; one that fails now and then; one that fails without a
+    mutant; one that takes longer than it was measured to take."""
+    monkeypatch.setattr("trial.SPARE", 0)
+    (tree / "test_doubtful.py").write_text(DOUBTFUL)
+    reached: Any = Reached([FIRST, AFTER, FLAKY, BROKEN, SLOW, GREATER])
+    bench = mutants.Bench(tree, ["test_doubtful.py", "test_least.py"], reached, 60)
+    results = [
+        bench.try_mutant((mutant_of("a < b", new), TEXT))
+        for new in ("a < b + 0", "a > b", "a < b or list(iter(int, 1))")
+    ]
+    bench.close()
+    assert [result[:3] for result in results] == [
+        ("survived", "", ""),
+        ("killed", GREATER, "test_least.py:4: AssertionError: assert 2 == 1"),
+        ("time", FIRST, "SIGXCPU"),
+    ]
+    broken = "test_doubtful.py:15: AssertionError: assert 1 == 3"
+    assert results[0].doubts == {
+        AFTER: "test_doubtful.py:8: AssertionError: assert not [1]; passes by itself",
+        FLAKY: "test_doubtful.py:13: AssertionError: assert not True; passes by itself",
+        BROKEN: f"{broken}; fails without a mutant: {broken}",
+        SLOW: "SIGXCPU; passes by itself",
+    }
 
 
 def test_quickest_tests_come_within_the_budget() -> None:

@@ -135,10 +135,11 @@ def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) ->
 def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     for k, corner, side, beside in chain.concave:
         if _passes_below(first, second, corner, side):
-            # Below in the limit may mean touching at the corner itself, but not all along.
-            node = corner
+            # Below in the limit may mean touching at the corner itself, but not all along. How near
+            # it is below can be told by a number of many bits; their number doubles.
+            node, bits = corner, 1
             while not _passes_below(first, second, node, 0):
-                node = beside = _middle(corner, beside)
+                node, bits = _approach(corner, beside, bits), 2 * bits
             return node, (k,)
     return None
 
@@ -147,6 +148,8 @@ def _passes_below(first: LowerChain, second: LowerChain, node: Node, side: int) 
     return any(height < 0 for height, _ in walk_heights(first, second, node, side))
 
 
-def _middle(p: Node, q: Node) -> Node:
+def _approach(p: Node, q: Node, bits: int) -> Node:
+    """The point of the segment from p to q that is 2**bits times as near to p as q is."""
     (px, py, pw), (qx, qy, qw) = p, q
-    return px * qw + qx * pw, py * qw + qy * pw, 2 * pw * qw
+    far = qw * ((1 << bits) - 1)
+    return px * far + qx * pw, py * far + qy * pw, pw * qw << bits

@@ -1,15 +1,11 @@
 """The base of all refusals, and how a refusal says what it is about."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 
 class ExactSweepError(ValueError):
     """Whatever this package refuses; the message says what, where and why."""
 
 
-@contextmanager
-def name_refusals(name: str) -> Iterator[None]:
+class name_refusals:  # noqa: N801
     """Put a name in front of whatever is refused inside a `with` block.
 
     Args:
@@ -24,7 +20,13 @@ def name_refusals(name: str) -> Iterator[None]:
         Traceback (most recent call last):
         exactsweep.geometry.error.ExactSweepError: hole 2: zero area
     """
-    try:
-        yield
-    except ExactSweepError as error:
-        raise type(error)(f"{name}: {error}") from None
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if isinstance(error, ExactSweepError):
+            raise type(error)(f"{self.name}: {error}") from None

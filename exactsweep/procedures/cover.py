@@ -91,7 +91,7 @@ class Cover:
         row = int((low * dy + c) // unit)
         since: Rational | None = None
         reach: Rational = low
-        for k in range(column, max(end, column + 1)):
+        for k in range(column, end):
             until = min(high, (k + 1) * side)
             next_row = int((until * dy + c) // unit)
             first, last = (row, next_row) if dy >= 0 else (next_row, row)

@@ -181,20 +181,18 @@ class Envelope:
         found = [find_point(before, breaks[0])]
         for piece, at in zip(pieces[1:], breaks[1:], strict=False):
             bdx, bdy, bc, start, _ = piece
-            n, d = at
             adx, ady, ac, begin, _ = before
             u = ady * bdx - bdy * adx
             if (
                 u
                 and start is not None
                 and begin is not None
-                and n == start[0] * d
                 and start == (begin[0] + adx, begin[1] + ady)
             ):
-                # Mostly a whole edge follows another one.
+                # Mostly an edge begins where another one ends, and so does what holds of them.
                 found.append(start)
             else:
-                step = u * n + (ac * bdx - bc * adx) * d
+                step = u * at[0] + (ac * bdx - bc * adx) * at[1]
                 if step:
                     found.append(find_point(before, at))
                 if step or u:

@@ -23,7 +23,8 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import verify
-from exactsweep.check.size import reading_steps
+from exactsweep.check.certificate import CertificateError
+from exactsweep.check.size import check_size, reading_steps
 from exactsweep.cli import main
 from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.geometry.limits import answer_digits
@@ -146,6 +147,23 @@ def test_reading_counts_in_steps() -> None:
     assert not verify({**certificate, "contacts": nested}).proved
 
 
+def test_long_strings_count_for_more_and_deep_ones_not_at_all() -> None:
+    assert [reading_steps("7" * n) for n in (99, 100)] == [1, 2]
+    nested: list[Any] = ["1"]
+    for _ in range(6):
+        nested = [nested]
+    assert reading_steps(nested) == 1
+    assert reading_steps([nested]) == 0
+
+
+def test_the_area_counts_with_the_length_of_all_denominators() -> None:
+    """Numbers of 640 bits: 11 times 100 steps and 3 points. Twice 1, 640 and 1 bits: 21."""
+    loop = [(0, 0, 1), (1, 0, 2**639), (0, 1, 1)]
+    check_size([loop], 100, 103 * 11 + 21)
+    with pytest.raises(CertificateError, match="too large"):
+        check_size([loop], 100, 103 * 11 + 20)
+
+
 def test_polygons_written_by_a_program_are_read() -> None:
     """The largest number that is accepted, and its inverse, through the format of the package."""
     largest = Fraction(10**4300 - 1)
@@ -164,3 +182,13 @@ def test_the_work_on_a_claim_is_told_before_it_is_begun() -> None:
 
 def _box(low: int, high: int) -> list[tuple[int, int]]:
     return [(low, low), (high, low), (high, high), (low, high)]
+
+
+def test_the_longest_number_is_what_a_step_costs() -> None:
+    """With 6,400 bits it is 101 steps and 10; 100 steps, and as many as a loop has points, and the
+    area of a loop with no denominators."""
+    for far in (2**6399, -(2**6399)):
+        loop = [(0, 0, 1), (1, 0, 1), (0, far, 1)]
+        check_size([loop], 100, 103 * 111 + 1)
+        with pytest.raises(CertificateError, match="too large"):
+            check_size([loop], 100, 103 * 111)

@@ -348,3 +348,14 @@ def test_contacts_along_one_line_far_apart_and_within_each_other() -> None:
         [hole.vertices for hole in expected.holes],
     )
     assert list(answer.exact_fits) == list(expected.exact_fits)
+
+
+@pytest.mark.parametrize("way", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+@pytest.mark.parametrize(("wide", "high"), [(2, 90), (90, 2)])
+def test_containers_of_any_shape_and_place(way: tuple[int, int], wide: int, high: int) -> None:
+    """Far from the origin, long one way and short the other."""
+    for far_x, far_y in ((0, 0), (700, 0), (0, 700)):
+        x, y = way[0] * far_x, way[1] * far_y
+        found = reference_inner_fit(box(x, y, x + wide, y + high), box(5, 7, 6, 8))
+        inside = box(x - 5, y - 7, x + wide - 6, y + high - 8)
+        assert found == ReferenceInnerFit(((inside.vertices, ()),), ())

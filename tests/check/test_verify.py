@@ -5,6 +5,7 @@ import random
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise, product
+from typing import Any
 
 import pytest
 from families import random_pair
@@ -29,6 +30,7 @@ from exactsweep.check import (
     classify,
     point_in_polygon,
     reference_loops,
+    sums,
     verify,
 )
 from exactsweep.check.certificate import CertificateError
@@ -319,7 +321,38 @@ def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
     outer, part = _loop(q.vertices), _loop(a.vertices)
     with pytest.raises(CertificateError, match="inside 2") as found:
         check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
-    assert found.value.witness == Point(Fraction(9, 4), Fraction(3))
+    # It has to be nearer than 3/8, on the edge of length 2: not its half, nor its quarter.
+    assert found.value.witness == Point(2 + Fraction(2, 16), Fraction(3))
+
+
+def test_a_witness_very_near_to_a_corner_is_found_in_few_steps(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Right of x = 2 the sum is below 3 for 10**-3000 at most: 10,000 halvings, or few of these."""
+    thin = Fraction(1, 10**3000)
+    a = Polygon([(0, 4), (1, 4), (1, 0), (1 + thin, 8), (2, 8), (2, 20), (0, 20)])
+    q = Polygon([(0, 0), (2, 0), (2, 3), (4, 3), (4, 40), (0, 40)])
+    scale = 10**3000
+    frame = NodeFrame((1, 0), scale)
+    outer, part = (
+        MonotoneLoop(frame.enter(p.vertices, Point(Fraction(0), Fraction(0))), "loop", frame)
+        for p in (q, a)
+    )
+    walks = 0
+
+    def count(*arguments: Any) -> Iterator[tuple[int, int]]:
+        nonlocal walks
+        walks += 1
+        return walk_heights(*arguments)
+
+    monkeypatch.setattr(sums, "walk_heights", count)
+    with pytest.raises(CertificateError, match="inside 2") as found:
+        check_sum_within(outer, part, part, frame, "outside {} {}", "inside {}")
+    witness = found.value.witness
+    assert witness is not None
+    assert 2 < witness.x < 2 + thin
+    assert witness.y == 3
+    assert walks < 30
 
 
 FRAME = NodeFrame((1, 0), 1)

@@ -1,6 +1,7 @@
 """Certificates of polygons of any shape: true ones are proved, and every change is refused."""
 
 import json
+from bisect import bisect_left
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -224,3 +225,22 @@ def test_many_edges_are_refused_at_once_for_any_shape() -> None:
     shape = {"exterior": edges, "holes": []}
     result = verify({**certificate, "directrix": shape, "generatrix": shape})
     assert result.reason == "too large: to check it would take more than 100000000 steps"
+
+
+def test_loops_of_a_sweep_that_are_no_loops_are_refused_as_such() -> None:
+    certificate = sweep_certificate(C, UNIT)
+    for name in ("outer", "inner"):
+        loop = certificate[name]
+        result = verify({**certificate, name: [loop[0], *loop[:0:-1]]})
+        assert result.reason == f"{name}: not canonical"
+
+
+def test_the_work_on_a_sweep_is_told_besides_that_on_its_trajectory() -> None:
+    """The trajectory has more vertices than D."""
+    hook, g = grid("####", "#..#", "#.##", "#..."), Holed(Polygon([(0, 0), (2, -1), (1, 2)]))
+    trajectory, whole = no_fit_certificate(hook, g), sweep_certificate(hook, g)
+    enough = bisect_left(
+        range(10**4), True, key=lambda steps: verify(trajectory, max_steps=steps).proved
+    )
+    assert verify(whole, max_steps=enough).reason.startswith("too large")
+    assert verify(whole, max_steps=10 * enough).proved

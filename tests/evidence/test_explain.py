@@ -1,8 +1,9 @@
 """What the steps of a sweep say, held against the definition."""
 
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
+import pytest
 import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -12,7 +13,8 @@ from exactsweep.check import classify
 from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import ORIGIN, Vertex
 from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -227,6 +229,10 @@ def test_the_halves_follow_each_other(s: Sweep) -> None:
         along = step.direction[0] * s.direction[0] + step.direction[1] * s.direction[1]
         assert along == 0 or (along > 0) == (step.half == "lower")
         assert along == 0 or step.half in ("lower", "upper")
+        if step.half in ("left", "right"):
+            ways = [x * s.direction[0] + y * s.direction[1] for x, y in s.trajectory.vertices]
+            here = step.start.x * s.direction[0] + step.start.y * s.direction[1]
+            assert here == (min if step.half == "left" else max)(ways)
 
 
 @patient
@@ -275,3 +281,28 @@ def test_an_exact_fit_in_a_hole_is_not_passed() -> None:
     s = sweep(SQUARE, Region(box, [hole]))
     assert s.exact_fits == ((Point(Fraction(1), Fraction(1)),) * 2,)
     assert [step.landmarks for step in explain(s)] == [()] * 4
+
+
+@pytest.mark.parametrize("g", [SQUARE, [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]])
+@pytest.mark.parametrize("d", [SLOT, [(0, 0), (4, 0), (0, 3)]])
+def test_what_blocks_does_not_depend_on_the_size(g: list[Vertex], d: list[Vertex]) -> None:
+    small = Fraction(1, 9)
+    shapes = Outline([g]), Outline([d])
+    one, other = (Outline([[(x * small, y * small) for x, y in shape]]) for shape in (g, d))
+    for position in sweep(g, d).trajectory.vertices:
+        for contact in find_contacts(*shapes, (int(position.x), int(position.y))):
+            for way in product((-1, 0, 1), (-1, 0, 1)):
+                assert blocks(contact, way, one, other) == blocks(contact, way, *shapes)
+
+
+def test_an_undercut_is_done_with_where_the_last_of_three_positions_is() -> None:
+    g = [(1, -1), (0, -2), (-4, -1), (-5, -2), (-4, -5), (0, -4), (1, -5)]
+    s = sweep(g, [(2, 0), (1, -2), (0, 0), (-1, -2), (-2, -4), (-2, -6), (2, -6)])
+    marks = [mark for step in explain(s) for mark in step.landmarks]
+    (undercut,) = s.undercuts
+    assert sorted(undercut.positions) == [*own.points((0, 4), ("4/7", "29/7"), ("38/9", "41/9"))]
+    # Along the top of the trajectory, from right to left.
+    assert [(mark.mark, mark.position.x) for mark in marks] == [
+        ("undercut opens", Fraction(38, 9)),
+        ("undercut closes", 0),
+    ]

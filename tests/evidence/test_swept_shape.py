@@ -2,16 +2,19 @@
 
 import json
 from fractions import Fraction
+from typing import Any
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, frame, polyominoes, region
 
-from exactsweep import Point, Polygon, Region, sweep
+from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify, verify
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.steps import explain
-from exactsweep.evidence.swept_shape import SweptShape
+from exactsweep.evidence.swept_shape import SweptShape, _number
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN
 
 Ring = list[tuple[int, int]]
@@ -31,30 +34,33 @@ def on_segment(p: Point, a: Point, b: Point) -> bool:
     return turn == 0 and min(a, b) <= p <= max(a, b)
 
 
-def rings_of(shape: Region) -> list[list[Point]]:
-    """The rings as the caller gave them, here canonical."""
-    return [list(ring) for ring in shape.rings]
+def respell(shape: Region, turns: bool, by: int) -> list[list[Point]]:
+    """The rings from another vertex on, perhaps the other way round."""
+    rings = [[*ring[by % len(ring) :], *ring[: by % len(ring)]] for ring in shape.rings]
+    return [ring[::-1] for ring in rings] if turns else rings
 
 
-def feature(shape: Region, k: int, event: str) -> tuple[Point, ...]:
-    for ring in rings_of(shape):
+def feature(rings: list[list[Point]], k: int, event: str) -> tuple[Point, ...]:
+    for ring in rings:
         if k < len(ring):
             return (ring[k], ring[(k + 1) % len(ring)]) if event == "E" else (ring[k],)
         k -= len(ring)
     raise IndexError(k)
 
 
-@given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
+@given(
+    polyominoes(12, 5),
+    polyominoes(7, 4),
+    st.sampled_from(SHEARS),
+    st.booleans(),
+    st.integers(0, 5),
+)
 @settings(max_examples=60)
 def test_contacts_touch_where_they_are_said_to(
-    d: Cells, g: Cells, matrix: tuple[int, int, int, int]
+    d: Cells, g: Cells, matrix: tuple[int, int, int, int], turns: bool, by: int
 ) -> None:
-    # Read again from canonical vertices, so that features are numbered by these.
-    directrix, generatrix = (
-        Region(shape.exterior.vertices, [hole.vertices for hole in shape.holes])
-        for shape in (region(d, matrix), region(g, matrix))
-    )
-    s = shape_sweep(generatrix, directrix)
+    directrix, generatrix = (respell(region(cells, matrix), turns, by) for cells in (d, g))
+    s = shape_sweep(*(Region(rings[0], rings[1:]) for rings in (generatrix, directrix)))
     for k, t in enumerate(s.trajectory.vertices):
         after = s.trajectory.vertices[(k + 1) % len(s.trajectory)]
         middle = Point((t.x + after.x) / 2, (t.y + after.y) / 2)
@@ -177,3 +183,29 @@ def test_a_bottom_chain_with_a_corner_is_one_mouth() -> None:
     (mouth,) = find_mouths([p if p != (3, 2) else (3, 5) for p in roof], roof)
     assert mouth.bottom == [(4, 6), (3, 5), (2, 6)]
     assert mouth.top == [(2, 6), (3, 2), (4, 6)]
+
+
+def test_features_of_several_holes_are_numbered_as_given() -> None:
+    rings = [
+        [(9, 0), (9, 9), (0, 9), (0, 0)],
+        [(2, 1), (1, 1), (1, 2)],
+        [(5, 3), (5, 5), (3, 5), (3, 3)],
+        [(7, 7), (6, 7), (7, 6)],
+    ]
+    shape, given = Region(rings[0], rings[1:]), [p for ring in rings for p in ring]
+    following = [p for ring in rings for p in ring[1:] + ring[:1]]
+    outline = Outline(shape.lattice()[1])
+    for k, vertex in enumerate(outline.vertices):
+        assert given[_number(shape, outline, k, of_edge=False)] == vertex
+        i = _number(shape, outline, k, of_edge=True)
+        assert {given[i], following[i]} == set(outline.edge(k))
+
+
+@pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])
+def test_answers_with_exact_fits_are_proved_for_any_reference_point(reference: Any) -> None:
+    frame = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (3, 2), (3, 3), (0, 3)]
+    n = no_fit_polygon(frame, UNIT, reference=reference)
+    f = inner_fit_polygon([(0, 0), (3, 0), (3, 1), (0, 1)], UNIT, reference=reference)
+    for answer in (n, f):
+        assert len(answer.exact_fits) == 1
+        assert verify(answer.certificate()).proved

@@ -6,13 +6,17 @@ from itertools import combinations, pairwise
 from typing import Any
 
 import families
+import pytest
 import strategies as own
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.evidence.trace import Feature, Tracer
 from exactsweep.evidence.undercut import Undercut
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
@@ -264,3 +268,38 @@ def test_numbers_on_no_lattice_of_use_change_no_evidence() -> None:
         assert [[*u.positions] for u in far.undercuts] == positions
         for name in ("contacts", "inner_drawn", "outer_drawn"):
             assert far.certificate()[name] == near.certificate()[name], (seed, name)
+
+
+@pytest.mark.parametrize(
+    ("third", "covered"),
+    [((3, 0), True), ((2, 0), False), ((3, -1), False)],
+    ids=["as G is", "another x", "another y"],
+)
+def test_all_corners_of_a_chain_are_corners_of_the_generatrix(
+    third: tuple[int, int], covered: bool
+) -> None:
+    """First and last edges are on G's, and the first corner is one of G's, whatever is between."""
+    g = Outline([[(-1, 5), (0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]])
+    square = Outline([[(0, 0), (9, 0), (9, 9), (0, 9)]])
+    chain = [(0, 2), (1, 0), third, (4, 2), (5, 5)]
+    for way in (chain, chain[::-1]):
+        found = Tracer(square, g).covering_position(way)
+        assert found == ((0, 0) if covered else None)
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1)], ids=["upright", "lying"])
+def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
+    way: tuple[int, int],
+) -> None:
+    """An edge of G of length 2 draws one of length 4 that begins and ends in its middle."""
+
+    def turn(*points: tuple[int, int]) -> list[Vertex]:
+        c, s = way
+        return [(c * x - s * y, s * x + c * y) for x, y in points]
+
+    square = Outline([turn((0, 0), (1, 0), (1, 2), (0, 2))])
+    zigzag = Outline([turn((3, 0), (4, 1), (3, 2), (4, 3), (3, 4), (8, 2))])
+    start, end = turn((3, 5), (3, 1))
+    traces = Tracer(zigzag, square).trace((start, end))
+    assert {trace.position for trace in traces} == {Feature("vertex", k) for k in (0, 2, 4)}
+    assert {trace.feature for trace in traces} == {Feature("edge", 3)}

@@ -13,6 +13,8 @@ from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
     X_AXIS,
     Directions,
+    _find_simplest_between,
+    angle_key,
     choose_direction,
     find_monotone_directions,
     read_direction,
@@ -198,6 +200,9 @@ def test_strict_is_preferred_to_weak_and_small_to_large() -> None:
     points = [(1, -1), (5, 0), (1, 1), (0, 5), (-1, 1), (-5, 0), (-1, -1), (0, -5)]
     star = Polygon([(x + y, 2 * x - 2 * y) for x, y in points])
     assert choose_direction(star, Polygon(UNIT)) == (2, -1)
+    # To (1, 2) and (1, -2).
+    star = Polygon([(2 * x + 2 * y, x - y) for x, y in points])
+    assert choose_direction(star, Polygon(UNIT)) == (1, -2)
 
 
 def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
@@ -251,3 +256,15 @@ def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None
     assert members(a & b) == members(b & a)
     assert members((a & b) & c) == members(a & (b & c))
     assert members(a & a) == members(a)
+
+
+def test_the_simplest_between_two_directions_is_strictly_between() -> None:
+    """All directions of small components, by angle; the X axis would have been taken before."""
+    half = [(p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)]
+    half.sort(key=angle_key)
+    for i, u in enumerate(half):
+        for j in range(i + 2, len(half)):
+            between = half[i + 1 : j]
+            if X_AXIS not in between:
+                least = min(between, key=lambda w: w[0] ** 2 + w[1] ** 2)
+                assert _find_simplest_between(u, half[j]) == least, (u, half[j])

@@ -16,7 +16,7 @@ from exactsweep.geometry.limits import (
     limits,
     list_limits,
 )
-from exactsweep.geometry.number import NumberError, format_fraction, to_fraction
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 
 MILLION = "9" * 10**6
 NINES = "9" * 5000
@@ -256,3 +256,11 @@ def test_a_rational_with_the_denominator_zero_is_refused() -> None:
 
     with pytest.raises(NumberError, match=r"has the denominator 0$"):
         to_fraction(Broken(1, 2))
+
+
+def test_what_is_quoted_stands_on_one_line() -> None:
+    class Foreign:
+        def __repr__(self) -> str:
+            return "two\nlines, \u00e9 and \x07"
+
+    assert quote(Foreign()) == "two\\nlines, \u00e9 and \\x07"

@@ -1,11 +1,15 @@
 """Whether interiors meet, where boundaries do no more than touch."""
 
+from collections import Counter
 from fractions import Fraction
 from itertools import permutations, product
+from random import Random
 
 import pytest
+import small_pairs
 
 from exactsweep import Point, Region
+from exactsweep.check import classify
 from exactsweep.geometry.overlap import Overlap, touch
 from exactsweep.geometry.point import Vertex
 
@@ -38,3 +42,28 @@ def test_edges_that_touch_with_one_end(end: Vertex) -> None:
     for one, other in permutations((long, short)):
         for first, second in product((one, one[::-1]), (other, other[::-1])):
             assert touch(*first, *second) == [(1, 0)]
+
+
+def test_interiors_meet_where_the_definition_says() -> None:
+    """At vertices on vertices and on the middles of edges, beside these, and one in the other."""
+    rng = Random(5)
+    found: Counter[bool] = Counter()
+    for number in range(150):
+        pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)
+        g, d = (Region(shape[0], shape[1:]) for shape in pair)
+        overlap = Overlap(d.lattice()[1], g.lattice()[1])
+        for _ in range(10):
+            (v, _), (p, q) = (edge_of(rng, shape) for shape in pair)
+            share = Fraction(rng.randint(0, 2), 2)
+            beside = rng.choice([Fraction(0), Fraction(0), Fraction(1, 3)])
+            t = Point(*(b + share * (c - b) - a + beside for a, b, c in zip(v, p, q, strict=True)))
+            there = classify(d, g, t).verdict == "OVERLAP"
+            assert overlap.at(t) == there, (pair, t)
+            found[there] += 1
+    assert min(found.values()) > 300
+
+
+def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:
+    ring = rng.choice(shape)
+    k = rng.randrange(len(ring))
+    return ring[k - 1], ring[k]

@@ -5,6 +5,7 @@ import json
 import pickle
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import chain
 from types import SimpleNamespace
 from typing import Any
 
@@ -18,7 +19,7 @@ from polyominoes import polyominoes, region
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.check.location import point_in_polygon
-from exactsweep.geometry.point_set import PointSet
+from exactsweep.geometry.point_set import AffineMap, PointSet
 
 PLATE = Region(
     [(0, 0), (9, 0), (9, 9), (0, 9)], [[(5, 5), (8, 5), (5, 8)], [(1, 1), (3, 1), (1, 2)]]
@@ -133,10 +134,12 @@ def test_unrelated_denominators_are_mapped_exactly() -> None:
     corners = [(5 + long[0], zero), (9 + zero, long[1]), (zero, 7 + long[2])]
     polygon = Polygon(corners)
     assert polygon.lattice()[0] == 1
-    assert polygon.translated(("1/3", "2/3")) == Polygon(
-        [(x + Fraction(1, 3), y + Fraction(2, 3)) for x, y in corners]
-    )
-    assert polygon.rotated(90) == Polygon([(-y, x) for x, y in corners])
+    moved = polygon.translated(("1/3", "2/3"))
+    assert moved == Polygon([(x + Fraction(1, 3), y + Fraction(2, 3)) for x, y in corners])
+    assert moved.lattice() == (1, moved.vertices)
+    turned = polygon.rotated(90)
+    assert turned == Polygon([(-y, x) for x, y in corners])
+    assert turned.lattice() == (1, turned.vertices)
 
 
 @pytest.mark.parametrize(
@@ -216,3 +219,16 @@ def test_a_point_is_a_pair() -> None:
     x, y = point
     assert (x, y) == point == (0.5, 0) < (1, 0)
     assert pickle.loads(pickle.dumps(point)) == point
+
+
+def test_what_a_float_can_be_is_one_in_geojson() -> None:
+    x, y, z = Fraction(1, 2), Fraction(1, 3), Fraction(10**400 + 1, 2)
+    (ring,) = Polygon([(0, 0), (x, 0), (y, z)]).__geo_interface__["coordinates"]
+    assert [*map(repr, chain.from_iterable(ring))] == [*map(repr, [0, 0, 0.5, 0, y, z, 0, 0])]
+
+
+def test_a_map_about_a_point_leaves_it_where_it_is() -> None:
+    a, b, c, d, x, y = map(Fraction, (2, 3, 5, 7, 11, 13))
+    moved = AffineMap(a, b, c, d).about((x, y))
+    assert moved[:4] == (a, b, c, d)
+    assert (a * x + b * y + moved.dx, c * x + d * y + moved.dy) == (x, y)

@@ -1,6 +1,7 @@
 import copy
 import math
 import pickle
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -292,3 +293,9 @@ def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]
     ring[700] = row((700, bad))
     with limits(max_digits=10), pytest.raises(NumberError, match=r"^vertex 700: "):
         Polygon(ring)
+
+
+@pytest.mark.parametrize(("last", "convex"), [((4, 3), "yes"), ((1, 1), "no")])
+def test_a_notebook_tells_whether_it_is_convex(last: tuple[int, int], convex: str) -> None:
+    html = Polygon([(0, 0), (4, 0), last, (0, 4)])._repr_html_()
+    assert re.search(rf"convex\W.*?\b{convex}\b", html)

@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
+from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.point import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 SMALL = [(1, 1), (3, 1), (3, 3), (1, 3)]
@@ -147,3 +149,21 @@ def test_only_a_region_without_holes_may_be_convex() -> None:
     assert Region(box).is_convex
     assert not Region(box, [[(1, 1), (2, 1), (1, 2)]]).is_convex
     assert not Region([*box, (1, 5)]).is_convex
+
+
+def test_few_edges_of_a_region_are_tried_against_each_other(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Those of the teeth below and of the holes above lie at other heights."""
+    tried = 0
+
+    def count(*ends: Vertex) -> list[Vertex] | None:
+        nonlocal tried
+        tried += 1
+        return touch(*ends)
+
+    monkeypatch.setattr("exactsweep.geometry.region.touch", count)
+    teeth = [(k, k % 2) for k in range(101)]
+    holes = [[(k, 3), (k + 1, 3), (k, 4)] for k in range(2, 90, 2)]
+    assert len(Region([*teeth, (100, 9), (0, 9)], holes)) == 3 * len(holes) + 103
+    assert tried < 3 * len(holes)

@@ -1,6 +1,7 @@
 """Polygons of any shape: answers worked out by hand, counted ones, and the paper's beside them."""
 
 from fractions import Fraction
+from itertools import product
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,6 +14,7 @@ from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.procedures.free_positions import _lies_on
 
 Ring = list[tuple[int, int]]
 Fits = tuple[tuple[Point, Point], ...]
@@ -232,3 +234,17 @@ def test_slopes_that_differ_by_less_than_a_unit_are_told_apart() -> None:
     d = [(0, 0), (2**41, 1), (2**41 + 2**40, 4), (0, 10)]
     g = [(0, -10), (2**41, 3), (0, 0)]
     assert computed(Region(d), Region(g)).exterior == sweep(g, d).trajectory
+
+
+def test_a_position_lies_on_a_segment_or_does_not() -> None:
+    """All positions of a small grid, and halves, on all segments of it."""
+    grid = list(product(range(3), repeat=2))
+    for (ax, ay), (bx, by) in product(grid, repeat=2):
+        if (ax, ay) != (bx, by):
+            on = {
+                (ax + Fraction(k, 4) * (bx - ax), ay + Fraction(k, 4) * (by - ay)) for k in range(5)
+            }
+            for px, py in product((Fraction(k, 2) for k in range(5)), repeat=2):
+                p = (px.numerator, px.denominator, py.numerator, py.denominator)
+                there = any((px, py) == q for q in on)
+                assert _lies_on(p, ((ax, 1, ay, 1), (bx, 1, by, 1))) == there

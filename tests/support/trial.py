@@ -1,22 +1,21 @@
-"""Run chosen tests against a mutant, in a copy of the checkout, until one fails.
+"""Run chosen tests against a mutant, in a copy of the checkout, until one fails; and confirm it.
 
-Functions get the code of the mutant in a copy of a process that has read all tests, so that a
-mutant costs no more than its tests. What runs when modules or tests are imported is imported anew.
+What fails counts if it fails by itself, in a process that has not imported the package before, on
+the module as it is written with the mutant; and passes there, in the same seconds, without it.
 """
 
-import ast
 import gc
+import json
 import os
 import resource
 import shutil
+import signal
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from math import ceil
-from multiprocessing import Pipe
-from multiprocessing.connection import Connection
 from pathlib import Path
-from types import CodeType, FunctionType
-from typing import NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import pytest
 from operators import Mutant
@@ -24,42 +23,64 @@ from reach import OPTIONS
 
 MEMORY = 4 << 30
 SPARE = 3  # seconds that any test may take more
+ALONE = 60  # seconds for a test that is not known yet
 FIRST = (*OPTIONS, "-x", "--tb=no")
 
 
 class Trial(NamedTuple):
-    """Whether tests noticed: killed, time or survived; the test that did, and the seconds."""
+    """Whether tests noticed: killed, time or survived; the test that did, how, and the seconds."""
 
     verdict: str
     by: str
+    why: str
     seconds: float
 
+    def find_test(self, tests: Sequence[str]) -> str:
+        """The one of the tests that noticed, or the first of those whose file cannot be read."""
+        return self.by if self.by in tests else next(t for t in tests if t.startswith(self.by))
 
-class _Watch:
-    """Writes down which test is begun, and limits its time."""
+
+class Watch:
+    """Notes which test is begun, and how it fails; limits its time."""
 
     def __init__(self, tree: Path, seconds: Mapping[str, float]) -> None:
-        self._begun = tree / "begun.txt"
+        self._noted = tree / "noted.json"
         self._seconds = seconds
 
     def limit(self, seconds: float) -> None:
+        """Let this process have so many more seconds of the processor."""
         used = resource.getrusage(resource.RUSAGE_SELF)
         limit = ceil(used.ru_utime + used.ru_stime + seconds)
         resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
 
+    def note(self, test: str, why: str) -> None:
+        """Write down what the process is about."""
+        self._noted.write_text(json.dumps([test, why]))
+
     def pytest_runtest_logstart(self, nodeid: str) -> None:
-        self._begun.write_text(nodeid)
-        self.limit(3 * self._seconds[nodeid] + SPARE)
+        self.note(nodeid, "")
+        self.limit(3 * self._seconds.get(nodeid, ALONE) + SPARE)
+
+    def pytest_exception_interact(
+        self, node: pytest.Item | pytest.Collector, call: pytest.CallInfo[Any]
+    ) -> None:
+        if call.excinfo is not None:
+            entry, (line, *_) = call.excinfo.traceback[-1], call.excinfo.exconly().splitlines()
+            self.note(node.nodeid, f"{Path(entry.path).name}:{entry.lineno + 1}: {line}")
 
     def await_end(self, child: int) -> Trial:
+        """What became of a process that runs tests."""
         _, status, usage = os.wait4(child, 0)
-        by = self._begun.read_text() if self._begun.exists() else "when modules are imported"
-        self._begun.unlink(missing_ok=True)
-        shutil.rmtree(self._begun.parent / ".hypothesis", ignore_errors=True)
+        by, why = json.loads(self._noted.read_text()) if self._noted.exists() else ("", "")
+        self._noted.unlink(missing_ok=True)
+        shutil.rmtree(self._noted.parent / ".hypothesis", ignore_errors=True)
         used = round(usage.ru_utime + usage.ru_stime, 1)
         if os.WIFSIGNALED(status):
-            return Trial("time", by, used)
-        return Trial("survived", "", used) if status == 0 else Trial("killed", by, used)
+            name = signal.Signals(os.WTERMSIG(status)).name
+            return Trial("time" if name == "SIGXCPU" else "killed", by, name, used)
+        if status == 0:
+            return Trial("survived", "", "", used)
+        return Trial("killed", by, why or f"exit code {os.WEXITSTATUS(status)}", used)
 
 
 class _Choice:
@@ -70,19 +91,19 @@ class _Choice:
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         known = {item.nodeid: item for item in items}
-        items[:] = [known[test] for test in self._tests if test in known]
+        items[:] = [known[test] for test in self._tests]
 
 
 def run_afresh(tree: Path, tests: Sequence[str], seconds: Mapping[str, float]) -> Trial:
     """Run tests in their order, all being imported from the copy of the checkout."""
-    watch = _Watch(tree, seconds)
+    watch = Watch(tree, seconds)
     child = os.fork()
     if child == 0:
         status = 3  # unless it comes to an end
         try:
-            _enter(tree)
-            watch.limit(SPARE)
-            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+            enter(tree)
+            watch.limit(3 * sum(seconds.values()) + SPARE if seconds else ALONE)
+            limit_memory()
             files = dict.fromkeys(test.partition("::")[0] for test in tests)
             status = pytest.main([*FIRST, *files], plugins=[watch, _Choice(tests)])
         finally:
@@ -90,7 +111,8 @@ def run_afresh(tree: Path, tests: Sequence[str], seconds: Mapping[str, float]) -
     return watch.await_end(child)
 
 
-def _enter(tree: Path) -> None:
+def enter(tree: Path) -> None:
+    """Make a copy of this process one that runs tests of a copy of the checkout."""
     gc.freeze()  # else the end of a run of tests looks through all that this process has
     output = os.open(os.devnull, os.O_WRONLY)
     os.dup2(output, 1)
@@ -99,108 +121,53 @@ def _enter(tree: Path) -> None:
     os.environ["PYTHONPATH"] = str(tree)
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(tree))
+    _draw_alike()
 
 
-class Reader:
-    """A process that has read all tests, and is copied for each mutant."""
-
-    def __init__(self, tree: Path, tests: Sequence[str], seconds: Mapping[str, float]) -> None:
-        self._end, theirs = Pipe()
-        self._child = os.fork()
-        if self._child == 0:
-            try:
-                self._end.close()
-                _enter(tree)
-                watch = _Watch(tree, seconds)
-                pytest.main([*FIRST, *tests], plugins=[watch, _Copies(tree, watch, theirs)])
-            finally:
-                os._exit(1)
-        theirs.close()
-
-    def close(self) -> None:
-        """End the process."""
-        self._end.close()
-        os.waitpid(self._child, 0)
-
-    def run(self, mutant: Mutant, text: bytes, tests: Sequence[str]) -> Trial | None:
-        """Run tests in their order; None where a mutant is not in the code of a function."""
-        self._end.send((mutant, text, tests))
-        found: Trial | None = self._end.recv()
-        return found
+def limit_memory() -> None:
+    """End with a MemoryError what takes more."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-class _Copies:
-    """Instead of running what was read: runs what is asked for, in copies of the process."""
+def _draw_alike() -> None:
+    """Have hypothesis draw the same examples, whatever else is loaded and has been changed.
 
-    def __init__(self, tree: Path, watch: _Watch, asked: Connection) -> None:
+    It takes numbers from the text of all modules that are loaded, mutants as well.
+    """
+    from hypothesis.internal.conjecture import providers
+    from hypothesis.internal.constants_ast import Constants
+
+    nothing = Constants()
+    providers._get_local_constants = lambda: nothing
+
+
+@contextmanager
+def written(tree: Path, mutant: Mutant, text: bytes) -> Iterator[None]:
+    """Have the mutant in the file of its module, for a while."""
+    module = tree / mutant.path
+    module.write_bytes(mutant.applied(text))
+    try:
+        yield
+    finally:
+        module.write_bytes(text)
+
+
+class Jury:
+    """Confirms that tests notice a mutant, each by itself, as they do not without it."""
+
+    def __init__(self, tree: Path) -> None:
         self._tree = tree
-        self._watch = watch
-        self._asked = asked
-        self._is_copy = False
+        self._alone: dict[str, Trial] = {}
 
-    @pytest.hookimpl(tryfirst=True)
-    def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        if self._is_copy or session.testsfailed:
-            return None
-        known = {item.nodeid: item for item in session.items}
-        functions = [found for found in gc.get_objects() if isinstance(found, FunctionType)]
-        gc.freeze()
-        while True:
-            try:
-                mutant, text, tests = self._asked.recv()
-            except EOFError:
-                return True
-            code = function_code(mutant, text, str(self._tree / mutant.path))
-            changed = [f for f in functions if code is not None and _is_same(f.__code__, code)]
-            if code is None or not changed:
-                self._asked.send(None)
-                continue
-            child = os.fork()
-            if child == 0:
-                for function in changed:
-                    function.__code__ = code
-                session.items[:] = [known[test] for test in tests]
-                self._run_copy(session)
-            self._asked.send(self._watch.await_end(child))
-
-    def _run_copy(self, session: pytest.Session) -> NoReturn:
-        self._is_copy = True
-        status = 3
-        try:
-            self._watch.limit(SPARE)
-            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-            session.config.hook.pytest_runtestloop(session=session)
-            status = int(session.testsfailed > 0)
-        finally:
-            os._exit(status)
-
-
-def function_code(mutant: Mutant, text: bytes, file: str) -> CodeType | None:
-    """The code of the outermost function whose body has the change, if there is one."""
-    for node in ast.walk(ast.parse(text)):
-        if not isinstance(node, ast.FunctionDef):
-            continue
-        if node.body[0].lineno <= mutant.line <= (node.end_lineno or 0):
-            first = min([node.lineno, *(line.lineno for line in node.decorator_list)])
-            codes = _codes(compile(mutant.applied(text), file, "exec"))
-            return next(
-                code for code in codes if (code.co_firstlineno, code.co_name) == (first, node.name)
-            )
-    return None
-
-
-def _codes(code: CodeType) -> Iterator[CodeType]:
-    yield code
-    for constant in code.co_consts:
-        if isinstance(constant, CodeType):
-            yield from _codes(constant)
-
-
-def _is_same(old: CodeType, new: CodeType) -> bool:
-    """Whether one is to take the place of the other, which needs the same closure."""
-    return (old.co_filename, old.co_firstlineno, old.co_qualname, old.co_freevars) == (
-        new.co_filename,
-        new.co_firstlineno,
-        new.co_qualname,
-        new.co_freevars,
-    )
+    def confirm(self, mutant: Mutant, text: bytes, test: str) -> Trial:
+        """What a test finds by itself; "survived" where the mutant is not the reason."""
+        if test not in self._alone:
+            self._alone[test] = run_afresh(self._tree, [test], {})
+        alone = self._alone[test]
+        if alone.verdict != "survived":
+            return Trial("survived", test, f"fails without a mutant: {alone.why}", 0)
+        with written(self._tree, mutant, text):
+            found = run_afresh(self._tree, [test], {test: alone.seconds})
+        if found.verdict == "survived":
+            return Trial("survived", test, "passes by itself", found.seconds)
+        return found._replace(by=test)

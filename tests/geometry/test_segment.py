@@ -1,0 +1,51 @@
+"""Segments on one line: which they are, and how they cover another."""
+
+from fractions import Fraction
+from itertools import combinations
+from random import Random
+
+from exactsweep.geometry.segment import Segment, choose_cover, make_segment
+
+X_AXIS = (1, 0)
+
+
+def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
+    """Of pieces with small ends, by trying all choices; between two ends there is a half."""
+    rng = Random(3)
+    some = 0
+    for _ in range(400):
+        low = rng.randint(0, 3)
+        whole = Segment(X_AXIS, 0, low, low + rng.randint(1, 5))
+        ends = [sorted(rng.sample(range(9), 2)) for _ in range(rng.randint(0, 6))]
+        pieces = [(Segment(X_AXIS, 0, a, b), k) for k, (a, b) in enumerate(ends)]
+        halves = [Fraction(k, 2) for k in range(17) if whole.low < Fraction(k, 2) < whole.high]
+        choices = [
+            chosen
+            for n in range(len(ends) + 1)
+            for chosen in combinations(ends, n)
+            if all(any(a <= x <= b for a, b in chosen) for x in halves)
+        ]
+        found = choose_cover(whole, pieces)
+        if found is None:
+            assert not choices
+        else:
+            some += 1
+            assert len(found) == len(choices[0])
+            assert tuple(ends[k] for k in sorted(found)) in choices
+    assert 100 < some < 300
+
+
+def test_segments_share_a_piece_of_positive_length() -> None:
+    whole = make_segment(((4, 2), (0, 0)))
+    assert whole == Segment((2, 1), 0, 0, 4)
+    for low, high, shares in [(-1, 0, False), (-1, 1, True), (1, 2, True), (4, 6, False)]:
+        piece = Segment((2, 1), 0, low, high)
+        assert piece.shares_piece(whole) == whole.shares_piece(piece) == shares
+
+
+def test_a_segment_is_moved_along_and_across() -> None:
+    upright = make_segment(((3, 1), (3, 5)))
+    assert upright == Segment((0, 1), -3, 1, 5)
+    assert upright.moved((2, -1)) == make_segment(((5, 0), (5, 4)))
+    slanted = make_segment(((0, 1), (2, 2)))
+    assert slanted.moved((1, 3)) == make_segment(((1, 4), (3, 5)))

@@ -1,0 +1,92 @@
+"""Bounds under which pairs of convex parts matter, held against the envelope that they bound."""
+
+from fractions import Fraction
+from itertools import chain as join
+from itertools import pairwise
+from math import inf
+from random import Random
+
+import families
+import pytest
+
+from exactsweep import Polygon
+from exactsweep.geometry.point import Vertex
+from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.convex_part import measure_unit, split_parts
+from exactsweep.procedures.envelope import Break, Envelope, Span, value
+from exactsweep.procedures.mm import trajectory_mm
+from exactsweep.procedures.part_pairs import Boxes, Ceiling
+
+
+def height(envelope: Envelope, at: Fraction) -> Fraction | float:
+    """Of an envelope without vertical pieces beside its ends; outside it is infinity."""
+    ends = list(map(value, envelope.breaks))
+    if not ends[0] <= at <= ends[-1]:
+        return inf
+    heights: list[Fraction | float] = [
+        (dy * at + c) / Fraction(dx) if dx else inf
+        for (dx, dy, c, _, _), left, right in zip(envelope.pieces, ends, ends[1:], strict=False)
+        if left <= at <= right
+    ]
+    return max(heights)
+
+
+def draw(rng: Random) -> tuple[list[Vertex], list[Vertex]]:
+    """G_t and D_b."""
+    (_, top), (bottom, _) = (split(Polygon(families.long(rng)).lattice()[1]) for _ in ("G", "D"))
+    return top, bottom
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_strip_is_lower_than_the_envelope_over_it(seed: int) -> None:
+    rng = Random(seed)
+    top, bottom = draw(rng)
+    envelope = trajectory_mm(top, bottom)
+    ends = list(map(value, envelope.breaks))
+    low, high = int(ends[0] // 1) - rng.randint(0, 3), int(-(-ends[-1] // 1)) + rng.randint(0, 3)
+    gaps: list[Span] | None = None
+    if seed % 3:
+        inner: list[Break] = rng.sample(envelope.breaks, min(4, len(envelope.breaks)))
+        borders = sorted([*inner, (low, 1), (high, 1)][seed % 2 :], key=value)
+        gaps = list(zip(borders[::2], borders[1::2], strict=False))
+    ceiling = Ceiling(envelope, (low, high), rng.choice([1, 3, 40]), gaps)
+    for left, right in [((low, 1), (high, 1))] if gaps is None else gaps:
+        inside = [value(left), value(right), *(x for x in ends if value(left) < x < value(right))]
+        inside.sort()
+        inside += [(x + y) / 2 for x, y in pairwise(inside)]
+        for at in inside:
+            strip = int((at // 1 - low) // ceiling.width)
+            assert any(first <= strip <= last for first, last in ceiling.windows)
+            if at not in (value(left), value(right)):
+                assert ceiling.tops[strip] >= height(envelope, at), (seed, at)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_what_reaches_below_the_strips_is_found_and_nothing_else(seed: int) -> None:
+    rng = Random(seed)
+    top, bottom = draw(rng)
+    inverted = inverse(top)
+    unit = measure_unit(inverted, bottom)
+    rows, columns = split_parts(inverted, unit), split_parts(bottom, unit)
+    boxes = Boxes.of(columns)
+    envelope = trajectory_mm(top, bottom)
+    low = rows[0].box[0] + boxes.lefts[0]
+    high = rows[-1].box[1] + boxes.rights[-1]
+    third = (high - low) // 3
+    gaps: list[Span] | None = None
+    if seed % 2:
+        gaps = [((low, 1), (low + third, 1)), ((high - third, 1), (high, 1))]
+    ceiling = Ceiling(envelope, (low, high), 40, gaps)
+    within = set(join.from_iterable(range(a, b + 1) for a, b in ceiling.windows))
+    numbers = sorted(rng.sample(range(len(columns)), (len(columns) + 1) // 2))
+    for row in rows:
+        left, right, least = row.box
+        found = ceiling.find_reaching(row.box, boxes, numbers)
+        for k in numbers:
+            first, last, lowest = boxes.boxes[k]
+            strips = range(
+                (left + first - low) // ceiling.width, (right + last - low) // ceiling.width + 1
+            )
+            reaches = any(least + lowest < ceiling.tops[strip] for strip in strips)
+            assert (k in found) == (reaches and not within.isdisjoint(strips))
+        assert found == sorted(found)

@@ -1,0 +1,92 @@
+"""The lower half of a sweep of two chains, held against its definition at a few x."""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from random import Random
+
+import pytest
+
+from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.procedures import part_pairs
+from exactsweep.procedures.chain import find_convex_parts, list_graph_edges
+from exactsweep.procedures.envelope import value
+from exactsweep.procedures.mm import sweep_mm, trajectory_mm
+from exactsweep.procedures.mm_inner import find_gaps
+
+Choice = Callable[[list[Fraction]], Fraction]  # min or max
+
+
+class Function:
+    """A chain, left to right, as a function of x; at a wall or an end its limits from within."""
+
+    def __init__(self, chain: Sequence[Vertex]) -> None:
+        self._edges = list_graph_edges(chain)
+        self.xs = {x for edge in self._edges for x, _ in edge}
+        self.range = min(self.xs), max(self.xs)
+
+    def limits(self, x: Rational) -> list[Fraction]:
+        return [
+            py + Fraction(x - px) * (qy - py) / (qx - px)
+            for (px, py), (qx, qy) in self._edges
+            if px <= x <= qx
+        ]
+
+
+def combine(f: Function, g: Function, x: Fraction, choose: Choice) -> Fraction:
+    """The least or the greatest f(x - w) + g(w), at an x that is no sum of corners."""
+    arguments = {*g.xs, *(x - u for u in f.xs)}
+    return choose([a + b for w in arguments for a in f.limits(x - w) for b in g.limits(w)])
+
+
+def draw_chain(rng: Random, edges: int) -> list[tuple[int, int]]:
+    """Steps on a small grid, some of them walls, none of which is at an end."""
+    steepest = rng.choice([1, 2, 6])
+    chain = [(0, rng.randint(-steepest, steepest))]
+    for k in range(edges):
+        x, y = chain[-1]
+        if 0 < k < edges - 1 and chain[-2][0] < x and rng.random() < 0.2:
+            chain.append((x, y + rng.choice([-2, -1, 1, 2])))
+        else:
+            chain.append((x + rng.randint(1, 3), y + rng.randint(-steepest, steepest)))
+    return chain
+
+
+@pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
+@pytest.mark.parametrize("seed", range(0, 120, 30))
+def test_it_is_the_least_or_the_greatest_sum(
+    seed: int, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(part_pairs, "FEW_PAIRS", few)
+    for number in range(seed, seed + 30):
+        rng = Random(number)
+        bottom, top = draw_chain(rng, rng.randint(2, 9)), draw_chain(rng, rng.randint(2, 7))
+        lowest = min(y for _, y in top) - 1
+        below = [(x, lowest - rng.randint(0, 3)) for x in range(top[-1][0] + 1)]
+        check(rng, bottom, top, below)
+
+
+def check(rng: Random, d: Sequence[Vertex], top: Sequence[Vertex], below: Sequence[Vertex]) -> None:
+    envelope = trajectory_mm(top[::-1], d)
+    path = list(envelope)
+    inner, outer = sweep_mm(top[::-1], below, d)
+    directrix, upper, lower = Function(d), Function(top), Function(below)
+    trajectory = Function(path)
+    negative = Function([(-x, -y) for x, y in reversed(top)])
+    for found, f, g, choose in (
+        (trajectory, directrix, negative, min),
+        (Function(inner), trajectory, upper, max),
+        (Function(outer), trajectory, lower, min),
+    ):
+        left, right = found.range
+        for _ in range(8):
+            # A denominator that no sum of corners has, and corners of small ones on either side.
+            x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
+            (height,) = found.limits(x)
+            assert height == combine(f, g, x, choose), (d, top, below, x)
+    gaps = find_gaps(envelope, find_convex_parts(d))
+    closed = Function(inner)
+    ranges = [(d[0][0], d[-1][0])] * 4 + [(value(left), value(right)) for left, right in gaps]
+    for left, right in ranges:
+        x = left + (right - left) * Fraction(rng.randrange(1, 9973), 9973)
+        is_touched = not any(value(begin) < x < value(end) for begin, end in gaps)
+        assert is_touched == (closed.limits(x) == directrix.limits(x)), (d, top, x)
