@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
-# Of long numbers the first bits tell these digits, unless what is made of them, give or take what it
-# may be off, is around the middle between two.
+# Of long numbers the first bits tell these digits, unless what is made of them, give or take what
+# it may be off, is around the middle between two.
 _BITS = 200
 _NEARLY = Context(prec=60, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
