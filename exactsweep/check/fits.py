@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from exactsweep.check.chain import LowerChain, Node, walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.geometry.point import Fit
+from exactsweep.geometry.point import Fit, Rational
 
 
 class FitPlace(NamedTuple):
@@ -32,7 +32,7 @@ class FitPlace(NamedTuple):
     sign: int
     directrix: LowerChain
     inverse: LowerChain
-    x: int
+    x: Rational
 
 
 def count_pairs(directrix: MonotoneLoop, inverse: MonotoneLoop) -> int:
@@ -46,7 +46,7 @@ def find_places(directrix: MonotoneLoop, inverse: MonotoneLoop) -> list[FitPlace
     """Find all places at which there may be an exact fit.
 
     Args:
-        directrix: D, on the lattice.
+        directrix: D.
         inverse: I(G), likewise.
 
     Returns:
@@ -81,22 +81,31 @@ def list_exact_fits(places: Iterable[FitPlace], frame: NodeFrame) -> list[Fit]:
         hanging = max(_least(a, b, x, -1), _least(a, b, x, 1))
         inner = _least(a, b, x, 0)
         if hanging < inner:
+            n, w = x.as_integer_ratio()
             first, last = (
-                frame.leave((sign * x * y.denominator, sign * y.numerator, y.denominator))
+                frame.leave((sign * n * e, sign * y.numerator * w, w * e))
                 for y in (hanging, inner)
+                for e in (y.denominator,)
             )
             fits.append((first, last))
     return sorted(fits)
 
 
-def _jumps(chain: LowerChain) -> tuple[list[int], list[int]]:
-    falls, rises = [chain.edges[0][0][0]], [chain.edges[-1][1][0]]
-    for (_, (x, before_y, _), _), ((_, after_y, _), _, _) in pairwise(chain.edges):
-        if before_y != after_y:
-            (falls if after_y < before_y else rises).append(x)
+def _jumps(chain: LowerChain) -> tuple[list[Rational], list[Rational]]:
+    falls, rises = [_take_x(chain.edges[0][0])], [_take_x(chain.edges[-1][1])]
+    for (_, before, _), (after, _, _) in pairwise(chain.edges):
+        rise = after[1] * before[2] - before[1] * after[2]
+        if rise:
+            (falls if rise < 0 else rises).append(_take_x(before))
     return falls, rises
 
 
-def _least(a: LowerChain, b: LowerChain, x: int, side: int) -> Fraction:
-    origin: Node = (x, 0, 1)
+def _take_x(node: Node) -> Rational:
+    x, _, w = node
+    return x if w == 1 else Fraction(x, w)
+
+
+def _least(a: LowerChain, b: LowerChain, x: Rational, side: int) -> Fraction:
+    n, w = x.as_integer_ratio()
+    origin: Node = (n, 0, w)
     return min(Fraction(*height) for height in walk_heights(a, b, origin, side))

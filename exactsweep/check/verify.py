@@ -94,7 +94,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix))
     placed = {
         "generatrix": frame.enter(c.generatrix, ORIGIN),
         "directrix": frame.enter(c.directrix, ORIGIN),
