@@ -378,6 +378,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
 @example([(0, 0), (1, 0), (1, 2), (2, 2), (2, 4), (1, 4), (1, 1), (0, 1)])
+@example([(0, 2), (1, 2), (1, 0), (2, 0), (2, 1), (1, 1), (1, 4), (0, 4)])
 @example([(2, 1), (1, 1), (1, 4), (0, 4), (0, 2), (1, 2), (1, 0), (2, 0)])
 def test_loop_is_what_a_canonical_monotone_polygon_is(ring: list[tuple[int, int]]) -> None:
     start = ring.index(min(ring))
