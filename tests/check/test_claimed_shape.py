@@ -15,11 +15,9 @@ def draw_rings(rng: Random) -> list[Polygon]:
     """An exterior and a few holes on a small grid, where they touch, cross and overlap."""
     rings = [untangled(rng, 7, 6)]
     if rng.random() < 0.7:
-        room = rng.randint(0, 1)
-        low, high, bent = -room, 6 + room, rng.randint(3, 5)
-        rings[0] = Polygon([(low, low), (high, low), (high, high), (bent, bent), (low, high)])
-    if rng.random() < 0.2:
-        rings.append(Polygon([(1, 0), (6, 1), (5, 6), (0, 5)]))
+        rings = [Polygon([(0, 0), (6, 0), (6, 6), (rng.randint(3, 5), 3), (0, 6)])]
+    if rng.random() < 0.1:
+        rings = [Polygon([(-1, -1), (8, -1), (-1, 8)]), Polygon([(0, 0), (4, 0), (5, 2), (0, 5)])]
     for _ in range(rng.randint(1, 2)):
         hole = untangled(rng, 4, rng.choice([1, 2, 4]))
         rings.append(hole.translated((rng.randint(0, 4), rng.randint(0, 4))))
