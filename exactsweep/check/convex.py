@@ -13,7 +13,10 @@ from collections.abc import Sequence
 from exactsweep.check.cone import Cone, cross, dot, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.point import Rational, Vertex
+
+_Wall = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]
+"""A segment by its ends, behind its least and its greatest x and y."""
 
 
 def cut_to_convex(shape: LatticeShape) -> list[LatticeRing]:
@@ -32,11 +35,11 @@ def cut_to_convex(shape: LatticeShape) -> list[LatticeRing]:
     2
     """
     touching = split_where_touching(shape)
-    cones, walls = find_cones_of(touching), list_edges(touching)
+    cones, walls = find_cones_of(touching), [_box(*edge) for edge in list_edges(touching)]
     for p in cones:
         while wide := next((cone for cone in cones[p] if _is_wide(cone)), None):
             q = _best_diagonal(p, wide, cones, walls)
-            walls.append((p, q))
+            walls.append(_box(p, q))
             for a, b in ((p, q), (q, p)):
                 _split(cones[a], subtract(b, a))
     return _faces(cones)
@@ -104,8 +107,14 @@ def _split(cones: list[Cone], way: Vertex) -> None:
     cones[k : k + 1] = _halves(cones[k], way)
 
 
+def _box(a: Vertex, b: Vertex) -> _Wall:
+    """A wall, and its box."""
+    (left, right), (low, high) = (sorted(pair) for pair in zip(a, b, strict=True))
+    return left, right, low, high, a, b
+
+
 def _best_diagonal(
-    p: Vertex, wide: Cone, cones: dict[Vertex, list[Cone]], walls: Sequence[tuple[Vertex, Vertex]]
+    p: Vertex, wide: Cone, cones: dict[Vertex, list[Cone]], walls: Sequence[_Wall]
 ) -> Vertex:
     """The end of a diagonal into a wide angle: best if it leaves none wide, here and there."""
     ranked = []
@@ -121,13 +130,17 @@ def _best_diagonal(
     return next(q for _, _, q in sorted(ranked) if not _is_blocked(p, q, walls))
 
 
-def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[tuple[Vertex, Vertex]]) -> bool:
+def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[_Wall]) -> bool:
     """Whether a wall that does not end in p or q meets the segment between them.
 
     A wall along the segment does not count, as at its end there is another one that does not.
     """
     way = subtract(q, p)
-    for a, b in walls:
+    first, last, bottom, top, _, _ = _box(p, q)
+    for left, right, low, high, a, b in walls:
+        # Most are nowhere near.
+        if left > last or right < first or low > top or high < bottom:
+            continue
         if p in (a, b) or q in (a, b):
             continue
         from_a, from_b = cross(way, subtract(a, p)), cross(way, subtract(b, p))
