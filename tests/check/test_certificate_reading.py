@@ -172,4 +172,4 @@ def test_points_are_lists_of_two_and_no_strings_of_two(key: str) -> None:
     certificate = sweep(UNIT, VALLEY).certificate()
     written = [x[-1] + y[-1] for x, y in certificate[key]]
     result = verify({**certificate, key: written})
-    assert result.reason.startswith(f"{key}[0]: a str, not a list")
+    assert result.reason.startswith(f"{key}[0]: not a list of 2")

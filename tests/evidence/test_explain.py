@@ -319,4 +319,4 @@ def test_landmarks_of_one_step_come_in_the_order_of_travel() -> None:
         "undercut opens",
         "undercut closes",
     ]
-    assert [mark.position.x for mark in marks] == [7, 7, 5, Fraction(7, 2)]
+    assert [mark.position.x for mark in marks] == [7, 7, Fraction(9, 2), 4]
