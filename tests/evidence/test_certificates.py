@@ -3,6 +3,7 @@
 import json
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -54,4 +55,12 @@ def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) ->
     assert s.directrix.lattice()[0] == 1
     assert not all(type(c) is int for point in s.directrix.lattice()[1] for c in point)
     assert s.kind == ("CC" if is_convex else "MM")
+    assert verify(s.certificate()).proved
+
+
+@pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2), (5, 7)])
+def test_a_certificate_with_exact_fits_is_proved_for_any_reference_point(reference: Any) -> None:
+    slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 2), (0, 2)]
+    s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], slot, reference=reference)
+    assert s.exact_fits
     assert verify(s.certificate()).proved

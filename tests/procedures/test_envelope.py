@@ -334,3 +334,12 @@ def test_of_an_envelope_that_reaches_no_x_range_nothing_is_kept() -> None:
     assert kept is not None
     assert kept.pieces[1] == GAP
     assert [value(at) for at in kept.breaks] == [0, half, 3 * half, 2]
+
+
+def test_an_envelope_of_a_convex_chain_is_that_of_its_source() -> None:
+    chain = [(0, 1), (1, 0), (3, 0), (4, 2)]
+    for source in (0, 5):
+        found = Envelope.of_convex(chain, source)
+        assert list(found) == chain
+        assert {piece[4] for piece in found.pieces} == {source}
+    assert Envelope.of_convex(chain).pieces == Envelope.of_convex(chain, 0).pieces
