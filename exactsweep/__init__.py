@@ -3,7 +3,8 @@
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
 from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, limits
+from exactsweep.geometry.limits import limits
+from exactsweep.geometry.number import NumberError
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region

@@ -13,7 +13,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {"geometry.digits", "geometry.error", "geometry.number", "geometry.point"}
+NUMBERS = {f"geometry.{name}" for name in ("digits", "error", "limits", "number", "point")}
 GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
@@ -23,9 +23,10 @@ RULES: dict[str, tuple[set[str], str]] = {
     "processes": (set(), "starting and ending processes knows nothing of geometry"),
     "geometry.error": (set(), "refusals stand on nothing"),
     "geometry.digits": (set(), "digits stand on nothing"),
+    "geometry.limits": ({"geometry.error"}, "limits stand on refusals alone"),
     "geometry.number": (
-        {"geometry.digits", "geometry.error"},
-        "numbers stand on nothing but digits and refusals",
+        {"geometry.digits", "geometry.error", "geometry.limits"},
+        "numbers stand on nothing but digits, limits and refusals",
     ),
     "geometry.point": ({"geometry.digits"}, "points stand on digits alone"),
     "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),

@@ -15,9 +15,10 @@ from exactsweep.batch.parts import Part
 from exactsweep.batch.record import QUANTITIES, Quantities
 from exactsweep.batch.work import Chunk, Work
 from exactsweep.formats.candidate import NamedPolygon
-from exactsweep.formats.files import MAX_BYTES, show_path
+from exactsweep.formats.files import show_path
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import format_fraction, quote
 
 CHUNK_PAIRS = 16
@@ -143,7 +144,9 @@ def _make_unique(polygons: Iterable[NamedPolygon | Part]) -> Sequence[Part]:
 
 def _digest_input(work: Work, source: bytes) -> str:
     rounded = "" if work.rounding is None else f"{tuple(work.rounding)} "
-    digest = sha256(f"{__version__} {work.what} {rounded}".encode() + source)
+    changed = {name: limit for name, limit in work.limits.items() if limit is not None}
+    limited = f"{changed} " if changed else ""
+    digest = sha256(f"{__version__} {work.what} {rounded}{limited}".encode() + source)
     for part in (*work.generatrices, None, *work.directrices):
         digest.update(repr(part and part.name).encode())
         if part is None or isinstance(part.polygon, str):
@@ -171,16 +174,17 @@ def _chunks_of_lines(path: str, start: int, total: int, most: int) -> Iterator[C
 
 def _lines(path: str) -> Iterator[bytes]:
     """The lines of a file that are not empty, b"" for one that is too long."""
+    most = get_max_bytes()
     try:
         file = Path(path)
         if file.exists() and not file.is_file() and not file.is_dir():
             raise BatchError(f"{show_path(path)}: a pipe or a device, which cannot be read twice")
         with open(path, "rb") as lines:
-            while line := lines.readline(MAX_BYTES + 1):
+            while line := lines.readline(most + 1):
                 end = line
-                while len(line) > MAX_BYTES and end and not end.endswith(b"\n"):
-                    end = lines.readline(MAX_BYTES)
+                while len(line) > most and end and not end.endswith(b"\n"):
+                    end = lines.readline(most)
                 if line.strip():
-                    yield line if len(line) <= MAX_BYTES else b""
+                    yield line if len(line) <= most else b""
     except OSError as error:
         raise BatchError(f"{show_path(path)}: {error.strerror or error}") from None

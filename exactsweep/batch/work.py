@@ -11,9 +11,10 @@ from exactsweep.batch.record import Quantities, write_error_line, write_result_l
 from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
-from exactsweep.formats.files import MAX_BYTES, decode_text
+from exactsweep.formats.files import decode_text
 from exactsweep.formats.polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
+from exactsweep.geometry.limits import get_max_mib, limits, list_limits
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -50,6 +51,7 @@ class Work:
             which lines of a file refer by name.
         directrices: the parts that they are swept around, or the same again.
         rounding: how numbers are rounded; None to leave them.
+        limits: on what lines may hold, as they are where the batch is made.
     """
 
     def __init__(
@@ -63,6 +65,7 @@ class Work:
         self.what = what
         self.generatrices = generatrices
         self.directrices = directrices
+        self.limits = list_limits()
 
     def lines(self, chunk: Chunk) -> list[bytes]:
         """Compute the records of a chunk."""
@@ -79,7 +82,8 @@ class Work:
                     _polygon(generatrix, "generatrix"), _polygon(directrix, "directrix")
                 )
             else:
-                result = self._read(pair, names)
+                with limits(**self.limits):
+                    result = self._read(pair, names)
             return write_result_line(index, names, result, self.what, self.rounding)
         except ValueError as error:
             reason = str(error)
@@ -117,7 +121,7 @@ class Work:
 
     def _read(self, line: bytes, names: Names) -> Sweep | NoFitPolygon:
         if not line:
-            raise FormatError(f"the line has more than {MAX_BYTES} bytes")
+            raise FormatError(f"the line has more than {get_max_mib():g} MiB (max_mib)")
         text = decode_text(line)
         document = parse_json(text)
         if not isinstance(document, dict):

@@ -1,8 +1,9 @@
 """Chains: lower boundaries of regions, as piecewise linear functions of x on one integer lattice.
 
-A node (x, y, w) is the point (x/w, y/w); w is 1 for points of the lattice, and more only where a
-loop turns at a crossing. A line (a, b, c) is a x + b y + c = 0, positive to the left of its edge;
-its three numbers are coprime, so that equal lines are equal tuples.
+A node (x, y, w) is the point (x/w, y/w); w is 1 for points of the lattice, and more where a loop
+turns at a crossing, and everywhere if the polygons have no lattice in common that is of use. A line
+(a, b, c) is a x + b y + c = 0, positive to the left of its edge; its three numbers are coprime, so
+that equal lines are equal tuples.
 """
 
 from __future__ import annotations
@@ -86,6 +87,14 @@ class LowerChain:
             if a * x + b * y + c * w >= 0:
                 return True
         return False
+
+
+def add_nodes(one: Node, other: Node) -> Node:
+    """The sum of two points, as vectors."""
+    (x, y, w), (u, v, z) = one, other
+    if z == 1:
+        return x + u * w, y + v * w, w
+    return x * z + u * w, y * z + v * w, w * z
 
 
 def turn(one: Line, other: Line) -> int:

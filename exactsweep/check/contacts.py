@@ -16,7 +16,8 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Sequence
+from math import gcd
 
 from exactsweep.check.certificate import ListedContact, ListedFeature, flaw
 from exactsweep.check.chain import Line, Node, turn
@@ -29,7 +30,7 @@ from exactsweep.check.cover import (
     find_sum_extent,
     share_a_part,
 )
-from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.check.loop import MonotoneLoop, NodeFrame, reduce_line
 
 _Normal = tuple[int, int]
 
@@ -90,46 +91,57 @@ def _contacts_on_lines(
     directrix: MonotoneLoop, inverse: MonotoneLoop, lines: Container[Line]
 ) -> Iterator[tuple[ListedContact, Line]]:
     """Find all contacts on some lines."""
-    normals = dict.fromkeys(line[:2] for loop in (directrix, inverse) for line in loop.lines)
+    d_normals, i_normals = ([*map(_find_normal, loop.lines)] for loop in (directrix, inverse))
+    normals = dict.fromkeys(d_normals + i_normals)
     ranks = {normal: k for k, normal in enumerate(sorted(normals, key=by_turn))}
-    for i, j in _facing(inverse, directrix, ranks):
+    d_ranks, i_ranks = ([ranks[normal] for normal in found] for found in (d_normals, i_normals))
+    for i, j in _facing(i_ranks, directrix, d_ranks):
         if (line := _moved(inverse.lines[i], directrix.nodes[j])) in lines:
             yield ("EV", i, j), line
-    for j, i in _facing(directrix, inverse, ranks):
+    for j, i in _facing(d_ranks, inverse, i_ranks):
         if (line := _moved(directrix.lines[j], inverse.nodes[i])) in lines:
             yield ("VE", i, j), line
     parallel: dict[_Normal, list[int]] = defaultdict(list)
-    for i, edge in enumerate(inverse.lines):
-        parallel[edge[:2]].append(i)
+    for i, normal in enumerate(i_normals):
+        parallel[normal].append(i)
     for j, edge in enumerate(directrix.lines):
-        for i in parallel.get(edge[:2], ()):
+        for i in parallel.get(d_normals[j], ()):
             if (line := _moved(edge, inverse.nodes[i])) in lines:
                 yield ("EE", i, j), line
 
 
 def _facing(
-    edges: MonotoneLoop, corners: MonotoneLoop, ranks: Mapping[_Normal, int]
+    edges: Sequence[int], corners: MonotoneLoop, ranks: Sequence[int]
 ) -> Iterator[tuple[int, int]]:
     """Pairs of an edge and a convex corner, the edge's direction between those of the two there.
 
-    Ranks are those of all directions, counter-clockwise.
+    Of both loops the ranks of the edges are given, among all directions, counter-clockwise.
     """
-    order = sorted((ranks[line[:2]], k) for k, line in enumerate(edges.lines))
+    order = sorted((rank, k) for k, rank in enumerate(edges))
     ordered = [rank for rank, _ in order]
     for m, after in enumerate(corners.lines):
         before = corners.lines[m - 1]
         if turn(before, after) <= 0:
             continue
-        start, end = ranks[before[:2]], ranks[after[:2]]
+        start, end = ranks[m - 1], ranks[m]
         first, last = bisect_right(ordered, start), bisect_left(ordered, end)
         for _, k in order[first:last] if start < end else order[first:] + order[:last]:
             yield k, m
 
 
+def _find_normal(line: Line) -> _Normal:
+    """The direction of a line, the same for all that are parallel and run the same way."""
+    a, b, _ = line
+    common = gcd(a, b)
+    return (a, b) if common == 1 else (a // common, b // common)
+
+
 def _moved(line: Line, by: Node) -> Line:
-    """A line moved by a node of the lattice."""
-    (a, b, c), (x, y, _) = line, by
-    return a, b, c - a * x - b * y
+    """A line moved by a node."""
+    (a, b, c), (x, y, w) = line, by
+    if w == 1:
+        return a, b, c - a * x - b * y
+    return reduce_line(a * w, b * w, c * w - a * x - b * y)
 
 
 def _extent_of(

@@ -10,7 +10,7 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from exactsweep.check.certificate import KeyPath, ListedDrawing, ListedFeature, flaw
-from exactsweep.check.chain import Line, Node
+from exactsweep.check.chain import Line, Node, add_nodes
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.geometry.point import Rational
 
@@ -38,18 +38,15 @@ def find_sum_extent(
     other: ListedFeature,
     line: Line,
 ) -> LineInterval | None:
-    """The extent on a line of the sum of two features, or None if it is not all on the line.
-
-    The nodes of the second loop are on the lattice.
-    """
+    """The extent on a line of the sum of two features, or None if it is not all on the line."""
     a, b, c = line
     along = []
     for x, y, w in _ends(first, feature):
-        for dx, dy, _ in _ends(second, other):
-            u, v = x + dx * w, y + dy * w
-            if a * u + b * v + c * w:
+        for node in _ends(second, other):
+            u, v, z = add_nodes((x, y, w), node)
+            if a * u + b * v + c * z:
                 return None
-            along.append(_ratio(u if b else v, w))
+            along.append(_ratio(u if b else v, z))
     return min(along), max(along)
 
 

@@ -114,7 +114,11 @@ def _turn_half(nodes: Sequence[Node], lines: Sequence[Line]) -> tuple[list[Node]
 def line_through(p: Node, q: Node) -> Line:
     """The line through two points; (0, 0, 0) if they are one."""
     (px, py, pw), (qx, qy, qw) = p, q
-    a, b, c = py * qw - qy * pw, qx * pw - px * qw, px * qy - qx * py
+    return reduce_line(py * qw - qy * pw, qx * pw - px * qw, px * qy - qx * py)
+
+
+def reduce_line(a: int, b: int, c: int) -> Line:
+    """The line of three numbers that may have a common divisor."""
     common = gcd(a, b, c) or 1
     return a // common, b // common, c // common
 

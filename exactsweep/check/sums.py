@@ -35,7 +35,15 @@ from collections.abc import Iterator
 from itertools import islice
 
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.chain import ChainCorner, Line, LowerChain, Node, turn, walk_heights
+from exactsweep.check.chain import (
+    ChainCorner,
+    Line,
+    LowerChain,
+    Node,
+    add_nodes,
+    turn,
+    walk_heights,
+)
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
 
@@ -53,7 +61,7 @@ def check_sum_within(
         frame: to name witnesses in the plane.
         loop: of the region.
         first: A.
-        second: B, its nodes on the lattice.
+        second: B.
         outside: what to say where (a) fails, with places for the numbers of both corners.
         inside: the same for (b) and the number of the corner of the loop.
 
@@ -79,10 +87,11 @@ def count_steps(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -
     steps = 0
     for chain, a, b in zip(loop.halves, first.halves, second.halves, strict=True):
         steps += len(a.runs) * sum(map(len, b.runs)) + len(b.runs) * sum(map(len, a.runs))
-        (left, _, _), (right, _, _) = b.edges[0][0], b.edges[-1][1]
+        (left, _, z), (right, _, t) = b.edges[0][0], b.edges[-1][1]
         for _, (x, _, w), _, _ in chain.concave:
-            passed = a.first_reaching(x - left * w, w) - a.first_reaching(x - right * w, w)
-            steps += passed + len(b.edges)
+            last = a.first_reaching(x * z - left * w, w * z)
+            first_passed = a.first_reaching(x * t - right * w, w * t)
+            steps += last - first_passed + len(b.edges)
     return steps
 
 
@@ -116,8 +125,8 @@ _Found = tuple[Node, tuple[int, ...]]
 
 def _corner_outside(chain: LowerChain, first: LowerChain, second: LowerChain) -> _Found | None:
     pairs = corners_with_common_slopes(first, second)
-    for (k, (x, y, w), _, _), (m, (dx, dy, _), _, _) in pairs:
-        node = x + dx * w, y + dy * w, w
+    for (k, corner, _, _), (m, other, _, _) in pairs:
+        node = add_nodes(corner, other)
         if not chain.holds(node):
             return node, (k, m)
     return None

@@ -37,7 +37,7 @@ from exactsweep.check.claim import read_claim
 from exactsweep.check.complete import prove_claim
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.cover import check_drawings
-from exactsweep.check.fits import list_exact_fits
+from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, find_common_scale
 from exactsweep.check.sums import check_sum_within, count_steps
@@ -94,7 +94,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
 
 
 def _prove(c: Certificate, max_steps: int) -> None:
-    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix, max_steps))
+    frame = NodeFrame(c.direction, find_common_scale(c.generatrix + c.directrix))
     placed = {
         "generatrix": frame.enter(c.generatrix, ORIGIN),
         "directrix": frame.enter(c.directrix, ORIGIN),
@@ -102,13 +102,16 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "inner": frame.enter(c.inner, ORIGIN),
         "outer": frame.enter(c.outer, ORIGIN),
     }
-    check_size(placed.values(), len(c.generatrix) * len(c.directrix), max_steps)
+    check_size(placed.values(), 0, max_steps)
     g, d, trajectory, inner, outer = (
         MonotoneLoop(nodes, name, frame) for name, nodes in placed.items()
     )
     inverse = g.turn_half()
     sums = [(trajectory, d, inverse), (outer, trajectory, g), (trajectory, inner, inverse)]
-    check_size(placed.values(), sum(count_steps(*loops) for loops in sums), max_steps)
+    steps = sum(count_steps(*loops) for loops in sums) + count_pairs(d, inverse)
+    check_size(placed.values(), steps, max_steps)
+    places = find_places(d, inverse)
+    check_size(placed.values(), steps + len(places) * (len(g.nodes) + len(d.nodes)), max_steps)
 
     kind = "MM" if not g.is_convex else "CC" if d.is_convex else "CM"
     if c.kind != kind:
@@ -120,7 +123,7 @@ def _prove(c: Certificate, max_steps: int) -> None:
         "trajectory: the contact of directrix vertex {} and generatrix vertex {} is outside",
         "trajectory: G overlaps D at vertex {} or beside it",
     )
-    _check_fits(list_exact_fits(d, inverse, frame), c)
+    _check_fits(list_exact_fits(places, frame), c)
 
     check_drawings("outer_drawn", outer, trajectory, g, c.outer_drawn, frame)
     check_sum_within(

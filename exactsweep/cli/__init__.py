@@ -18,6 +18,7 @@ from exactsweep.cli.explain import explain_command
 from exactsweep.cli.help import add_examples
 from exactsweep.cli.ifp import ifp_command
 from exactsweep.cli.judge import judge_command
+from exactsweep.cli.limits import add_limits
 from exactsweep.cli.nfp import nfp_command
 from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
@@ -85,3 +86,4 @@ main.add_command(convert_command)
 main.add_command(batch_command)
 main.add_command(reproduce_command)
 add_examples(main)
+add_limits(main)

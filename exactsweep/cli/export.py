@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from exactsweep.cli.output import write
+from exactsweep.cli.output import write_readable
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.rounding import Changes, Rounding, Side, contains
 from exactsweep.geometry.point import Fit, Point
@@ -95,7 +95,7 @@ def export(
     except FormatError as error:
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
         raise FormatError(f"{error}{hint}") from None
-    write(text, output)
+    write_readable(text, output)
     if said:
         click.echo(said, err=True)
 

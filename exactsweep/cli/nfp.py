@@ -4,7 +4,7 @@ import click
 
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
-from exactsweep.cli.output import measure_terminal, write
+from exactsweep.cli.output import measure_terminal, write, write_readable
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
@@ -59,7 +59,7 @@ def nfp_command(
             write_result_line(k, {"generatrix": g, "directrix": d}, result, "nfp")
             for k, ((d, g), result) in enumerate(zip(names, found, strict=True))
         )
-        write(b"".join(lines).decode(), form.output)
+        write_readable(b"".join(lines).decode(), form.output)
     elif form.kind == "report":
         write(_list(names, found, form.output), form.output)
     else:

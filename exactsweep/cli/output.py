@@ -11,6 +11,8 @@ import click
 
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, show_path
+from exactsweep.formats.polygons import measure_written
+from exactsweep.formats.size import find_needed_mib
 
 Command = TypeVar("Command", bound=Callable[..., None])
 
@@ -28,6 +30,25 @@ def measure_terminal(output: str) -> os.terminal_size | None:
     if output == "-" and sys.stdout is not None and sys.stdout.isatty():
         return get_terminal_size()
     return None
+
+
+def write_readable(text: str, output: str) -> None:
+    """Write what commands read again, and say under which limit if they do not without one."""
+    write(text, output)
+    say_limit(measure_written(text), output)
+
+
+def say_limit(size: int, output: str) -> None:
+    """Say on standard error which limit reads what has been written, if there has to be one.
+
+    Args:
+        size: for how many bytes it counts.
+        output: the file, or "-".
+    """
+    needed = find_needed_mib(size)
+    if needed is not None:
+        name = "standard output" if output == "-" else show_path(output)
+        click.echo(f"{name}: large; commands read it with --max-mib {needed}", err=True)
 
 
 def write(text: str, output: str) -> None:

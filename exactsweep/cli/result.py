@@ -8,7 +8,7 @@ import click
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
-from exactsweep.cli.output import measure_terminal, takes_output, write
+from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text.results import certificate_to_json
@@ -116,4 +116,6 @@ def write_result(
     else:
         terminal = measure_terminal(form.output)
         text = report(result, terminal and terminal.columns, everything=form.everything)
-    write(text, form.output)
+        write(text, form.output)
+        return
+    write_readable(text, form.output)

@@ -13,8 +13,14 @@ from exactsweep.words import write_pair
 
 @click.command("verify")
 @click.argument("file", type=PATH)
+@click.option(
+    "--max-steps",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="The most work to take on, in steps of about a microsecond; 10**8 if left out.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Write the verdict as JSON.")
-def verify_command(file: str, as_json: bool) -> None:
+def verify_command(file: str, max_steps: int | None, as_json: bool) -> None:
     """Check a certificate, from the definition.
 
     Decides whether the certificate in FILE, or - for standard input, proves its answer, from
@@ -27,7 +33,8 @@ def verify_command(file: str, as_json: bool) -> None:
     """
     from exactsweep.check import verify
 
-    verdict = verify(read_certificate(file))
+    asked = {} if max_steps is None else {"max_steps": max_steps}
+    verdict = verify(read_certificate(file), **asked)
     if as_json:
         text = verification_to_json(verdict)
     else:

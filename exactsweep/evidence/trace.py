@@ -4,6 +4,10 @@ Both loops are drawn by G moving along the trajectory T. An edge of a loop is a 
 of G at a vertex of T, of the path of a vertex of G along an edge of T, or of the path of an edge
 of G along an edge of T parallel to it. Several may be needed for one edge: what D's edge shows of
 itself to the inner loop can be touched by one vertex of G after the other.
+
+A vertex of G whose path is on a loop is a convex one, and G beside it on one side of the path: G
+moves inside the outer loop and does not enter the inner one. For two convex polygons that leaves
+two vertices, or four, for each direction of T.
 """
 
 from __future__ import annotations
@@ -15,11 +19,11 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.contact import minus
+from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.geometry.point import ORIGIN, Edge, Rational, Vertex
 from exactsweep.geometry.segment import (
     Segment,
     choose_cover,
@@ -69,18 +73,20 @@ class Tracer:
         # lattice, it moves along a line those that are whole units from it.
         self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
-        self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
-            list
-        )
+        self._lines: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
-            self._paths[self._path_key(piece)].append(
-                _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
-            )
-            self._lines[piece.direction, piece.offset].append((piece, k))
+            path_piece = _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
+            self._paths[self._path_key(piece)].append(path_piece)
+            self._lines[piece.direction, piece.offset].append(path_piece)
         self._longest = {key: max(s.high - s.low for s, *_ in p) for key, p in self._paths.items()}
         self._g_vertices: dict[Vector, _LinedVertices] = {}
+        self._g_facing: defaultdict[Vector, set[int]] = defaultdict(set)
+        directions = list({direction for direction, _ in self._paths})
+        both_ways: list[Edge] = [edge for u in directions for edge in ((ORIGIN, u), (u, ORIGIN))]
+        for way, i in find_facing(dict(enumerate(both_ways)), generatrix):
+            self._g_facing[directions[way // 2]].add(i)
 
     def trace(self, edge: Edge) -> list[Trace]:
         """Return features that together draw an edge of the inner or of the outer loop.
@@ -120,8 +126,8 @@ class Tracer:
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
             paths = self._lines.get((u, whole.offset - own.offset), [])
-            nearest = bisect_left(paths, low, key=lambda item: item[0].high)
-            for path, k in paths[nearest : nearest + 1]:
+            nearest = bisect_left(paths, low, key=_high)
+            for path, k, _, _ in paths[nearest : nearest + 1]:
                 first, last = max(low, path.low), min(high, path.high)
                 if first <= last:
                     p, q = self._path.edge(k)
@@ -185,14 +191,11 @@ class Tracer:
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u, key = whole.direction, self._path_key(whole)
-        paths = self._paths.get(key)
-        if not paths:
+        if key not in self._paths:
             return
         vertices = self._vertices_along(u)
-        first = bisect_left(paths, whole.low - vertices.high - self._longest[key], key=_low)
-        last = bisect_right(paths, whole.high - vertices.low, key=_low)
         whole_low, whole_high = floor(whole.low), ceil(whole.high)
-        for path, k, path_low, path_high in paths[first:last]:
+        for path, k, path_low, path_high in self._paths_near(whole, key, vertices):
             ends = vertices.by_offset.get(whole.offset - path.offset)
             if ends is None:
                 continue
@@ -209,13 +212,35 @@ class Tracer:
                     total = Segment(u, whole.offset, path.low + start, path.high + end)
                     yield total, Trace(Feature("edge", k), Feature(feature, i))
 
+    def _paths_near(
+        self, whole: Segment, key: tuple[Vector, Rational], vertices: _LinedVertices
+    ) -> Sequence[_PathPiece]:
+        """Edges of the trajectory along which a vertex may come to an edge, from left to right.
+
+        Looked for on each line from which a vertex of G draws it; or on all parallel lines, where
+        one long edge makes all look near, if these are fewer.
+        """
+        low, high = whole.low - vertices.high, whole.high - vertices.low
+        paths = self._paths[key]
+        first = bisect_left(paths, low - self._longest[key], key=_low)
+        last = bisect_right(paths, high, key=_low)
+        if last - first <= len(vertices.by_offset):
+            return paths[first:last]
+        near: list[_PathPiece] = []
+        for offset in vertices.by_offset:
+            line = self._lines.get((whole.direction, whole.offset - offset), [])
+            near += line[bisect_left(line, low, key=_high) : bisect_right(line, high, key=_low)]
+        return sorted(near, key=lambda path: (path.piece.low, path.number))
+
     def _path_key(self, piece: Segment) -> tuple[Vector, Rational]:
         return piece.direction, piece.offset % 1 if self._is_on_lattice else 0
 
     def _vertices_along(self, u: Vector) -> _LinedVertices:
         if u not in self._g_vertices:
             by_offset: defaultdict[Rational, dict[int, Rational]] = defaultdict(dict)
-            for i, w in enumerate(self._generatrix.vertices):
+            ends = {k for i, *_ in self._g_edges.get(u, ()) for k in (i, self._generatrix.after[i])}
+            for i in sorted(ends | self._g_facing[u]):
+                w = self._generatrix.vertices[i]
                 by_offset[find_offset(u, w)][i] = measure_along(u, w)
             places = [place for ends in by_offset.values() for place in ends.values()]
             self._g_vertices[u] = _LinedVertices(by_offset, min(places), max(places))
@@ -239,7 +264,7 @@ class Tracer:
 
 
 class _LinedVertices(NamedTuple):
-    """Vertices by their lines in one direction: by number, the coordinate along the line."""
+    """Vertices that may draw, by their lines in one direction: by number, the place on the line."""
 
     by_offset: Mapping[Rational, dict[int, Rational]]
     low: Rational
@@ -257,6 +282,10 @@ class _PathPiece(NamedTuple):
 
 def _low(path: _PathPiece) -> Rational:
     return path.piece.low
+
+
+def _high(path: _PathPiece) -> Rational:
+    return path.piece.high
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:

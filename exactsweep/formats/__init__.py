@@ -3,7 +3,7 @@
 from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import read_certificate
-from exactsweep.formats.files import MAX_BYTES, read_text, show_path
+from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
 from exactsweep.formats.polygons import (
     parse_polygon,
@@ -20,7 +20,6 @@ from exactsweep.formats.writing import FORMATS, format_polygons
 
 __all__ = [
     "FORMATS",
-    "MAX_BYTES",
     "FormatError",
     "NamedPolygon",
     "NamedRegion",

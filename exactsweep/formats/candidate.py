@@ -6,15 +6,14 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import NumberError, answer_digits, quote
+from exactsweep.geometry.limits import answer_digits
+from exactsweep.geometry.number import NumberError, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.words import count, suggest
-
-MAX_FAULTS = 10_000
-"""The most things of one file that are no polygon, each with a reason."""
 
 _SHOWN = 4
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
@@ -151,16 +150,24 @@ def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
     """List candidates, of which some are known to be no polygons.
 
     Raises:
-        FormatError: more than MAX_FAULTS of them are, with the first one.
+        FormatError: more of them are than `limits` allow, with the first one.
     """
-    found, faults = [], 0
+    found: list[Candidate] = []
+    faults, first = 0, ""
     for candidate in candidates:
         found.append(candidate)
-        faults += bool(candidate.fault)
-        if faults > MAX_FAULTS:
-            first = next(one.fault for one in found if one.fault)
-            raise FormatError(f"more than {MAX_FAULTS:,} things that are no polygon, first {first}")
+        if candidate.fault:
+            faults, first = faults + 1, first or candidate.fault
+            require_few_faults(faults, first)
     return found
+
+
+def require_few_faults(count: int, first: str) -> None:
+    """Refuse more things that are no polygon than are kept, each with a reason."""
+    try:
+        require_count(count, FAULT, "things that are no polygon")
+    except FormatError as error:
+        raise FormatError(f"{error}, first {first}") from None
 
 
 def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:

@@ -12,11 +12,8 @@ from io import StringIO
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import MAX_VERTICES
+from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.geometry.point import Point
-
-MAX_POLYGONS = MAX_VERTICES // 3
-"""The most polygons of one table: each has three vertices at least."""
 
 _NAMES = ("name", "id", "part", "polygon")
 _COLUMNS = {"x", "y", "ring", *_NAMES}
@@ -93,8 +90,8 @@ def _parse(text: str) -> list[Candidate]:
                 raise FormatError(f"line {rows.line_num}: {len(row)} cells, without x and y")
             named = {word: row[k] for word, k in columns.items() if k < len(row)}
             name = next((named[word] for word in _NAMES if word in named), "")
-            if len(polygons) > MAX_POLYGONS:
-                raise FormatError(f"more than {MAX_POLYGONS:,} polygons")
+            # Each has three vertices at least.
+            require_count(len(polygons), 3 * VERTEX, "polygons")
             rings = polygons.setdefault((named.get("polygon", ""), name), {})
             cells = rows.line_num, row[columns["x"]], row[columns["y"]]
             rings.setdefault(named.get("ring", ""), []).append(cells)

@@ -54,6 +54,11 @@ def read_decimals(text: str) -> list[Fraction]:
     return [read_decimal(number) for number in found]
 
 
+def count_decimals(text: str) -> int:
+    """Count what `read_decimals` would read, without keeping it."""
+    return sum(1 for _ in re.finditer(DECIMAL, text))
+
+
 def format_decimal(value: Fraction) -> str:
     """Write a number as a decimal, exactly.
 

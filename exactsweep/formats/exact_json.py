@@ -8,6 +8,7 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
+from exactsweep.formats.size import require_text
 from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -23,7 +24,7 @@ def parse_json(text: str) -> object:
         dict, list, str (strings and numbers), bool or None.
 
     Raises:
-        FormatError: not JSON, nested too deeply, or a name twice in one object.
+        FormatError: not JSON, nested too deeply, a name twice in one object, or too large.
 
     Cost: linear in the length of the text.
 
@@ -208,7 +209,13 @@ def describe_kind(value: object) -> str:
     return json.dumps(value)
 
 
+def count_vertices(text: str) -> int:
+    """Count what may be a vertex, which has a bracket or a brace of its own."""
+    return text.count("[") + text.count("{")
+
+
 def _parse(text: str, number: Callable[[str], object] | None) -> object:
+    require_text(text, count_vertices(text))
     try:
         document: object = json.loads(
             text,

@@ -5,9 +5,8 @@ import sys
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 
 from exactsweep.formats.error import FormatError
-
-MAX_BYTES = 16 * 2**20
-"""The most bytes that are read from one file."""
+from exactsweep.formats.size import require_size
+from exactsweep.geometry.limits import get_max_bytes
 
 # Possessive, so that blank lines and comments without end are gone through once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
@@ -24,14 +23,13 @@ def read_text(path: str) -> str:
         The text, without a byte order mark.
 
     Raises:
-        FormatError: not readable, more than MAX_BYTES, neither UTF-8 nor DXF.
+        FormatError: not readable, more bytes than `limits` allow, neither UTF-8 nor DXF.
     """
     try:
         data = _read_bytes(path)
     except OSError as error:
         raise FormatError(error.strerror or str(error)) from None
-    if len(data) > MAX_BYTES:
-        raise FormatError(f"more than {MAX_BYTES} bytes")
+    require_size(len(data))
     if data.startswith(b"AutoCAD Binary DXF"):
         raise FormatError("a binary DXF file; save it as ASCII DXF")
     try:
@@ -65,7 +63,7 @@ def _read_bytes(path: str) -> bytes:
     # One byte too many is enough to know, even of a device without end.
     if path != "-":
         with open(path, "rb") as file:
-            return file.read(MAX_BYTES + 1)
+            return file.read(get_max_bytes() + 1)
     if sys.stdin is None:
         raise FormatError("closed")
-    return sys.stdin.buffer.read(MAX_BYTES + 1)
+    return sys.stdin.buffer.read(get_max_bytes() + 1)

@@ -1,6 +1,7 @@
 """Polygons from text and files, in whichever format the content shows."""
 
 import os
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Unpack
@@ -16,14 +17,18 @@ from exactsweep.formats.candidate import (
 )
 from exactsweep.formats.csv import is_csv, parse_csv
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import parse_json, read_exact
+from exactsweep.formats.exact_json import count_vertices, parse_json, read_exact
 from exactsweep.formats.files import DXF_SIGN, read_text, show_path
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.reading import MAX_VERTICES, Options, Reading
+from exactsweep.formats.reading import Options, Reading
+from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+
+# A group code 0 and the name that follows it.
+_ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 
 
 def parse_polygon(
@@ -273,20 +278,42 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
         return parse_dxf(text, reading)
     # No other format says in which unit its numbers are.
     reading.scale(None)
-    # Of a vertex there is one of these in each of them, except for what JSON has around.
-    marks = {"[": "[{", "{": "[{"}.get(first, "\n" if is_csv(text) else ",")
-    if sum(map(text.count, marks)) > MAX_VERTICES:
-        raise FormatError(f"more than {MAX_VERTICES:,} vertices")
-    # And of numbers two, with as much beside them, as many as there are in results.
-    if text.count(",") > 4 * MAX_VERTICES:
-        raise FormatError(f"more than {4 * MAX_VERTICES:,} numbers")
+    if first in "[{":
+        return _read_json(text)
+    require_text(text, _count_vertices(text))
     if is_csv(text):
         return parse_csv(text)
     if first.isalpha():
         return parse_wkt(text)
-    if first in "[{":
-        return _read_json(text)
     raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
+
+
+def _count_vertices(text: str) -> int:
+    return text.count("\n" if is_csv(text) else ",")
+
+
+def measure_written(text: str) -> int:
+    r"""Count the bytes that a text of `format_polygons` counts for where it is read, or some more.
+
+    Args:
+        text: JSON of any other kind, too.
+
+    Returns:
+        A number of bytes.
+
+    Cost: linear.
+
+    Example:
+        >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
+        (64, 48)
+    """
+    first = text.lstrip()[:1]
+    if first == "<":
+        return max(measure_text(text, text.count(",")), ELEMENT * text.count("<"))
+    if DXF_SIGN.match(text):
+        return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
+    vertices = count_vertices if first in "[{" else _count_vertices
+    return measure_text(text, vertices(text))
 
 
 def _read_json(text: str) -> Sequence[Candidate]:

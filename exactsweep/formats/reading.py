@@ -6,16 +6,12 @@ from fractions import Fraction
 from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.size import VERTEX, require_count, require_size
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import NumberError, abridge, quote, to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""
-
-MAX_LINES_OF_ALL = 1_000_000
-"""The most lines that all curves of one file become."""
-
-MAX_VERTICES = 1_000_000
-"""The most vertices of one file: reading takes some 500 bytes for each of them."""
 
 UNITS = {
     "mm": Fraction(1),
@@ -62,6 +58,8 @@ class Reading:
         tolerance, join: Fractions, or None.
         nested, unit: as given.
         lines: how many lines curves have become.
+        vertices: how many vertices have been drawn, and
+        copied: how many bytes, beside those of the file, by what draws something again.
 
     Raises:
         FormatError: a number that is not positive, no such unit.
@@ -80,7 +78,7 @@ class Reading:
         self.tolerance = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
         self.nested, self.unit = nested, unit
-        self.lines = 0
+        self.lines = self.vertices = self.copied = 0
 
     def allow_curve(self, count: int = 0) -> Fraction:
         """Allow a curve to become so many lines, before it does.
@@ -105,12 +103,22 @@ class Reading:
                 f"a curve would become {shown} lines at this tolerance, more than {MAX_LINES:,}"
             )
         self.lines += count
-        if self.lines > MAX_LINES_OF_ALL:
+        if self.lines * VERTEX > get_max_bytes():
             raise FormatError(
                 f"with this one, the curves of the file would become {self.lines:,} lines at this "
-                f"tolerance, more than {MAX_LINES_OF_ALL:,}"
+                f"tolerance, more than {get_max_bytes() // VERTEX:,} (max_mib)"
             )
         return self.tolerance
+
+    def allow_vertices(self, count: int) -> None:
+        """Count vertices that are drawn; raises FormatError if all are more than are read."""
+        self.vertices += count
+        require_count(self.vertices, VERTEX, "vertices are drawn")
+
+    def allow_copy(self, size: int, what: str) -> None:
+        """Count bytes that something draws again; raises FormatError if they are too many."""
+        self.copied += size
+        require_size(self.copied, f"{what} draw ")
 
     def allow_angle(self, degrees: Fraction) -> Fraction:
         """Allow a rotation that is irrational, and return how far off its matrix may be."""

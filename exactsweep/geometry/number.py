@@ -1,31 +1,12 @@
 """Coordinates in and out: every accepted number becomes the `Fraction` that it is, exactly.
 
-There is one limit on numbers, for those that strangers write, as text or Decimals: some characters,
-`1e999999999`, must not ask for gigabytes, and what is answered must be readable again.
-
-1. A number may have `max_digits` D in its numerator and in its denominator, however it is spelled.
-2. One that is written out may have as many as it is written with, up to 32 D + 7: no vertex of a
-   loop that is computed from numbers of D digits has more, by 3 to 5. Certificates, whose cost is
-   counted in steps, have no limit; nor do ints, Fractions and floats, which are numbers already.
-
-Let |n|, d < 10^D for all coordinates n/d of two polygons.
-
-3. A line through d1 - g and d2 - g, for vertices d1, d2 of one and g of the other, is A x + B y = C
-   with ints |A|, |B| < 2 * 10^6D and |C| < 8 * 10^6D: A and B are over the denominators of d1 and
-   d2, which cancel that of d1 in C, and C is over those of g.
-4. Two such lines cross, at a vertex t of a trajectory or a hole or at the end of an exact fit, over
-   A B' - A' B < 8 * 10^12D, with numerators below 32 * 10^12D; a reference point adds D digits.
-5. What is swept is bounded by such lines moved by a vertex of G, with |A|, |B| < 2 * 10^8D, and by
-   edges of G moved by t: over its denominator, |A|, |B| < 16 * 10^16D and |C| < 256 * 10^16D. Two
-   of these cross over less than 512 * 10^32D, with numerators below 8192 * 10^32D.
+How long numbers of strangers may be is said, and proved to be enough, in `limits`.
 """
 
 import operator
 import re
 import sys
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import gcd
@@ -34,6 +15,7 @@ from operator import attrgetter
 
 from exactsweep.geometry.digits import read_int, write_int
 from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.limits import answer_digits, get_max_digits, limits
 
 _ECHO = 40
 
@@ -60,44 +42,8 @@ class NumberError(ExactSweepError):
     """A value that is not an exact rational number, or one beyond the limits."""
 
 
-# What Python itself is ready to print of an int (`sys.int_info.default_max_str_digits`).
-_DEFAULT_DIGITS = 4300
 # 10**-d and 2**-d are one number, of d digits in decimals and of d/3.32 as a fraction.
 _DIGITS_BEFORE_REDUCTION = 5
-_max_digits: ContextVar[int] = ContextVar("max_digits", default=_DEFAULT_DIGITS)
-
-
-@contextmanager
-def limits(*, max_digits: int) -> Iterator[None]:
-    """Change, inside a `with` block, how large a number in a string or `Decimal` may be.
-
-    The limit is on the number, not on how it is spelled. What is read under it, and what is
-    computed from that, can be written in any format and read again.
-
-    Args:
-        max_digits: the most digits of the numerator and of the denominator, in lowest terms; 4300
-            unless changed. A number that is written out may have 32 times as many, and 7 more.
-
-    Raises:
-        NumberError: a limit below one.
-
-    Example:
-        >>> with limits(max_digits=10_000):
-        ...     to_fraction("1e5000") == 10**5000
-        True
-    """
-    if type(max_digits) is not int or max_digits < 1:
-        raise NumberError("max_digits must be an int, at least 1")
-    token = _max_digits.set(max_digits)
-    try:
-        yield
-    finally:
-        _max_digits.reset(token)
-
-
-def answer_digits() -> int:
-    """The most digits of a number that is written out: by 5, of any vertex of an answer."""
-    return 32 * _max_digits.get() + 7
 
 
 def to_fraction(value: object) -> Fraction:
@@ -266,7 +212,9 @@ def read_any_length(text: str) -> Fraction:
         >>> read_any_length("1" + "0" * 200_000) == 10**200_000
         True
     """
-    with limits(max_digits=len(text) + 1):
+    if len(text) <= get_max_digits():
+        return to_fraction(text)
+    with limits(max_digits=len(text)):
         return to_fraction(text)
 
 
@@ -290,7 +238,7 @@ def format_fraction(value: Fraction) -> str:
 def _from_string(text: str) -> Fraction:
     digits = text.removeprefix("-")
     is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
-    if is_int and len(text) <= _SHORT and len(text) <= _max_digits.get():
+    if is_int and len(text) <= _SHORT and len(text) <= get_max_digits():
         return _make_reduced(int(text), 1)
     match = _NUMBER.fullmatch(text)
     if match is None:
@@ -342,8 +290,8 @@ def _check(text: str, value: Fraction) -> Fraction:
 
 
 def _allowed_digits(text: str) -> int:
-    """By 1 and 2."""
-    return max(_max_digits.get(), min(len(text), answer_digits()))
+    """By 1 and 2 of `limits`."""
+    return max(get_max_digits(), min(len(text), answer_digits()))
 
 
 def _too_long(text: str) -> NumberError:

@@ -14,7 +14,7 @@ is the sign of u * n + v * d, with u and v from the lines alone, without a divis
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
@@ -150,23 +150,27 @@ class Envelope:
         if precedes(start, end):
             self.take(chain, chain.edge_after(start), chain.edge_before(end), end)
 
-    def keep(self, spans: Iterable[Span]) -> Envelope | None:
+    def keep(self, spans: Sequence[Span]) -> Envelope | None:
         """What it has over some x-ranges, given from left to right, and gaps between them.
 
-        Returns None if it reaches none of them. Cost: O(log n) for each, and O(pieces kept).
+        Returns None if it reaches none of them.
+        Cost: O(log k) for k x-ranges, O(log n) for each that it reaches, and O(pieces kept).
         """
         kept: Envelope | None = None
         first, last = self.breaks[0], self.breaks[-1]
-        for start, end in spans:
+        begin = bisect_left(spans, True, key=lambda span: precedes(first, span[1]))
+        for k in range(begin, len(spans)):
+            start, end = spans[k]
+            if not precedes(start, last):
+                break
             if precedes(start, first):
                 start = first
             if precedes(last, end):
                 end = last
-            if precedes(start, end):
-                if kept is None:
-                    kept = Envelope([start], [])
-                kept.take_gap(start)
-                kept.take_between(self, start, end)
+            if kept is None:
+                kept = Envelope([start], [])
+            kept.take_gap(start)
+            kept.take_between(self, start, end)
         return kept
 
     def restrict(self, start: Rational, end: Rational) -> Envelope:
@@ -181,20 +185,18 @@ class Envelope:
         found = [find_point(before, breaks[0])]
         for piece, at in zip(pieces[1:], breaks[1:], strict=False):
             bdx, bdy, bc, start, _ = piece
-            n, d = at
             adx, ady, ac, begin, _ = before
             u = ady * bdx - bdy * adx
             if (
                 u
                 and start is not None
                 and begin is not None
-                and n == start[0] * d
                 and start == (begin[0] + adx, begin[1] + ady)
             ):
-                # Mostly a whole edge follows another one.
+                # Mostly an edge begins where another one ends, and so does what holds of them.
                 found.append(start)
             else:
-                step = u * n + (ac * bdx - bc * adx) * d
+                step = u * at[0] + (ac * bdx - bc * adx) * at[1]
                 if step:
                     found.append(find_point(before, at))
                 if step or u:

@@ -21,6 +21,11 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 _APPROXIMATE = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
+# Of long numbers the first bits tell these digits, unless what is made of them, give or take what
+# it may be off, is around the middle between two.
+_BITS = 200
+_NEARLY = Context(prec=60, Emax=MAX_EMAX, Emin=MIN_EMIN)
+_AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
 # Far beyond any line: rich wraps to a width, always.
 _NO_WRAPPING = 10**9
 
@@ -269,6 +274,12 @@ def approximate(value: Fraction) -> str:
     >>> approximate(Fraction(-20, 3)), approximate(Fraction(30)), approximate(Fraction(2**99))
     ('-6.66667', '30', '6.33825E+29')
     """
-    rounded = _APPROXIMATE.divide(Decimal(value.numerator), Decimal(value.denominator))
+    n, d = value.as_integer_ratio()
+    i, j = (max(k.bit_length() - _BITS, 0) for k in (n, d))
+    near = _NEARLY.divide(Decimal(n >> i), Decimal(d >> j))
+    near = _NEARLY.multiply(near, _NEARLY.power(2, i - j))
+    rounded, other = (_APPROXIMATE.multiply(near, factor) for factor in _AROUND)
+    if rounded != other:
+        rounded = _APPROXIMATE.divide(Decimal(n), Decimal(d))
     rounded = rounded.normalize(_APPROXIMATE)
     return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded)

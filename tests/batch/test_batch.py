@@ -17,7 +17,7 @@ from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_
 from exactsweep.batch import run as run_batch
 from exactsweep.batch.job import CHUNK_PAIRS
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.formats import MAX_BYTES, NamedPolygon, format_polygons
+from exactsweep.formats import NamedPolygon, format_polygons
 
 SQUARE = NamedPolygon(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), "square")
 NOTCH = NamedPolygon(Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]), "notch")
@@ -148,7 +148,7 @@ def test_bytes_that_are_no_text_are_an_error_record() -> None:
 
 def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
     good = PAIR + "}\n"
-    long = "[" + " " * MAX_BYTES + "]\n"
+    long = "[" + " " * 2**24 + "]\n"
     (tmp_path / "pairs.jsonl").write_text(f"\n{good}x\n \n{long}{good}{good[:-1]}")
     job = take_listed_pairs(str(tmp_path / "pairs.jsonl"), PARTS)
     path = tmp_path / "out.jsonl"
@@ -156,7 +156,7 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
     found = records(path)
     assert [record["index"] for record in found] == [0, 1, 2, 3, 4]
     assert found[1]["error"] == "line 1, column 1: not JSON: Expecting value"
-    assert found[2]["error"] == f"the line has more than {MAX_BYTES} bytes"
+    assert found[2]["error"] == "the line has more than 16 MiB (max_mib)"
     assert found[0] == found[3] | {"index": 0} == found[4] | {"index": 0}
 
 

@@ -21,9 +21,9 @@ from shape_certificates import (
 )
 from tampering import changes
 
-from exactsweep import Point, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.check import size, verify
-from exactsweep.check.certificate import CertificateError
+from exactsweep.check.certificate import CertificateError, read_number
 
 NESTED: list[Any] = []
 for _ in range(10**5):
@@ -64,6 +64,50 @@ CERTIFICATES = {
     "inner_fit": inner_fit_certificate(FULL, grid("#")),
     "sweep": sweep_certificate(FULL, grid("#")),
 }
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1/-2",
+        "-1/-2",
+        "1/0",
+        "0/1",
+        "2/4",
+        "1/1",
+        "-0",
+        "+1",
+        "01",
+        "1_0",
+        "1/+2",
+        "1/02",
+        "1/2/3",
+        "1/",
+        "/2",
+        "1e3",
+        "0.5",
+        "٣",
+        "-",
+        "/",
+        "--1",
+        "",
+        " 1",
+        "1 ",
+        "1 /2",
+        "1/ 2",
+        "2/" + "4" * 700,
+        "0" + "9" * 700,
+    ],
+)
+def test_a_number_is_written_in_one_way(text: str) -> None:
+    with pytest.raises(CertificateError, match=r"^x: "):
+        read_number(text, "x")
+
+
+@pytest.mark.parametrize("text", ["0", "-7", "1/2", "-7/2", "9" * 700, "-" + "9" * 700 + "/7"])
+def test_a_number_in_lowest_terms_is_read(text: str) -> None:
+    above, _, below = text.partition("/")
+    assert read_number(text, "x") == Fraction(int(above), int(below or 1))
 
 
 @pytest.mark.parametrize("claim", CERTIFICATES)
@@ -126,30 +170,61 @@ def test_loop_that_meets_itself_is_refused() -> None:
 
 
 def test_many_edges_are_refused_at_once() -> None:
-    loop = [[str(k), str(k * k)] for k in range(10**4)] + [["0", str(10**8)]]
-    loop.sort(key=lambda point: point != ["0", "0"])
-    certificate = {**sweep(UNIT, VALLEY).certificate(), "generatrix": loop, "directrix": loop}
+    """Convex corners that are all alone, so that each has to be held against each."""
+    saw = Polygon([*((k, k % 2) for k in range(2 * 10**4)), (0, 9)])
+    turned = Polygon([(-x, -y) for x, y in saw.vertices])
+    loops = {
+        name: [[str(x), str(y)] for x, y in polygon.vertices]
+        for name, polygon in (("generatrix", turned), ("directrix", saw))
+    }
+    certificate = {**sweep(UNIT, VALLEY).certificate(), **loops}
     assert verify(certificate).reason == (
         "too large: to check it would take more than 100000000 steps"
     )
 
 
-def test_common_denominator_out_of_hand_is_refused_at_once() -> None:
+def test_certificates_of_many_convex_edges_are_proved() -> None:
+    """Once 10,000 around 10,000 were too many, which take a second."""
+    parabola = [(k, k * k) for k in range(100)]
+    assert verify(sweep(parabola, parabola).certificate(), max_steps=5000).proved
+
+
+def test_places_for_exact_fits_count_in_steps() -> None:
+    """Walls that all go with each other: as many places as pairs, each looked at all along."""
+    n = 10
+
+    def castle(step: int, width: int) -> list[tuple[int, int]]:
+        walls = [(step * k, 0, step * k + width) for k in range(n)]
+        low = [(x, y) for a, y, b in walls for x, y in ((a, 1), (a, y), (b, y), (b, 1))]
+        return [*low[1:-1], (low[-1][0], 9), (0, 9)]
+
+    turned = [(-x, -y) for x, y in castle(4, 2)]
+    s = sweep(turned, castle(4 * n, 2 * n - 2))
+    loops = [s.generatrix, s.directrix, s.trajectory, s.inner, s.outer]
+    least = sum(map(len, loops))
+    certificate = s.certificate()
+    assert verify(certificate).proved
+    steps = next(k for k in range(least, 10**6, 100) if verify(certificate, max_steps=k).proved)
+    assert steps > n * n * len(s.generatrix)
+
+
+def test_long_denominators_count_in_steps() -> None:
     parabola = [[str(k), f"1/{10**1000 + k}"] for k in range(1, 10**3)]
     certificate = {**sweep(UNIT, VALLEY).certificate(), "directrix": [["0", "0"], *parabola]}
-    assert verify(certificate).reason == (
-        "too large: to check it would take more than 100000000 steps"
+    assert verify(certificate, max_steps=10**5).reason == (
+        "too large: to check it would take more than 100000 steps"
     )
 
 
-def test_the_common_denominator_counts_in_steps() -> None:
-    """A step on numbers of up to 64 bits is one, on up to 128 bits two: for each of the points."""
+def test_a_lattice_is_of_use_where_it_is_not_far_finer_than_the_points() -> None:
     fine = Point(Fraction(1, 2**62), Fraction(1, 3))
-    assert size.find_common_scale([fine, fine], 4) == 3 * 2**62
-    assert size.find_common_scale([fine._replace(y=Fraction(1))], 1) == 2**62
-    for points, steps in (([fine, fine], 3), ([Point(fine.y, fine.x)], 1)):
-        with pytest.raises(CertificateError, match=f"more than {steps} steps"):
-            size.find_common_scale(points, steps)
+    assert size.find_common_scale([fine, fine]) == 3 * 2**62
+    primes = [2**521 - 1, 2**607 - 1, 2**1279 - 1, 2**2203 - 1]
+    points = [Point(Fraction(1, p), Fraction(1, 3)) for p in primes]
+    assert size.find_common_scale(points[:2]) == 3 * primes[0] * primes[1]
+    assert size.find_common_scale(points[:3]) == 3 * primes[0] * primes[1] * primes[2]
+    # The others have as many bits as the last one, and 128 more.
+    assert size.find_common_scale([*points, Point(Fraction(1), Fraction(1, 2**1400))]) == 1
 
 
 def test_more_steps_may_be_allowed() -> None:

@@ -14,7 +14,7 @@ import exactsweep
 from exactsweep import sweep
 from exactsweep.cli import main
 from exactsweep.cli.pair import DIRECTRIX
-from exactsweep.formats import MAX_BYTES, parse_polygon
+from exactsweep.formats import parse_polygon
 from exactsweep.text.report import report
 from exactsweep.text.results import sweep_to_json, sweep_to_wkt
 
@@ -134,7 +134,7 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
         (b"POLYGON ((0 0, 1 0, 0 1))", "line 1, column 10: the ring is not closed: "),
         (b"\xfe\xfe", "not UTF-8 text: invalid start byte at byte 0"),
         (b"[" * 100_000, "nested too deeply"),
-        (b"\0" * (MAX_BYTES + 1), f"more than {MAX_BYTES} bytes"),
+        (b"\0" * (2**24 + 1), "more than 16 MiB (max_mib)"),
     ],
     ids=range(9),
 )
@@ -197,7 +197,7 @@ def test_unreadable_files_are_refused(tmp_path: Path) -> None:
         (
             f"exactsweep sweep /dev/zero '{NOTCH}'",
             1,
-            f"Error: /dev/zero: more than {MAX_BYTES} bytes\n",
+            "Error: /dev/zero: more than 16 MiB (max_mib)\n",
         ),
         # Nobody reads any more: that is no fault of the input.
         (f"{{ {UNREAD}; exactsweep sweep; echo $? >&2; }} | true", 0, "1\n"),

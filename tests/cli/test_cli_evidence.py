@@ -14,7 +14,6 @@ import pytest
 from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, PATIENCE, refusal, run
 from linear import require_linear
 
-from exactsweep.formats import MAX_BYTES
 from exactsweep.text.explanation import tell
 
 
@@ -136,7 +135,7 @@ def test_what_is_no_certificate_is_not_proved(content: str, reason: str) -> None
         (b'{"version":' * 100_000, "nested too deeply"),
         (b"9" * 5000, "not JSON that can be read: Exceeds the limit"),
         (b"\xff", "not UTF-8 text: invalid start byte at byte 0"),
-        (b" " * (MAX_BYTES + 1), f"more than {MAX_BYTES} bytes"),
+        (b" " * (2**24 + 1), "more than 16 MiB (max_mib)"),
     ],
     ids=range(9),
 )

@@ -219,7 +219,7 @@ def test_two_rings_that_touch_may_be_the_set() -> None:
             "$.trajectory: rings 0 and 1 overlap",
         ),
         ([SQUARE, SQUARE], "$.trajectory: rings 0 and 1 overlap"),
-        ([[0, 0]] * 10_001, "$.trajectory has more than 10000 vertices"),
+        ([[0, 0]] * (2**20 + 1), "$.trajectory has more than 1,048,576 vertices (max_mib)"),
         ([[0, "1e9999"], [1, 1]], "$.trajectory[0]: '1e9999' has more than 4300 digits"),
     ],
 )

@@ -13,16 +13,16 @@ from judged import HOSTILE, SQUARE
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.conform.run.outcome import judge_case
 from exactsweep.conform.run.process import ProcessPeer
-from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError
+from exactsweep.conform.run.protocol import ProtocolError
 from exactsweep.corpus import Case
 
 CASE = Case.of("square", "", SQUARE, SQUARE)
 MEGABYTES = 1024  # of ru_maxrss
 
 SURVIVED = {
-    "endless-line": ("malformed", f"a line of more than {MAX_LINE} bytes"),
+    "endless-line": ("malformed", "a line of more than 16 MiB (max_mib)"),
     "endless-lines": ("malformed", "'' is no JSON line"),
-    "gigabyte-line": ("malformed", f"a line of more than {MAX_LINE} bytes"),
+    "gigabyte-line": ("malformed", "a line of more than 16 MiB (max_mib)"),
     "deep-json": ("malformed", "nested too deeply"),
     "long-int": ("malformed", "not JSON that can be read"),
     "stderr-flood": ("timeout", "no answer within 0.5 s"),
@@ -35,7 +35,7 @@ SURVIVED = {
 REFUSED = {
     "no-hello": "no hello within 0.5 s",
     "dies-at-once": "no hello: exited with code 1; it says: no licence",
-    "endless-hello": f"no hello, but a line of more than {MAX_LINE} bytes",
+    "endless-hello": "no hello, but a line of more than 16 MiB (max_mib)",
     "garbage-hello": "'Loading ...' is no JSON line",
     "deep-hello": "nested too deeply",
     "partial-hello": 'the hello has no "loops"',

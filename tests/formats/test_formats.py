@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from exactsweep import Polygon, limits, sweep
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.formats import (
-    MAX_BYTES,
     FormatError,
     parse_polygon,
     read_polygon,
@@ -287,7 +286,7 @@ def test_limits_apply_to_files(tmp_path: Path) -> None:
         (b"", "empty"),
         (b"[[0, 0], [1, \xff]]", "not UTF-8 text: invalid start byte at byte 13"),
         ("[[0, 0], [1, 0]]".encode("utf-16"), "UTF-16 text; save it as UTF-8"),
-        (b" " * (MAX_BYTES + 1), f"more than {MAX_BYTES} bytes"),
+        (b" " * (2**24 + 1), "more than 16 MiB (max_mib)"),
         (b"\x89PNG\r\n", "not UTF-8 text: invalid start byte at byte 0"),
     ],
     ids=["empty", "latin", "utf-16", "enormous", "png"],

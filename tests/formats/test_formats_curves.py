@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
+from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.arc import find_unit_point
@@ -24,6 +25,7 @@ from exactsweep.formats.curved.curves import (
 )
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
+from exactsweep.formats.size import VERTEX
 from exactsweep.geometry.point import Point
 
 fewer = settings(max_examples=25)
@@ -216,16 +218,16 @@ def test_areas_come_close_to_the_true_ones(shape: str) -> None:
     assert abs(float(polygon.area) - SHAPES[shape]) < 2e-4
 
 
-def test_too_many_lines_are_refused_before_they_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_too_many_lines_are_refused_before_they_are_made() -> None:
     with pytest.raises(FormatError, match=r"circle: a curve would become 4,756,828,464 lines at"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
     with pytest.raises(FormatError, match=r"a curve would become 5e\+15 lines at this tolerance"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-30")
-    monkeypatch.setattr("exactsweep.formats.reading.MAX_LINES_OF_ALL", 1000)
     circle = '<circle r="1"/>'
-    assert len(parse_polygons(f"<svg>{circle * 2}</svg>", tolerance="1e-4")) == 2
-    with pytest.raises(FormatError, match=r"the curves of the file would become 1,\d{3} lines"):
-        parse_polygons(f"<svg>{circle * 3}</svg>", tolerance="1e-4")
+    with limits(max_mib=1000 * VERTEX / 2**20):
+        assert len(parse_polygons(f"<svg>{circle * 2}</svg>", tolerance="1e-4")) == 2
+        with pytest.raises(FormatError, match=r"would become 1,\d{3} lines .* 1,000 \(max"):
+            parse_polygons(f"<svg>{circle * 3}</svg>", tolerance="1e-4")
 
 
 @pytest.mark.parametrize("tolerance", [0, "-1", "x", float("nan"), True])

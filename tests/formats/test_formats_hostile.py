@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from linear import require_linear
 
-from exactsweep import Polygon
+from exactsweep import Polygon, limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons, read_polygon
-from exactsweep.formats.candidate import MAX_FAULTS, Candidate
-from exactsweep.formats.reading import MAX_VERTICES
+from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.size import ELEMENT, ENTITY, FAULT, VERTEX
 
 TEXTS: dict[str, Callable[[int], str]] = {
     "wkt word": lambda n: "P" * n,
@@ -64,7 +64,8 @@ def test_equal_rings_are_one_ring_in_linear_time() -> None:
     require_linear(read)
 
 
-MANY = MAX_VERTICES + 1
+MANY = 2**24 // VERTEX + 1
+MAX_FAULTS = 2**24 // FAULT
 
 
 @pytest.mark.parametrize(
@@ -79,21 +80,46 @@ MANY = MAX_VERTICES + 1
     ids=["wkt", "json", "objects", "csv", "points"],
 )
 def test_more_vertices_than_memory_is_for_are_refused_unread(text: Callable[[], str]) -> None:
-    with pytest.raises(FormatError, match=r"more than [14],000,000 (vertices|characters)"):
+    with pytest.raises(FormatError, match=r"more than 1,048,576 vertices .*\(max_mib\)"):
         parse_polygon(text())
 
 
-def test_entities_beyond_counting_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("exactsweep.formats.curved.dxf_entity.MAX_ENTITIES", 1000)
-    with pytest.raises(FormatError, match=r"^more than 1,000 entities$"):
+def test_entities_beyond_counting_are_refused() -> None:
+    few = limits(max_mib=1000 * ENTITY / 2**20)
+    with few, pytest.raises(FormatError, match=r"^more than 1,000 entities \(max_mib\)$"):
         parse_polygon("0\nSECTION\n2\nENTITIES\n" + "0\nLINE\n" * 2000)
 
 
-def test_a_path_stops_at_the_vertex_that_is_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("exactsweep.formats.curved.svg_path.MAX_VERTICES", 1000)
-    data = "M0 0" + "h1" * 5000
-    with pytest.raises(FormatError, match=r"path data, character 2003: more than 1,000 vertices"):
-        parse_polygon(f'<svg><path d="{data}"/></svg>')
+@pytest.mark.parametrize("form", ["svg", "dxf"])
+def test_what_is_drawn_again_counts_again(form: str) -> None:
+    """Once 140 kB drew 40 million vertices: more memory than there was, in hours."""
+    teeth = [(k, k % 2) for k in range(200)] + [(0, 300)]
+    if form == "svg":
+        points = " ".join(f"{x},{y}" for x, y in teeth)
+        uses = '<use href="#a"/>' * 200
+        text = f'<svg><polygon id="a" points="{points}"/>{uses}</svg>'
+        refusal = r"^more than [\d,]+ vertices are drawn \(max_mib\)$"
+    else:
+        points = "".join(f"10\n{x}\n20\n{y}\n" for x, y in teeth)
+        block = f"0\nBLOCK\n2\nA\n10\n0\n20\n0\n0\nLWPOLYLINE\n70\n1\n{points}0\nENDBLK\n"
+        inserts = "0\nINSERT\n2\nA\n10\n0\n20\n0\n" * 200
+        text = (
+            f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDSEC\n"
+            f"0\nSECTION\n2\nENTITIES\n{inserts}0\nENDSEC\n0\nEOF\n"
+        )
+        refusal = r"^blocks draw more than 0.\d+ MiB \(max_mib\)$"
+    assert len(parse_polygons(text)) in (200, 201)
+    with limits(max_mib=3 * len(text) / 2**20), pytest.raises(FormatError, match=refusal):
+        parse_polygons(text)
+
+
+def test_a_file_stops_at_the_vertex_that_is_too_many() -> None:
+    """In one path or in several."""
+    for data in (["h1" * 5000], ["h1" * 900, "h1" * 900]):
+        paths = "".join(f'<path d="M0 0{some}V9z"/>' for some in data)
+        few = limits(max_mib=1000 * VERTEX / 2**20)
+        with few, pytest.raises(FormatError, match=r"^more than 1,000 vertices are drawn \(max"):
+            parse_polygons(f"<svg>{paths}</svg>")
 
 
 def test_long_files_that_are_no_text_are_refused_in_linear_time(tmp_path: Path) -> None:
@@ -151,17 +177,15 @@ def test_refusals_are_kept_as_words() -> None:
     assert caught.value.__context__ is None
 
 
-def test_numbers_elements_and_names_beyond_counting_are_refused(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    with pytest.raises(FormatError, match=r"^more than 4,000,000 numbers$"):
-        parse_polygon(f"[{'1,' * (4 * MAX_VERTICES + 1)}1]")
-    monkeypatch.setattr("exactsweep.formats.curved.xml.MAX_ELEMENTS", 9)
-    with pytest.raises(FormatError, match=r"^line 1: more than 9 elements$"):
-        parse_polygon(f"<svg>{'<a/>' * 9}</svg>")
-    monkeypatch.setattr("exactsweep.formats.csv.MAX_POLYGONS", 9)
-    with pytest.raises(FormatError, match=r"^more than 9 polygons$"):
-        parse_polygon("name,x,y\n" + "".join(f"{k},0,0\n" for k in range(99)))
+def test_numbers_elements_and_names_beyond_counting_are_refused() -> None:
+    with pytest.raises(FormatError, match=r"^more than 4,194,304 numbers \(max_mib\)$"):
+        parse_polygon(f"[{'1,' * (4 * MANY)}1]")
+    few = limits(max_mib=20 * ELEMENT / 2**20)
+    with few, pytest.raises(FormatError, match=r"^more than 20 elements \(max_mib\)$"):
+        parse_polygon(f"<svg>{'<a/>' * 20}</svg>")
+    few = limits(max_mib=9 * 3 * VERTEX / 2**20)
+    with few, pytest.raises(FormatError, match=r"^more than 9 polygons \(max_mib\)$"):
+        parse_polygon("name,x,y\n" + "".join(f"{k},0,0\n" for k in range(20)))
 
 
 def test_columns_that_are_not_asked_for_cost_nothing_in_each_row() -> None:

@@ -9,14 +9,14 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactsweep.geometry.number import (
-    NumberError,
+from exactsweep.geometry.limits import (
+    LimitError,
     answer_digits,
-    format_fraction,
+    get_max_bytes,
     limits,
-    quote,
-    to_fraction,
+    list_limits,
 )
+from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 
 MILLION = "9" * 10**6
 NINES = "9" * 5000
@@ -204,10 +204,26 @@ def test_limits_bound_what_is_written_not_what_is_exact_already() -> None:
         assert to_fraction(Fraction(1, 10**5)) == Fraction(1, 10**5)
 
 
-@pytest.mark.parametrize("bad", [0, -5, "5", 1.5, None, True])
+@pytest.mark.parametrize("bad", [0, -5, "5", 1.5, True])
 def test_limits_are_positive(bad: object) -> None:
-    with pytest.raises(NumberError, match=r"^max_digits must be an int, at least 1$"):
+    with pytest.raises(LimitError, match=r"^max_digits must be an int, at least 1$"):
         limits(max_digits=bad).__enter__()  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("bad", [0, -5, "5", float("nan"), float("inf"), 2**21, True])
+def test_so_are_those_on_texts(bad: object) -> None:
+    with pytest.raises(LimitError, match=r"^max_mib must be a number above 0, at most 1048576$"):
+        limits(max_mib=bad).__enter__()  # type: ignore[arg-type]
+
+
+def test_each_limit_is_moved_by_itself() -> None:
+    with limits(max_mib=0.5), limits(max_digits=9):
+        assert list_limits() == {"max_digits": 9, "max_mib": 0.5}
+        assert get_max_bytes() == 2**19
+        with limits(**list_limits()):
+            assert answer_digits() == 32 * 9 + 7
+    assert list_limits() == {"max_digits": None, "max_mib": None}
+    assert get_max_bytes() == 2**24
 
 
 @pytest.mark.parametrize("sign", ["", "-"])

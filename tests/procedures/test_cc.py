@@ -6,15 +6,17 @@ from math import inf
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import ChainError, inverse, split
+from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.convex_part import ConvexPart, CrossingPart, measure_unit, take_whole
-from exactsweep.procedures.envelope import take_edges
+from exactsweep.procedures.envelope import Envelope, take_edges
+from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 usually = settings(max_examples=100)
@@ -131,6 +133,29 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
     if found and again:
         assert len(found.pieces) == len(again.pieces)
         assert list(found) == list(again)
+
+
+@st.composite
+def nearly_parallel(draw: st.DrawFn) -> list[Vertex]:
+    """Convex chains of edges whose slopes lie close together."""
+    vectors = draw(st.lists(st.tuples(st.integers(1, 40), st.integers(-1, 2)), min_size=1))
+    slopes = {Fraction(dy, dx): (dx, dy) for dx, dy in vectors[:4]}
+    x, y = 0, 0
+    chain: list[Vertex] = [(0, 0)]
+    for _, (dx, dy) in sorted(slopes.items()):
+        x, y = x + dx, y + dy
+        chain.append((x, y))
+    return chain
+
+
+@given(nearly_parallel(), nearly_parallel())
+@example([(0, 0), (1, 0)], [(0, 0), (1, -1), (41, 0)])
+@usually
+def test_slopes_however_close_are_told_apart(one: list[Vertex], other: list[Vertex]) -> None:
+    """By products here, by ints in a unit there, of chains and of an envelope's edges."""
+    merged = trajectory_cc(inverse(one), other)
+    assert list(trajectory_cm(inverse(one), other)) == merged
+    assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
 
 
 def test_parallel_edges_become_one() -> None:

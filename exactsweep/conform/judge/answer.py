@@ -6,14 +6,15 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind
+from exactsweep.formats.size import VERTEX, require_count
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import NumberError, quote, to_fraction
 from exactsweep.geometry.point import Loop, Point
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
 """What an answer may hold: the loops of a sweep, and the rings of the two fits."""
-MAX_VERTICES = 10_000
 
 
 class AnswerError(ExactSweepError):
@@ -54,7 +55,7 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
 
     Raises:
         AnswerError: anything else, numbers that are not finite, a ring without vertices, or
-            more than MAX_VERTICES of them.
+            more of them than `limits` allow.
 
     Cost: linear.
 
@@ -81,8 +82,10 @@ def read_loop(value: object, path: str, *, may_be_empty: bool = False) -> Answer
     for ring, place in rings:
         if not ring:
             raise AnswerError(f"{place} is empty")
-    if sum(len(ring) for ring, _ in rings) > MAX_VERTICES:
-        raise AnswerError(f"{path} has more than {MAX_VERTICES} vertices")
+    try:
+        require_count(sum(len(ring) for ring, _ in rings), VERTEX, "vertices")
+    except FormatError as error:
+        raise AnswerError(f"{path} has {error}") from None
     has_floats = False
     read = []
     for ring, place in rings:

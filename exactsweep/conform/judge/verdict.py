@@ -23,7 +23,7 @@ class Verdict(StrEnum):
       unreadable; a vertex has not two coordinates; any of the rings encloses nothing (fewer than
       three distinct vertices, or zero area), or has a spike, or touches or crosses itself; two
       rings overlap, neither inside the other; a loop that was promised is missing or empty; it is
-      too large to be judged (`answer.MAX_VERTICES`, `loops.MOST_RINGS`).
+      too large to be judged (`limits`, `loops.MOST_RINGS`).
       Two things are not malformed: what rounding each vertex does to the exact loop, and spikes
       along exact fits.
     - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come

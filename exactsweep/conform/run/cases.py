@@ -11,14 +11,16 @@ from typing import BinaryIO, Self
 from exactsweep.conform.run.protocol import read_object
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, case_from_json, cases, find_case
-from exactsweep.formats import MAX_BYTES, FormatError, read_text, show_path
+from exactsweep.formats import FormatError, read_text, show_path
 from exactsweep.formats.exact_json import (
     describe_kind,
     parse_certificate,
     parse_json,
     read_vertices,
 )
+from exactsweep.formats.size import require_size
 from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import quote
 
 
@@ -156,13 +158,12 @@ def read_lines(file: BinaryIO, path: str, read: Callable[[int, str], Case]) -> I
         FormatError: a line that is no case; the message names the file and line.
     """
     name, number = show_path(path), 0
-    while line := file.readline(MAX_BYTES + 1):
+    while line := file.readline(get_max_bytes() + 1):
         number += 1
-        if len(line) > MAX_BYTES:
-            raise FormatError(f"{name}, line {number}: more than {MAX_BYTES} bytes")
         if line.isspace():
             continue
         try:
+            require_size(len(line))
             yield read(number, line.decode("utf-8-sig").strip())
         except ValueError as error:
             raise FormatError(f"{name}, line {number}: {error}") from None

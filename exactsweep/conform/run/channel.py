@@ -11,7 +11,7 @@ from contextlib import suppress
 from typing import IO
 
 from exactsweep.conform.run.peer import MAX_STDERR
-from exactsweep.conform.run.protocol import MAX_LINE
+from exactsweep.geometry.limits import get_max_bytes, get_max_mib
 from exactsweep.processes import Started
 
 _CHUNK = 65536
@@ -31,7 +31,7 @@ class ClosedError(Exception):
 
 
 class LongLineError(Exception):
-    """A line has more than MAX_LINE bytes."""
+    """A line has more bytes than `limits` allow; the message says so."""
 
 
 class LargeError(Exception):
@@ -41,7 +41,7 @@ class LargeError(Exception):
 class Channel:
     """A process, spoken to in lines.
 
-    Memory is bounded: by MAX_LINE for what it writes and is not read, and some KiB of what it
+    Memory is bounded: by `limits` for what it writes and is not read, and some KiB of what it
     writes to standard error, the last of it.
 
     Args:
@@ -152,8 +152,8 @@ class Channel:
     def _take(self) -> bytes | None:
         """The next whole line, if there is one."""
         end = self._incoming.find(b"\n", self._searched)
-        if (end if end >= 0 else len(self._incoming)) > MAX_LINE:
-            raise LongLineError
+        if (end if end >= 0 else len(self._incoming)) > get_max_bytes():
+            raise LongLineError(f"a line of more than {get_max_mib():g} MiB (max_mib)")
         if end < 0:
             self._searched = len(self._incoming)
             return None

@@ -12,8 +12,8 @@ from typing import Any, BinaryIO, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.formats import MAX_BYTES
 from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import format_fraction
 from exactsweep.processes import lock
 
@@ -131,9 +131,9 @@ class Journal:
 
     def _read(self, file: BinaryIO, head: Mapping[str, Any]) -> int:
         """Read the outcomes of before; return where the last whole line ends."""
-        whole = 0
-        for number, line in enumerate(iter(lambda: file.readline(MAX_BYTES), b""), start=1):
-            is_cut = not line.endswith(b"\n") and len(line) < MAX_BYTES
+        whole, most = 0, get_max_bytes()
+        for number, line in enumerate(iter(lambda: file.readline(most), b""), start=1):
+            is_cut = not line.endswith(b"\n") and len(line) < most
             # Without a whole line, this may be any file, which must not be lost.
             if is_cut and (number > 1 or _line(head).startswith(line)):
                 break

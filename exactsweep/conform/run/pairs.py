@@ -10,11 +10,12 @@ from typing import BinaryIO, Unpack
 
 from exactsweep.conform.run.cases import read_lines
 from exactsweep.corpus import Case
-from exactsweep.formats import MAX_BYTES, FormatError, read_text, show_path
+from exactsweep.formats import FormatError, read_text, show_path
 from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.exact_json import describe_kind, parse_json, read_vertices
 from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
@@ -60,7 +61,7 @@ def _read(
 ) -> Iterator[Case]:
     first = b"\n"
     while first.isspace():
-        first = file.readline(MAX_BYTES + 1)
+        first = file.readline(get_max_bytes() + 1)
     file.seek(0)
     if _is_pair(first):
         yield from read_lines(file, path, _read_pair)

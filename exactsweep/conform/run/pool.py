@@ -14,6 +14,7 @@ from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
 from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.limits import Limits, limits, list_limits
 from exactsweep.geometry.number import quote
 from exactsweep.processes import Pool
 
@@ -67,7 +68,7 @@ class Judges:
             raise JudgeError(f"no process can be started: {error.strerror or error}") from None
         try:
             hellos: list[Hello] = self._call_in_each(
-                _start, list(command), seconds, to_start, rounding, most
+                _start, list(command), seconds, to_start, rounding, most, list_limits()
             )
             self.hello = hellos[0]
             if any(hello != self.hello for hello in hellos):
@@ -161,6 +162,7 @@ def _take_results(pending: dict[Future[Outcome], str]) -> Iterator[tuple[str, Ou
 
 _peer: ProcessPeer
 _rounding: Fraction | None
+_limits: Limits
 
 
 def _start(
@@ -169,15 +171,18 @@ def _start(
     to_start: float,
     rounding: Fraction | None,
     most: int | None,
+    held: Limits,
 ) -> Hello:
-    global _peer, _rounding
-    _rounding = rounding
-    _peer = ProcessPeer(command, seconds, to_start, most)
+    global _peer, _rounding, _limits
+    _rounding, _limits = rounding, held
+    with limits(**_limits):
+        _peer = ProcessPeer(command, seconds, to_start, most)
     return _peer.hello
 
 
 def _judge(case: Case) -> Outcome:
-    return judge_in_time(_peer, case, _rounding)
+    with limits(**_limits):
+        return judge_in_time(_peer, case, _rounding)
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:

@@ -16,7 +16,6 @@ from exactsweep.conform.run.channel import (
 from exactsweep.conform.run.peer import SECONDS, Answer, cut, read_answer, tell_bytes
 from exactsweep.conform.run.protocol import (
     BYE,
-    MAX_LINE,
     Hello,
     ProtocolError,
     read_hello,
@@ -101,8 +100,8 @@ class ProcessPeer:
             verdict, reason = Verdict.MEMORY, f"holds more than {tell_bytes(self._most)}"
         except ClosedError as error:
             verdict, reason = Verdict.CRASH, _with_last_words(str(error), channel)
-        except LongLineError:
-            verdict, reason = Verdict.MALFORMED, f"a line of more than {MAX_LINE} bytes"
+        except LongLineError as error:
+            verdict, reason = Verdict.MALFORMED, str(error)
         except ProtocolError as error:
             verdict, reason = Verdict.MALFORMED, str(error)
         self.kill()
@@ -133,8 +132,8 @@ class ProcessPeer:
             reason = f"no hello, but more than {tell_bytes(self._most)}"
         except ClosedError as error:
             reason = f"no hello: {error}"
-        except LongLineError:
-            reason = f"no hello, but a line of more than {MAX_LINE} bytes"
+        except LongLineError as error:
+            reason = f"no hello, but {error}"
         except ProtocolError as error:
             reason = str(error)
         self.kill()

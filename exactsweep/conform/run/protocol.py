@@ -55,8 +55,6 @@ NUMBERS: tuple[Numbers, ...] = get_args(Numbers)
 REFERENCES: tuple[Reference, ...] = get_args(Reference)
 QUESTIONS: tuple[Question, ...] = get_args(Question)
 BYE = '{"bye": true}'
-MAX_LINE = 4 * 2**20
-"""The most bytes of one line from an implementation."""
 MAX_NAME = 200
 
 

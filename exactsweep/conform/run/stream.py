@@ -13,10 +13,11 @@ from typing import BinaryIO
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_answer, judge_answer_in_time
 from exactsweep.conform.run.peer import Answer, read_answer
-from exactsweep.conform.run.protocol import MAX_LINE, ProtocolError, adapt, read_hello, read_object
+from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_object
 from exactsweep.conform.run.spool import SeenNames
 from exactsweep.corpus import Case, UnknownNameError
 from exactsweep.formats.exact_json import describe_kind
+from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import quote
 
 _MOST_COMPLAINTS = 20
@@ -101,9 +102,9 @@ def finder(cases: Mapping[str, Case]) -> Callable[[str], Case]:
 
 def _lines(file: BinaryIO) -> Iterator[tuple[int, str]]:
     """Yield lines with their numbers; of one that is too long, its start, which is no JSON."""
-    number = 0
-    while line := file.readline(MAX_LINE + 1):
+    number, most = 0, get_max_bytes()
+    while line := file.readline(most + 1):
         number += 1
         yield number, line.decode("utf-8", "replace").rstrip("\n")
-        while len(line) > MAX_LINE and not line.endswith(b"\n"):
-            line = file.readline(MAX_LINE + 1)
+        while len(line) > most and not line.endswith(b"\n"):
+            line = file.readline(most + 1)

@@ -16,7 +16,8 @@ MAX_DEPTH = 32
 """How deeply blocks may be nested."""
 
 MAX_PLACED = 20_000
-"""How many entities blocks may draw, lest a small file keep its reader busy."""
+"""How many entities blocks may draw, lest a small file keep its reader busy; and the values in them
+count each time."""
 
 
 class PlacedEntity(NamedTuple):
@@ -60,6 +61,7 @@ class Blocks:
             self.placed += 1
             if self.placed > MAX_PLACED:
                 raise FormatError(f"blocks draw more than {MAX_PLACED:,} entities")
+            self.reading.allow_copy(placed.entity.size, "blocks")
         if placed.entity.kind != "INSERT":
             yield placed
             return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from io import StringIO
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,14 +13,12 @@ from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError, require_imports
 from exactsweep.formats.reading import UNITS
+from exactsweep.formats.size import ENTITY, require_count, require_size
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import Point
 
 if TYPE_CHECKING:
     from ezdxf.lldxf.types import DXFTag
-
-MAX_ENTITIES = 250_000
-"""The most entities of a file, vertices of old polylines among them: each takes some 3 kB."""
 
 _LAYER, _FLAGS, _PAPER, _NAME = 8, 70, 67, 2
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
@@ -27,6 +26,8 @@ _NORMAL = {210: 0, 220: 0, 230: 1}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 # What $INSUNITS says, of what UNITS has.
 _FRAME = 16
+# A group code and two ends of lines, at least.
+_GROUP = 4
 _INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
 
 
@@ -56,6 +57,12 @@ class Entity:
         shown = self.kind if self.kind.isidentifier() else quote(self.kind)
         self.place = f"line {self.line}: {shown}"
         self.vertices: list[Entity] = []
+
+    @cached_property
+    def size(self) -> int:
+        """For how many bytes it counts: for those of its values, and as an entity."""
+        own = ENTITY + sum(len(str(tag.value)) + _GROUP for tag in self.tags)
+        return own + sum(vertex.size for vertex in self.vertices)
 
     def number(self, code: int, default: int | None = None) -> Fraction:
         """Return the number with a group code; refuse where there is none, and no default."""
@@ -171,6 +178,7 @@ def read_drawing(text: str) -> Drawing:
         from ezdxf.lldxf.const import DXFError
         from ezdxf.lldxf.loader import load_dxf_structure
 
+    require_size(len(text))
     try:
         sections = load_dxf_structure(_tags(text))
     except DXFError as error:
@@ -225,8 +233,8 @@ def _tags(text: str) -> Iterator[DXFTag]:
             yield DXFTag(tag.code, tag.value)
             continue
         count += tag.code == 0
-        if count > MAX_ENTITIES:
-            raise FormatError(f"more than {MAX_ENTITIES:,} entities")
+        # Vertices of old polylines among them, each of some 3 kB.
+        require_count(count, ENTITY, "entities")
         # Of kinds and names it is told where they are.
         value = _Text(tag.value)
         value.line = 2 * k + 2

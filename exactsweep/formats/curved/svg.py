@@ -8,17 +8,17 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
-from exactsweep.formats.candidate import MAX_FAULTS, Candidate
+from exactsweep.formats.candidate import Candidate, require_few_faults
 from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
 from exactsweep.formats.curved.svg_placed import PlacedElement, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
-from exactsweep.formats.decimals import read_decimals
+from exactsweep.formats.decimals import count_decimals, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
-from exactsweep.formats.reading import MAX_VERTICES, Reading
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -33,7 +33,8 @@ MAX_DEPTH = 32
 """How deeply uses may be nested."""
 
 MAX_USED = 20_000
-"""How many elements uses may draw, lest a small file keep its reader busy."""
+"""How many elements uses may draw, lest a small file keep its reader busy; and what is in them
+counts each time."""
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
@@ -50,7 +51,7 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
 
     Raises:
         FormatError: not XML, entities, nested too deeply, not SVG; no unit where one is wanted;
-            uses that draw too much.
+            more vertices than are read; uses that draw too much.
 
     Cost: linear in the length of the text, and in what uses draw; that of
         `exactsweep.formats.nesting.nest` for paths with several subpaths.
@@ -72,14 +73,16 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
     faults = 0
     lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
     for order, shape in enumerate(document.shapes(placed, 0)):
-        for drawn in _read(shape, order, reading):
+        parts = _read(shape, order, reading)
+        # That there are too many concerns all of the file.
+        reading.allow_vertices(0)
+        for drawn in parts:
             if isinstance(drawn, OpenLine):
                 lines[shape.layer].append(drawn)
             else:
                 found.append((order, drawn))
                 faults += bool(drawn.fault)
-                if faults > MAX_FAULTS:
-                    raise FormatError(f"more than {MAX_FAULTS:,} shapes are none, as {drawn.fault}")
+                require_few_faults(faults, drawn.fault)
     for layer, loose in lines.items():
         found += join(loose, layer, reading)
     return [candidate for _, candidate in sorted(found, key=lambda pair: pair[0])]
@@ -107,6 +110,7 @@ class _Document:
             self.used += 1
             if self.used > MAX_USED:
                 raise FormatError(f"uses draw more than {MAX_USED:,} elements")
+            self.reading.allow_copy(sum(map(len, element.attrib.values())), "uses")
         if name in _GROUPS:
             yield from self.shapes(placed, depth)
         elif name == "switch":
@@ -182,8 +186,7 @@ def _name(shape: PlacedElement) -> str | None:
 
 def _polygon(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     text = shape.element.get("points", "")
-    if len(text) > 4 * MAX_VERTICES:
-        raise FormatError(f"points: more than {4 * MAX_VERTICES:,} characters")
+    reading.allow_vertices(count_decimals(text) // 2)
     numbers = read_decimals(text)
     if len(numbers) % 2:
         raise FormatError("points: an odd number of coordinates")

@@ -17,7 +17,7 @@ from exactsweep.formats.curved.curves import (
 )
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import MAX_VERTICES, Reading
+from exactsweep.formats.reading import Reading
 from exactsweep.geometry.number import NumberError, quote
 from exactsweep.geometry.point import ORIGIN, Point
 
@@ -39,8 +39,8 @@ def read_path(data: str, matrix: Affine, reading: Reading) -> list[list[Point]]:
         end where the subpath is closed.
 
     Raises:
-        FormatError: not path data, curves without a tolerance, too many vertices; the message says
-            at which character.
+        FormatError: not path data, curves without a tolerance; the message says at which character.
+            More vertices than are read.
 
     Cost: linear in the length of the data and the number of the vertices.
     """
@@ -86,8 +86,6 @@ class _Path:
                     # After Z, the next subpath begins where the last one did.
                     self._line(self.current)
                 self._segment(start)
-            if len(self.points) > MAX_VERTICES:
-                self._refuse(f"more than {MAX_VERTICES:,} vertices", start)
             if self.command in "Zz":
                 found.append(self.points)
                 self.points = []
@@ -97,6 +95,7 @@ class _Path:
         return found
 
     def _close(self) -> None:
+        self.reading.allow_vertices(1)
         self.points += self.points[:1]
         self.current, self.control = self.start, ("", self.start)
 
@@ -127,6 +126,7 @@ class _Path:
             self.control = ("CS" if kind in "CS" else "QT", controls[-1])
 
     def _line(self, end: Point) -> None:
+        self.reading.allow_vertices(1)
         self.current = end
         if self.matrix.off:
             self.points += place_points([end], self.matrix, self.reading)
@@ -138,6 +138,7 @@ class _Path:
             found = flat()
         except FormatError as error:
             self._refuse(str(error), start)
+        self.reading.allow_vertices(len(found))
         self.points += found[1:]
         self.current = end
 

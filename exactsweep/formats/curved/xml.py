@@ -6,15 +6,13 @@ import re
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.size import ELEMENT, require_count, require_size
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
 MAX_DEPTH = 100
 """How deeply elements may be nested."""
-
-MAX_ELEMENTS = 500_000
-"""The most elements of one document, of some 500 bytes each before they are looked at."""
 
 # What is left after a parse of references to entities, outside of comments and the like.
 _REFERENCE = re.compile(
@@ -37,7 +35,7 @@ def parse_xml(text: str) -> Element:
 
     Raises:
         FormatError: not XML, any entity that is declared or referred to, nested deeper than
-            MAX_DEPTH, more than MAX_ELEMENTS.
+            MAX_DEPTH, more elements than `limits` allow.
 
     Cost: linear in the length of the text.
 
@@ -45,6 +43,7 @@ def parse_xml(text: str) -> Element:
         >>> parse_xml('<a><b c="1"/></a>')[0].get("c")
         '1'
     """
+    require_size(len(text))
     from xml.etree.ElementTree import ParseError, TreeBuilder
 
     from defusedxml import DefusedXmlException, EntitiesForbidden
@@ -59,8 +58,7 @@ def parse_xml(text: str) -> Element:
             number = parser.parser.CurrentLineNumber
             if self.depth > MAX_DEPTH:
                 raise FormatError(f"line {number}: nested deeper than {MAX_DEPTH} elements")
-            if self.count > MAX_ELEMENTS:
-                raise FormatError(f"line {number}: more than {MAX_ELEMENTS:,} elements")
+            require_count(self.count, ELEMENT, "elements")
             return super().start(tag, {**attributes, _LINE: str(number)})
 
         def end(self, tag: str) -> Element:

@@ -1,0 +1,95 @@
+"""What is written is read, however large: who writes it says under which limit, if any is needed.
+
+The limit is low here, so that the answers to two small polygons are far beyond it.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+from command import run
+from hostile_table import require_row
+
+from exactsweep import Polygon
+from exactsweep.formats import FORMATS, format_polygons
+from exactsweep.formats.polygons import measure_written
+
+MOST = 1200
+WRITERS = {
+    **{f"s.{form}": ("sweep", "--to", form) for form in FORMATS},
+    **{f"n.{form}": ("nfp", "--to", form) for form in FORMATS},
+    "s": ("sweep", "--json"),
+    "n": ("nfp", "--json"),
+    "i": ("ifp", "--json"),
+    "s.text": ("sweep", "--wkt"),
+    "s.cert": ("sweep", "--certificate"),
+    "n.cert": ("nfp", "--certificate"),
+    "i.cert": ("ifp", "--certificate"),
+    "b.jsonl": ("batch", "--all"),
+}
+
+
+def readers(name: str) -> list[tuple[str, ...]]:
+    """What reads a file: verify certificates, every other command what has polygons."""
+    if name.endswith(".cert"):
+        return [("verify", name)]
+    read: list[tuple[str, ...]] = [("convert", name, "--to", "json")]
+    if name == "i":
+        return read
+    file = f"{name}#0"
+    read += [("sweep", file, "g.json")]
+    if name not in ("s", "n"):
+        return read
+    read += [
+        ("nfp", file, "g.json"),
+        ("ifp", file, "g.json"),
+        ("explain", file, "g.json"),
+        ("batch", "--all", "g.json", name, "--workers", "1", "-o", "more.jsonl", "--restart"),
+    ]
+    if name == "s":
+        read += [("compare", name, name), ("compare", "pair", name)]
+        read += [("draw", f"{name}#outer", "g.json", "-o", "out.svg")]
+        read += [("view", f"{name}#outer", "g.json", "-o", "out.html")]
+    return read
+
+
+@pytest.fixture
+def low_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for module in ("geometry.limits", "formats.size"):
+        monkeypatch.setattr(f"exactsweep.{module}.DEFAULT_MIB", MOST / 2**20)
+    parabola = [(k, k * k) for k in range(45)]
+    for name, points in (("g", parabola), ("d", [(5 * x, 7 * y) for x, y in parabola])):
+        text = format_polygons([Polygon(points)], "json")
+        Path(f"{name}.json").write_text(text)
+        assert measure_written(text) < MOST
+    Path("pair").write_text('{"generatrix": [[0,0],[1,0],[0,1]], "directrix": [[0,0],[1,0],[0,1]]}')
+
+
+@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.usefixtures("low_limit")
+def test_who_writes_beyond_the_limit_says_which_one_reads_it(name: str) -> None:
+    command, *how = WRITERS[name]
+    pair = ["d.json", "g.json"] if command in ("nfp", "ifp") else ["g.json", "d.json"]
+    more = ["--workers", "1"] if command == "batch" else []
+    written = run(command, *how, *pair, *more, "-o", name)
+    assert written.exit_code == 0, written.stderr
+    size = measure_written(Path(name).read_text())
+    said = re.findall(
+        rf"{re.escape(name)}: large; commands read it with --max-mib (\d+)\n", written.stderr
+    )
+    assert bool(said) == (size > MOST)
+    # The result of an inner fit has more than its regions, so that it is large in any case.
+    assert said
+    for reader in readers(name):
+        refused = run(*reader)
+        assert refused.exit_code == 1, (reader, refused.output)
+        assert re.search(r"more than [\d,.e-]+ [a-z ]*(MiB )?\(max_mib\)$", refused.stderr)
+        result = run(*reader, "--max-mib", said[0])
+        # That is the answer to another pair.
+        expected = 1 if reader[1] == "pair" else 0
+        assert result.exit_code == expected, (reader, result.output, result.exception)
+
+
+def test_the_table_says_how_many_these_are() -> None:
+    require_row("large answers, and commands that read them", sum(map(len, map(readers, WRITERS))))

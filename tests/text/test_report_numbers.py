@@ -1,0 +1,38 @@
+"""Numbers in reports: six digits, rounded once, in time however long they are."""
+
+from decimal import Context, Decimal
+from fractions import Fraction
+
+from hypothesis import given
+from hypothesis import strategies as st
+from linear import require_linear
+
+from exactsweep.text.report import approximate
+
+SIX = Context(prec=6, Emax=10**9, Emin=-(10**9))
+
+
+def expected(value: Fraction) -> Decimal:
+    return SIX.divide(Decimal(value.numerator), Decimal(value.denominator))
+
+
+@given(st.fractions(), st.integers(-2000, 2000), st.integers(1, 10**300))
+def test_six_digits_are_those_of_the_number(value: Fraction, power: int, denominator: int) -> None:
+    for number in (value, value * Fraction(10) ** power, value / denominator):
+        assert Decimal(approximate(number)) == expected(number)
+
+
+@given(st.integers(100_000, 999_999), st.integers(0, 900), st.sampled_from([-1, 0, 1]))
+def test_the_middle_between_two_numbers_is_told_exactly(
+    digits: int, places: int, beside: int
+) -> None:
+    """Far closer to it than all first bits can tell."""
+    middle = Fraction(2 * digits + 1, 2) + Fraction(beside, 10**places * 3)
+    for number in (middle, -middle, middle / 10**800, middle * 10**800):
+        assert Decimal(approximate(number)) == expected(number)
+
+
+def test_long_numbers_take_no_longer_than_to_take_their_first_bits() -> None:
+    """Once half a second for 137,607 digits, and 30 for a million."""
+    numbers = {n: Fraction(7**n, 2 ** (2 * n)) for n in (10_000, 80_000)}
+    require_linear(lambda n: approximate(numbers[n]))
