@@ -27,7 +27,8 @@ from exactsweep import (
     sweep,
 )
 from exactsweep.check import classify
-from exactsweep.draw import plot_sweep
+from exactsweep.draw import plot_positions, plot_sweep
+from exactsweep.sweep import FoundPositions
 from exactsweep.view import InlinePage
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -148,7 +149,12 @@ def test_no_module_raises_a_bare_value_error() -> None:
 
 
 def test_pictures_of_a_sweep_have_the_defaults_of_those_who_draw_them() -> None:
-    for method, function in ((Sweep.plot, plot_sweep), (Sweep.view, InlinePage)):
+    drawn = [
+        (Sweep.plot, plot_sweep),
+        (FoundPositions.plot, plot_positions),
+        (Sweep.view, InlinePage),
+    ]
+    for method, function in drawn:
         said, done = (signature(called).parameters for called in (method, function))
         for name in ("y_down", "height"):
             if name in said:
