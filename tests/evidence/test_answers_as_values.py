@@ -149,7 +149,7 @@ def test_no_module_raises_a_bare_value_error() -> None:
 
 
 def test_pictures_of_a_sweep_have_the_defaults_of_those_who_draw_them() -> None:
-    drawn = [
+    drawn: list[tuple[Callable[..., Any], Callable[..., Any]]] = [
         (Sweep.plot, plot_sweep),
         (FoundPositions.plot, plot_positions),
         (Sweep.view, InlinePage),
