@@ -72,6 +72,7 @@ class Tracer:
         # By direction and what is left of the offset of the line by whole units: if G is on the
         # lattice, it moves along a line those that are whole units from it.
         self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
+        self._path_residues = {(x % 1, y % 1) for x, y in path.vertices}
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         self._lines: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
@@ -102,6 +103,8 @@ class Tracer:
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
             for piece, trace in source:
                 if piece.offset == whole.offset and piece.shares_piece(whole):
+                    if piece.low <= whole.low and whole.high <= piece.high:
+                        return [trace]
                     pieces.append((piece, len(traces)))
                     traces.append(trace)
             chosen = choose_cover(whole, pieces)
@@ -181,8 +184,14 @@ class Tracer:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
 
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
+        ends_of_edge: Sequence[Vertex] = edge
+        if self._is_on_lattice:
+            # From such an end a vertex of the trajectory is whole units away, if it is one.
+            ends_of_edge = [(x, y) for x, y in edge if (x % 1, y % 1) in self._path_residues]
+            if not ends_of_edge:
+                return
         for i, ends, own in self._g_edges.get(whole.direction, ()):
-            for p in edge:
+            for p in ends_of_edge:
                 for q in ends:
                     t = minus(p, q)
                     k = self._path.numbers.get(t)

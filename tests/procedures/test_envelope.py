@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
@@ -343,3 +344,16 @@ def test_an_envelope_of_a_convex_chain_is_that_of_its_source() -> None:
         assert list(found) == chain
         assert {piece[4] for piece in found.pieces} == {source}
     assert Envelope.of_convex(chain).pieces == Envelope.of_convex(chain, 0).pieces
+
+
+@pytest.mark.parametrize("place", [0, 500, 999])
+def test_an_x_range_is_found_among_many_in_logarithmic_time(place: int) -> None:
+    """All of them were looked at once, which made the inner loops of long zigzags quadratic."""
+    counted = make_counted([(4 * k, 4 * k + 2) for k in range(1000)])
+    spans = [((left, 1), (right, 1)) for left, right in counted]
+    chain = make_counted([(4 * place - 1, 0), (4 * place + 3, 1)])
+    with watch_operations() as tally:
+        kept = Envelope.of_convex(chain).keep(spans)
+    assert kept is not None
+    assert [value(at) for at in kept.breaks] == [4 * place, 4 * place + 2]
+    assert tally.total < 120
