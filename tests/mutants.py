@@ -90,11 +90,14 @@ def every_mutant() -> list[Changed]:
     return [(m, text) for path, text in texts.items() for m in mutants_of(path, text)]
 
 
-def read_equivalent() -> dict[tuple[str, str, str], str]:
-    """Why mutants cannot be noticed, by module, line before and line after."""
+def read_equivalent() -> dict[tuple[str, str, str], tuple[str, int]]:
+    """Why mutants cannot be noticed, by module, line before and line after; and how many it is of.
+
+    A line that is there several times has several mutants that look alike.
+    """
     text = Path(__file__).with_name("equivalent_mutants.toml").read_text()
     return {
-        (entry["path"], entry["before"], entry["after"]): entry["why"]
+        (entry["path"], entry["before"], entry["after"]): (entry["why"], entry.get("times", 1))
         for entry in tomllib.loads(text).get("mutant", [])
     }
 
@@ -113,8 +116,9 @@ class Bench:
     def try_mutant(self, changed: Changed) -> Result:
         """First the tests for which a function can be changed, then those that import it."""
         mutant, text = changed
-        if why := self._equivalent.get((mutant.path, *mutant.shown(text))):
-            return Result("equivalent", "", why, 0, {})
+        known = self._equivalent.get((mutant.path, *mutant.shown(text)))
+        if known is not None:
+            return Result("equivalent", "", known[0], 0, {})
         lines, reach = mutant.lines(text), self._reach
         tests = within(reach.tests_of(mutant.path, lines), reach.seconds, self._budget)
         importing = reach.importing(mutant.path, lines)

@@ -125,10 +125,6 @@ def _join(edges: Iterable[Edge], on_loops: set[Vertex]) -> Iterator[Edge]:
 
 def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
     """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
-    behind: dict[Vertex, list[Vertex]] = defaultdict(list)
-    for p, ends in ahead.items():
-        for q in ends:
-            behind[q].append(p)
     loops = []
     left = {(p, q) for p, ends in ahead.items() for q in ends}
     while left:

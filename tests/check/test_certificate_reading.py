@@ -240,3 +240,11 @@ def test_verify_leaves_the_certificate_alone() -> None:
     before = copy.deepcopy(certificate)
     assert verify(certificate).proved
     assert certificate == before
+
+
+@pytest.mark.parametrize("key", ["generatrix", "outer"])
+def test_points_are_lists_of_two_and_no_strings_of_two(key: str) -> None:
+    certificate = sweep(UNIT, VALLEY).certificate()
+    written = [x[-1] + y[-1] for x, y in certificate[key]]
+    result = verify({**certificate, key: written})
+    assert result.reason.startswith(f"{key}[0]: not a list of 2")

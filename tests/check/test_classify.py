@@ -2,15 +2,18 @@
 
 from fractions import Fraction
 from itertools import pairwise, product
+from random import Random
+from typing import Any
 
 import pytest
+import small_pairs
 import strategies as own
 from cells import Holed, doubled, shape_of, verdict_by_counting
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapes import Cells, cell_sets
 
-from exactsweep import NumberError, Point, Polygon, PolygonError
+from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.check import Classification, classify, point_in_polygon
 from exactsweep.check.cone import is_between
 from exactsweep.corpus.generator.cells import move
@@ -280,3 +283,34 @@ def test_a_segment_holds_its_ends() -> None:
     a, b = (0, 0), (4, 2)
     found = [p for p in [(-2, -1), a, (2, 1), (2, 2), b, (6, 3)] if is_between(p, a, b)]
     assert found == [p for p in found if is_between(p, b, a)] == [a, (2, 1), b]
+
+
+def test_witnesses_are_inside_both() -> None:
+    """Of shapes on a small grid, where rays from a corner run along edges."""
+    rng = Random(6)
+    found = 0
+    for number in range(120):
+        pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)
+        g, d = (Region(shape[0], shape[1:]) for shape in pair)
+        for _ in range(6):
+            (px, py), (qx, qy) = (rng.choice(rng.choice(shape)) for shape in pair)
+            t = qx - px + rng.randint(0, 1), qy - py + rng.randint(0, 1)
+            answer = classify(d, g, t)
+            if answer.verdict == "OVERLAP":
+                assert answer.witness is not None
+                x, y = answer.witness
+                for shape, place in ((d, (x, y)), (g, (x - t[0], y - t[1]))):
+                    sides = [
+                        point_in_polygon(place, ring) for ring in (shape.exterior, *shape.holes)
+                    ]
+                    assert sides == [1] + [-1] * len(shape.holes), (pair, t)
+                found += 1
+    assert found > 200
+
+
+@pytest.mark.parametrize("hole", [[(2, 2), (8, 8), (8, 2)], [(2, 2), (2, 8), (8, 8)]])
+def test_a_witness_is_not_on_an_edge_along_the_way_to_it(hole: Any) -> None:
+    """From the corner of both squares along the diagonal: half-way to the hole is (1, 1)."""
+    square = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    answer = classify(Region(square, [hole]), square, (0, 0))
+    assert answer == Classification("OVERLAP", Point(Fraction(1), Fraction(1)))

@@ -7,6 +7,7 @@ import pytest
 
 from exactsweep import Point
 from exactsweep.check.certificate import CertificateError
+from exactsweep.check.cover import find_middle
 from exactsweep.check.difference import LoopOrFit, compare
 
 LINES = [((0, 0), (4, 2)), ((3, -1), (3, 5)), ((-2, 2), (5, 2))]
@@ -37,5 +38,22 @@ def test_a_single_position_is_on_a_segment_or_is_not(line: Any, share: Any, asid
 def test_a_single_position_on_a_segment_is_not_one_of_the_fits(line: Any) -> None:
     a, b = ([Fraction(c) for c in p] for p in line)
     middle = [(c + d) / 2 for c, d in zip(a, b, strict=True)]
-    with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
+    with pytest.raises(
+        CertificateError, match="on the boundary, but not one of exact_fits"
+    ) as found:
         compare([fit(a, b), fit(middle, middle)], [fit(a, b)], str)
+    assert found.value.witness == Point(*middle)
+    with pytest.raises(
+        CertificateError, match="on the boundary, but not one of exact_fits"
+    ) as found:
+        compare([fit(a, b), fit(a, middle)], [fit(a, b)], str)
+    assert found.value.witness == Point(*((c + d) / 2 for c, d in zip(a, middle, strict=True)))
+
+
+@pytest.mark.parametrize(
+    ("extent", "line", "middle"),
+    [((2, 6), (2, 0, -6), (3, 4)), ((1, 2), (1, 2, -4), (Fraction(3, 2), Fraction(5, 4)))],
+)
+def test_the_middle_of_an_extent_is_on_its_line(extent: Any, line: Any, middle: Any) -> None:
+    x, y, w = find_middle(extent, line)
+    assert (Fraction(x, w), Fraction(y, w)) == middle

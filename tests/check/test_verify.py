@@ -36,7 +36,7 @@ from exactsweep.check import (
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.check.sums import check_sum_within, corners_with_common_slopes
+from exactsweep.check.sums import check_sum_within, corners_with_common_slopes, count_steps
 from exactsweep.geometry.direction import is_monotone
 
 
@@ -323,6 +323,27 @@ def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
         check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
     # It has to be nearer than 3/8, on the edge of length 2: not its half, nor its quarter.
     assert found.value.witness == Point(2 + Fraction(2, 16), Fraction(3))
+
+
+def test_witness_beside_a_corner_on_a_wall_on_the_other_side() -> None:
+    """The last one in the mirror."""
+    a = Polygon([(0, 4), (-1, 4), (-1, 0), (-2, 8), (-2, 20), (0, 20)])
+    q = Polygon([(0, 0), (-2, 0), (-2, 3), (-4, 3), (-4, 40), (0, 40)])
+    outer, part = _loop(q.vertices), _loop(a.vertices)
+    with pytest.raises(CertificateError, match="inside 1") as found:
+        check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
+    assert found.value.witness == Point(-2 - Fraction(2, 16), Fraction(3))
+
+
+def test_few_edges_are_walked_along_at_each_corner() -> None:
+    """At each of some hundred corners a triangle is over few edges of a comb of 200."""
+    comb = Polygon([*((k, k % 2) for k in range(201)), (200, 9), (0, 9)])
+    part = Polygon([(0, 0), (2, 1), (0, 1)])
+    outer = Polygon(reference_loops(part.reflected(), comb).trajectory)
+    steps = count_steps(_loop(outer.vertices), _loop(comb.vertices), _loop(part.vertices))
+    # Below, 101 runs of one corner with 2 corners, and one run with 101; above, 2 and 2. At 100
+    # concave corners one edge of the triangle, and 2 of the comb, but for one at the end.
+    assert steps == 202 + 101 + 4 + 100 + 199
 
 
 def test_a_witness_very_near_to_a_corner_is_found_in_few_steps(

@@ -6,6 +6,7 @@ import importlib
 import pickle
 import pkgutil
 from collections.abc import Callable
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -20,11 +21,15 @@ from exactsweep import (
     ExactSweepError,
     Polygon,
     Region,
+    Sweep,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
 )
 from exactsweep.check import classify
+from exactsweep.draw import plot_positions, plot_sweep
+from exactsweep.sweep import FoundPositions
+from exactsweep.view import InlinePage
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 HOLLOW = Region(
@@ -141,3 +146,16 @@ def test_no_module_raises_a_bare_value_error() -> None:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
                 assert getattr(node.exc.func, "id", "") != "ValueError", f"{path}:{node.lineno}"
+
+
+def test_pictures_of_a_sweep_have_the_defaults_of_those_who_draw_them() -> None:
+    drawn: list[tuple[Callable[..., Any], Callable[..., Any]]] = [
+        (Sweep.plot, plot_sweep),
+        (FoundPositions.plot, plot_positions),
+        (Sweep.view, InlinePage),
+    ]
+    for method, function in drawn:
+        said, done = (signature(called).parameters for called in (method, function))
+        for name in ("y_down", "height"):
+            if name in said:
+                assert said[name].default == done[name].default, name

@@ -306,3 +306,17 @@ def test_an_undercut_is_done_with_where_the_last_of_three_positions_is() -> None
         ("undercut opens", Fraction(38, 9)),
         ("undercut closes", 0),
     ]
+
+
+def test_landmarks_of_one_step_come_in_the_order_of_travel() -> None:
+    """From right to left, over a slot that fits exactly and then over one too narrow."""
+    d = [(0, 0), (9, 0), (9, 3), (8, 3), (8, 1), (7, 1), (7, 3), (5, 3), (5, 1), ("9/2", 1)]
+    s = sweep(SQUARE, [*d, ("9/2", 3), (0, 3)])
+    (marks,) = (step.landmarks for step in explain(s) if step.landmarks)
+    assert [mark.mark for mark in marks] == [
+        "undercut",
+        "exact fit",
+        "undercut opens",
+        "undercut closes",
+    ]
+    assert [mark.position.x for mark in marks] == [7, 7, Fraction(9, 2), 4]

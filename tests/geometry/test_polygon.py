@@ -299,3 +299,13 @@ def test_one_bad_number_among_many_is_named(bad: object, row: Callable[..., Any]
 def test_a_notebook_tells_whether_it_is_convex(last: tuple[int, int], convex: str) -> None:
     html = Polygon([(0, 0), (4, 0), last, (0, 4)])._repr_html_()
     assert re.search(rf"convex\W.*?\b{convex}\b", html)
+
+
+@pytest.mark.parametrize("factor", [1, Fraction(1, 7), 1 + Fraction(1, 3**5200)])
+@pytest.mark.parametrize("kind", [tuple, list])
+def test_vertices_inside_straight_edges_are_left_out(factor: Fraction, kind: Any) -> None:
+    ring = [(0, 0), (1, 0), (2, 0), (2, 2), (1, 1)]
+    polygon = Polygon([kind((factor * x, factor * y)) for x, y in ring])
+    assert polygon.vertices == tuple(
+        Point(factor * x, factor * y) for x, y in ring[::2][:1] + ring[2:4]
+    )

@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import pairwise
 from math import inf
 
+import pytest
 import strategies as own
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from exactsweep import Polygon
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.cc import merge_by_slope, sweep_inner_cc, sweep_outer_cc, trajectory_cc
-from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.chain import ChainError, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.convex_part import ConvexPart, CrossingPart, measure_unit, take_whole
 from exactsweep.procedures.envelope import Envelope, take_edges
@@ -167,3 +168,8 @@ def test_parallel_edges_become_one() -> None:
     top: list[Vertex] = [(1, 1), (0, 1)]
     bottom: list[Vertex] = [(0, 1), (1, 0), (3, 0), (4, 1)]
     assert trajectory_cc(top, bottom) == [(-1, 0), (0, -1), (3, -1), (4, 0)]
+
+
+def test_a_chain_that_is_not_convex_is_refused() -> None:
+    with pytest.raises(ChainError, match="convex"):
+        take_whole([(0, 0), (1, 2), (2, 0)], 4)

@@ -227,3 +227,8 @@ def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
     for procedure in trajectory_cm, trajectory_mm, sweep_inner_cm:
         with pytest.raises(ChainError):
             procedure([(1, 0), (0, 0)], chain)
+
+
+def test_a_wall_is_no_step_back() -> None:
+    with pytest.raises(ChainError, match="point 3 lies left of point 2"):
+        find_convex_parts([(0, 0), (1, 0), (1, 2), (0, 3)])

@@ -3,6 +3,7 @@
 from fractions import Fraction
 from itertools import product
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes, region
@@ -90,3 +91,15 @@ def test_points_are_all_of_the_interior(
                 point_in_polygon(point, hole) < 0 for hole in holes
             )
             assert (bits >> row & 1) == is_inside
+
+
+@pytest.mark.parametrize(("line", "low"), [((1, 0, 0), 900), ((1, 0, 900), 0), ((0, 1, -900), 0)])
+def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: int) -> None:
+    square = [[(0, 0), (64, 0), (64, 64), (0, 64)]]
+    cover = Cover(square, [inverse(ring) for ring in square], 16)
+    for sign in (1, -1):
+        dx, dy, c = line
+        begin, end = sorted((sign * low, sign * low + 20 * sign))
+        stretch = Stretch((dx, dy, sign * c), begin, end, True, True)
+        (left,) = cover.uncovered(stretch)
+        assert (left.low, left.high) == (stretch.low, stretch.high)

@@ -337,6 +337,15 @@ def test_of_an_envelope_that_reaches_no_x_range_nothing_is_kept() -> None:
     assert [value(at) for at in kept.breaks] == [0, half, 3 * half, 2]
 
 
+def test_an_envelope_of_a_convex_chain_is_that_of_its_source() -> None:
+    chain = [(0, 1), (1, 0), (3, 0), (4, 2)]
+    for source in (0, 5):
+        found = Envelope.of_convex(chain, source)
+        assert list(found) == chain
+        assert {piece[4] for piece in found.pieces} == {source}
+    assert Envelope.of_convex(chain).pieces == Envelope.of_convex(chain, 0).pieces
+
+
 @pytest.mark.parametrize("place", [0, 500, 999])
 def test_an_x_range_is_found_among_many_in_logarithmic_time(place: int) -> None:
     """All of them were looked at once, which made the inner loops of long zigzags quadratic."""

@@ -16,7 +16,7 @@ from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.procedures.contact_lines import Stretch, _join_segments
-from exactsweep.procedures.free_positions import _find_left_over, _lies_on
+from exactsweep.procedures.free_positions import _find_left_over, _lies_on, _part_where_it_touches
 
 Ring = list[tuple[int, int]]
 Fits = tuple[tuple[Point, Point], ...]
@@ -287,3 +287,12 @@ def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
         assert other == Polygon([(factor * x, factor * y) for x, y in one])
     scaled = [tuple(Point(factor * x, factor * y) for x, y in fit) for fit in near.exact_fits]
     assert [*far.exact_fits] == scaled
+
+
+def test_a_ring_is_parted_where_it_comes_back() -> None:
+    """Through B, C and B again; C, which was parted off, is then passed for the first time."""
+    a, b, c, d, e = ((k, 1, 0, 1) for k in range(5))
+    way = [a, b, c, b, d, e, c]
+    pieces = [(p, q, 1, 0) for p, q in zip(way, [*way[1:], a], strict=True)]
+    parts = [[piece[0] for piece in part] for part in _part_where_it_touches(pieces)]
+    assert parts == [[b, c], [a, b, d, e, c]]
