@@ -150,23 +150,27 @@ class Envelope:
         if precedes(start, end):
             self.take(chain, chain.edge_after(start), chain.edge_before(end), end)
 
-    def keep(self, spans: Iterable[Span]) -> Envelope | None:
+    def keep(self, spans: Sequence[Span]) -> Envelope | None:
         """What it has over some x-ranges, given from left to right, and gaps between them.
 
-        Returns None if it reaches none of them. Cost: O(log n) for each, and O(pieces kept).
+        Returns None if it reaches none of them.
+        Cost: O(log k) for k x-ranges, O(log n) for each that it reaches, and O(pieces kept).
         """
         kept: Envelope | None = None
         first, last = self.breaks[0], self.breaks[-1]
-        for start, end in spans:
+        begin = bisect_left(spans, True, key=lambda span: precedes(first, span[1]))
+        for k in range(begin, len(spans)):
+            start, end = spans[k]
+            if not precedes(start, last):
+                break
             if precedes(start, first):
                 start = first
             if precedes(last, end):
                 end = last
-            if precedes(start, end):
-                if kept is None:
-                    kept = Envelope([start], [])
-                kept.take_gap(start)
-                kept.take_between(self, start, end)
+            if kept is None:
+                kept = Envelope([start], [])
+            kept.take_gap(start)
+            kept.take_between(self, start, end)
         return kept
 
     def restrict(self, start: Rational, end: Rational) -> Envelope:

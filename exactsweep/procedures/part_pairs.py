@@ -227,10 +227,10 @@ def sweep_pairs(
     envelope: Envelope | None = None
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
     if guess is not None:
-        # Its pairs come up again with the others, few of them under the ceiling that they make.
         guessed = {(k, i) if exchanged else (i, k) for i, k in guess()}
         likely = {i: [k for k in facing[i] if (i, k) in guessed] for i in order}
         envelope = sweep_batch(envelope, likely)
+        facing = [[k for k in facing[i] if (i, k) not in guessed] for i in range(len(rows))]
     batch: dict[int, Sequence[int]] = {}
     size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
     for i in order:

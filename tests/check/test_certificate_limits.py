@@ -192,3 +192,10 @@ def test_the_longest_number_is_what_a_step_costs() -> None:
         check_size([loop], 100, 103 * 111 + 1)
         with pytest.raises(CertificateError, match="too large"):
             check_size([loop], 100, 103 * 111)
+
+
+@pytest.mark.parametrize(("digits", "reason"), [(4300, "not a pair"), (4301, "not primitive")])
+def test_a_direction_is_a_string_only_if_it_has_to_be(digits: int, reason: str) -> None:
+    certificate = sweep(UNIT, SLOT).certificate()
+    long = "1" + "0" * (digits - 1)
+    assert verify({**certificate, "direction": [long, 2]}).reason.startswith(f"direction: {reason}")

@@ -23,6 +23,7 @@ from tampering import changes
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import size, verify
+from exactsweep.check.certificate import CertificateError, read_number
 
 NESTED: list[Any] = []
 for _ in range(10**5):
@@ -63,6 +64,50 @@ CERTIFICATES = {
     "inner_fit": inner_fit_certificate(FULL, grid("#")),
     "sweep": sweep_certificate(FULL, grid("#")),
 }
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1/-2",
+        "-1/-2",
+        "1/0",
+        "0/1",
+        "2/4",
+        "1/1",
+        "-0",
+        "+1",
+        "01",
+        "1_0",
+        "1/+2",
+        "1/02",
+        "1/2/3",
+        "1/",
+        "/2",
+        "1e3",
+        "0.5",
+        "٣",
+        "-",
+        "/",
+        "--1",
+        "",
+        " 1",
+        "1 ",
+        "1 /2",
+        "1/ 2",
+        "2/" + "4" * 700,
+        "0" + "9" * 700,
+    ],
+)
+def test_a_number_is_written_in_one_way(text: str) -> None:
+    with pytest.raises(CertificateError, match=r"^x: "):
+        read_number(text, "x")
+
+
+@pytest.mark.parametrize("text", ["0", "-7", "1/2", "-7/2", "9" * 700, "-" + "9" * 700 + "/7"])
+def test_a_number_in_lowest_terms_is_read(text: str) -> None:
+    above, _, below = text.partition("/")
+    assert read_number(text, "x") == Fraction(int(above), int(below or 1))
 
 
 @pytest.mark.parametrize("claim", CERTIFICATES)

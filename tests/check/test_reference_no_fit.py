@@ -359,3 +359,13 @@ def test_containers_of_any_shape_and_place(way: tuple[int, int], wide: int, high
         found = reference_inner_fit(box(x, y, x + wide, y + high), box(5, 7, 6, 8))
         inside = box(x - 5, y - 7, x + wide - 6, y + high - 8)
         assert found == ReferenceInnerFit(((inside.vertices, ()),), ())
+
+
+@pytest.mark.parametrize("by", [(700, -900), (-700, 900)])
+def test_loops_swept_far_away_are_those_swept_here(by: tuple[int, int]) -> None:
+    u = Fraction(by[0]), Fraction(by[1])
+    g, far = [(0, 0), (2, 0), (1, 2)], C.exterior.translated(u)
+    here, there = reference_swept(C, g), reference_swept(far, g)
+    loops = [[Point(p.x + u[0], p.y + u[1]) for p in loop] for loop in (here.outer, here.inner)]
+    assert [[*there.outer], [*there.inner]] == loops
+    assert len(there.unswept) == len(here.unswept)

@@ -378,6 +378,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
 @example([(0, 0), (1, 0), (1, 2), (2, 2), (2, 4), (1, 4), (1, 1), (0, 1)])
+@example([(0, 2), (1, 2), (1, 0), (2, 0), (2, 1), (1, 1), (1, 4), (0, 4)])
 @example([(2, 1), (1, 1), (1, 4), (0, 4), (0, 2), (1, 2), (1, 0), (2, 0)])
 def test_loop_is_what_a_canonical_monotone_polygon_is(ring: list[tuple[int, int]]) -> None:
     start = ring.index(min(ring))
@@ -404,3 +405,20 @@ def _holds(q: Polygon, loop: Vertices) -> bool:
         if any(point_in_polygon(p, q) < 0 for p in [*stops, *parts]):
             return False
     return True
+
+
+@pytest.mark.parametrize(
+    ("ring", "reason"),
+    [
+        ([(0, 0), (1, 0), (1, 0), (0, 1)], "loop: not canonical, the next vertex repeats vertex 1"),
+        (
+            [(0, 0), (1, 0), (3, 0), (0, 1)],
+            "loop: not canonical, the boundary does not turn",
+        ),
+        ([(0, 0), (3, 0), (1, 1), (3, 2), (2, 1)], "loop: not monotone to the direction, it turns"),
+    ],
+)
+def test_what_is_no_monotone_loop_is_named(ring: list[tuple[int, int]], reason: str) -> None:
+    with pytest.raises(CertificateError) as found:
+        _loop(tuple(Point(Fraction(x), Fraction(y)) for x, y in ring))
+    assert found.value.args[0].startswith(reason)

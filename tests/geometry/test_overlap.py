@@ -48,19 +48,22 @@ def test_interiors_meet_where_the_definition_says() -> None:
     """At vertices on vertices and on the middles of edges, beside these, and one in the other."""
     rng = Random(5)
     found: Counter[bool] = Counter()
-    for number in range(150):
+    for number in range(100):
         pair = (small_pairs.draw_shapeless if number % 2 else small_pairs.draw)(rng)
         g, d = (Region(shape[0], shape[1:]) for shape in pair)
-        overlap = Overlap(d.lattice()[1], g.lattice()[1])
+        # Off the lattice a point and its floor may lie in different columns of edges.
+        aside = rng.choice([None, None, Fraction(1, 3), Fraction(5, 7)]) or Fraction(0)
+        rings: list[list[Vertex]] = [[(x + aside, y) for x, y in ring] for ring in d.lattice()[1]]
+        overlap = Overlap(rings if aside else d.lattice()[1], g.lattice()[1])
         for _ in range(10):
             (v, _), (p, q) = (edge_of(rng, shape) for shape in pair)
             share = Fraction(rng.randint(0, 2), 2)
             beside = rng.choice([Fraction(0), Fraction(0), Fraction(1, 3)])
             t = Point(*(b + share * (c - b) - a + beside for a, b, c in zip(v, p, q, strict=True)))
             there = classify(d, g, t).verdict == "OVERLAP"
-            assert overlap.at(t) == there, (pair, t)
+            assert overlap.at(Point(t.x + aside, t.y)) == there, (pair, t, aside)
             found[there] += 1
-    assert min(found.values()) > 300
+    assert min(found.values()) > 200
 
 
 def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:

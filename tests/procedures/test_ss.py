@@ -3,6 +3,7 @@
 from fractions import Fraction
 from itertools import product
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, unit_edges
@@ -14,7 +15,8 @@ from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
-from exactsweep.procedures.free_positions import _lies_on
+from exactsweep.procedures.contact_lines import Stretch, _join_segments
+from exactsweep.procedures.free_positions import _find_left_over, _lies_on
 
 Ring = list[tuple[int, int]]
 Fits = tuple[tuple[Point, Point], ...]
@@ -248,3 +250,40 @@ def test_a_position_lies_on_a_segment_or_does_not() -> None:
                 p = (px.numerator, px.denominator, py.numerator, py.denominator)
                 there = any((px, py) == q for q in on)
                 assert _lies_on(p, ((ax, 1, ay, 1), (bx, 1, by, 1))) == there
+
+
+def test_contact_segments_of_one_line_are_cut_where_others_end() -> None:
+    """One goes from 0 to 4, one from 6 back to 2; what runs through an end is noted on both."""
+    found = [
+        (s.low[0], s.high[0], (s.left, s.right), s.low_through, s.high_through)
+        for s in _join_segments((1, 0, 0), [(0, 4, True), (2, 6, False)])
+    ]
+    ahead, back = (True, False), (False, True)
+    assert found == [
+        (0, 2, ahead, None, ahead),
+        (2, 4, (True, True), ahead, back),
+        (4, 6, back, back, None),
+    ]
+
+
+@pytest.mark.parametrize("turns", [False, True])
+def test_cuts_of_one_key_are_told_apart(turns: bool) -> None:
+    """There is overlap between the two, whichever comes first."""
+    stretch = Stretch((1, 0, 0), 0, 10, True, False)
+    cuts = [(5, (2, 1), False, True, False), (5, (3, 1), True, False, False)]
+    stretch.cuts += cuts[::-1] if turns else cuts
+    assert _find_left_over(stretch, set()) == [((0, 1), (2, 1)), ((3, 1), (10, 1))]
+
+
+def test_numbers_on_no_lattice_of_use_change_no_answer() -> None:
+    factor = 1 + Fraction(1, 3**5200)
+    links = [(0, 0), (7, 0), (7, 5), (5, 5), (5, 4), (6, 4), (6, 1), (1, 1), (1, 4), (3, 4), (3, 5)]
+    d, g = [*links, (0, 5)], [(0, 0), (2, 1), (1, 2)]
+    near, far = (
+        computed(*(Region([(f * x, f * y) for x, y in shape]) for shape in (d, g)))
+        for f in (1, factor)
+    )
+    for one, other in zip((near.exterior, *near.holes), (far.exterior, *far.holes), strict=True):
+        assert other == Polygon([(factor * x, factor * y) for x, y in one])
+    scaled = [tuple(Point(factor * x, factor * y) for x, y in fit) for fit in near.exact_fits]
+    assert [*far.exact_fits] == scaled
