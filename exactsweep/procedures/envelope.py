@@ -14,7 +14,7 @@ is the sign of u * n + v * d, with u and v from the lines alone, without a divis
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
