@@ -102,6 +102,11 @@ def turn(one: Line, other: Line) -> int:
     return one[0] * other[1] - one[1] * other[0]
 
 
+def put_longer_first(one: LowerChain, other: LowerChain) -> tuple[LowerChain, LowerChain]:
+    """Two chains, the one of more edges first: `walk_heights` walks along all of the second."""
+    return (other, one) if len(one.edges) < len(other.edges) else (one, other)
+
+
 def walk_heights(
     first: LowerChain, second: LowerChain, o: Node, side: int
 ) -> Iterator[tuple[int, int]]:
@@ -121,8 +126,10 @@ def walk_heights(
     Returns:
         iterator of pairs, numerator and positive denominator.
 
-    Cost: O(n + k) for n edges of B and k edges of A over the turned B; O(log) of the others.
+    Cost: O(n + k) for n edges of the function that has fewer, and k of the other one over it when
+    it is turned about o; O(log) of the others.
     """
+    first, second = put_longer_first(first, second)
     ox, oy, ow = o
     # B turned about o runs from left to right, and A + B passes o as A passes the turned B.
     below = [

@@ -41,6 +41,7 @@ from exactsweep.check.chain import (
     LowerChain,
     Node,
     add_nodes,
+    put_longer_first,
     turn,
     walk_heights,
 )
@@ -82,11 +83,13 @@ def count_steps(loop: MonotoneLoop, first: MonotoneLoop, second: MonotoneLoop) -
     """Count the steps of `check_sum_within`.
 
     For (a) each run of convex corners of A is walked along with each of B; for (b), at each concave
-    corner of the loop, the edges of B, and those edges of A that B turned about the corner is over.
+    corner of the loop, the edges of one of the two that has fewer, and those edges of the other
+    that it is over when it is turned about the corner.
     """
     steps = 0
     for chain, a, b in zip(loop.halves, first.halves, second.halves, strict=True):
         steps += len(a.runs) * sum(map(len, b.runs)) + len(b.runs) * sum(map(len, a.runs))
+        a, b = put_longer_first(a, b)
         (left, _, z), (right, _, t) = b.edges[0][0], b.edges[-1][1]
         for _, (x, _, w), _, _ in chain.concave:
             last = a.first_reaching(x * z - left * w, w * z)

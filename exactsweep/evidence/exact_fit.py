@@ -36,8 +36,8 @@ def find_exact_fits(
     Returns:
         Pairs (the end that hangs on the trajectory, the end inside the slot), by x.
 
-    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m), n,
-    and the edges of D_b over G.
+    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m +
+    log n) and the edges of D_b and of G_t over each other.
 
     Example:
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
@@ -75,11 +75,12 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
     """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
 
-    Cost: O(log m + n + edges of D_b over G).
+    Cost: O(log m + log n), and the edges of both over each other.
     """
     least: Rational | None = None
     jumps = True
-    i, j = 0, bisect_right(bottom, top[0][0][0] + shift, key=_right)
+    i = bisect_right(top, bottom[0][0][0] - shift, key=_right)
+    j = bisect_right(bottom, top[0][0][0] + shift, key=_right)
     while i < len(top) and j < len(bottom):
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])

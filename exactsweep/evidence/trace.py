@@ -72,17 +72,15 @@ class Tracer:
         # By direction and what is left of the offset of the line by whole units: if G is on the
         # lattice, it moves along a line those that are whole units from it.
         self._is_on_lattice = all(type(c) is int for w in generatrix.vertices for c in w)
+        self._path_residues = {(x % 1, y % 1) for x, y in path.vertices}
         self._paths: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
-        self._lines: defaultdict[tuple[Vector, Rational], list[tuple[Segment, int]]] = defaultdict(
-            list
-        )
+        self._lines: defaultdict[tuple[Vector, Rational], list[_PathPiece]] = defaultdict(list)
         pieces = [(make_segment(edge), k) for k, edge in enumerate(path.edges)]
         # On one line, edges of a simple loop follow each other.
         for piece, k in sorted(pieces, key=lambda item: item[0].low):
-            self._paths[self._path_key(piece)].append(
-                _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
-            )
-            self._lines[piece.direction, piece.offset].append((piece, k))
+            path_piece = _PathPiece(piece, k, floor(piece.low), ceil(piece.high))
+            self._paths[self._path_key(piece)].append(path_piece)
+            self._lines[piece.direction, piece.offset].append(path_piece)
         self._longest = {key: max(s.high - s.low for s, *_ in p) for key, p in self._paths.items()}
         self._g_vertices: dict[Vector, _LinedVertices] = {}
         self._g_facing: defaultdict[Vector, set[int]] = defaultdict(set)
@@ -105,6 +103,8 @@ class Tracer:
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
             for piece, trace in source:
                 if piece.offset == whole.offset and piece.shares_piece(whole):
+                    if piece.low <= whole.low and whole.high <= piece.high:
+                        return [trace]
                     pieces.append((piece, len(traces)))
                     traces.append(trace)
             chosen = choose_cover(whole, pieces)
@@ -129,8 +129,8 @@ class Tracer:
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
             paths = self._lines.get((u, whole.offset - own.offset), [])
-            nearest = bisect_left(paths, low, key=lambda item: item[0].high)
-            for path, k in paths[nearest : nearest + 1]:
+            nearest = bisect_left(paths, low, key=_high)
+            for path, k, _, _ in paths[nearest : nearest + 1]:
                 first, last = max(low, path.low), min(high, path.high)
                 if first <= last:
                     p, q = self._path.edge(k)
@@ -184,8 +184,14 @@ class Tracer:
         return t in self._path.numbers or any(True for _ in self._path.edges_through(t))
 
     def _from_ends(self, edge: Edge, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
+        ends_of_edge: Sequence[Vertex] = edge
+        if self._is_on_lattice:
+            # From such an end a vertex of the trajectory is whole units away, if it is one.
+            ends_of_edge = [(x, y) for x, y in edge if (x % 1, y % 1) in self._path_residues]
+            if not ends_of_edge:
+                return
         for i, ends, own in self._g_edges.get(whole.direction, ()):
-            for p in edge:
+            for p in ends_of_edge:
                 for q in ends:
                     t = minus(p, q)
                     k = self._path.numbers.get(t)
@@ -194,14 +200,11 @@ class Tracer:
 
     def _paths_of(self, whole: Segment) -> Iterator[tuple[Segment, Trace]]:
         u, key = whole.direction, self._path_key(whole)
-        paths = self._paths.get(key)
-        if not paths:
+        if key not in self._paths:
             return
         vertices = self._vertices_along(u)
-        first = bisect_left(paths, whole.low - vertices.high - self._longest[key], key=_low)
-        last = bisect_right(paths, whole.high - vertices.low, key=_low)
         whole_low, whole_high = floor(whole.low), ceil(whole.high)
-        for path, k, path_low, path_high in paths[first:last]:
+        for path, k, path_low, path_high in self._paths_near(whole, key, vertices):
             ends = vertices.by_offset.get(whole.offset - path.offset)
             if ends is None:
                 continue
@@ -217,6 +220,26 @@ class Tracer:
                 if start < high and low < end:
                     total = Segment(u, whole.offset, path.low + start, path.high + end)
                     yield total, Trace(Feature("edge", k), Feature(feature, i))
+
+    def _paths_near(
+        self, whole: Segment, key: tuple[Vector, Rational], vertices: _LinedVertices
+    ) -> Sequence[_PathPiece]:
+        """Edges of the trajectory along which a vertex may come to an edge, from left to right.
+
+        Looked for on each line from which a vertex of G draws it; or on all parallel lines, where
+        one long edge makes all look near, if these are fewer.
+        """
+        low, high = whole.low - vertices.high, whole.high - vertices.low
+        paths = self._paths[key]
+        first = bisect_left(paths, low - self._longest[key], key=_low)
+        last = bisect_right(paths, high, key=_low)
+        if last - first <= len(vertices.by_offset):
+            return paths[first:last]
+        near: list[_PathPiece] = []
+        for offset in vertices.by_offset:
+            line = self._lines.get((whole.direction, whole.offset - offset), [])
+            near += line[bisect_left(line, low, key=_high) : bisect_right(line, high, key=_low)]
+        return sorted(near, key=lambda path: (path.piece.low, path.number))
 
     def _path_key(self, piece: Segment) -> tuple[Vector, Rational]:
         return piece.direction, piece.offset % 1 if self._is_on_lattice else 0
@@ -268,6 +291,10 @@ class _PathPiece(NamedTuple):
 
 def _low(path: _PathPiece) -> Rational:
     return path.piece.low
+
+
+def _high(path: _PathPiece) -> Rational:
+    return path.piece.high
 
 
 def _at(p: Vertex, q: Vertex, coordinate: Rational, u: Vector) -> Vertex:

@@ -8,7 +8,7 @@ import pytest
 import tampering
 from small_pairs import draw
 
-from exactsweep import sweep
+from exactsweep import Polygon, sweep
 from exactsweep.check import loop, size, verify
 from exactsweep.check.chain import Line
 from exactsweep.check.sums import count_steps
@@ -97,3 +97,22 @@ def test_the_work_is_the_same_without_a_lattice() -> None:
             steps.append(count_steps(trajectory, other, own.turn_half()))
         assert steps[0] == steps[1] > 0
         compared += 1
+
+
+def test_the_shorter_of_two_chains_is_walked_along() -> None:
+    """Of a comb around a triangle, all of the comb was walked along at each of its corners."""
+    frame = loop.NodeFrame((1, 0), 1)
+    triangle = Polygon([(0, 0), (7, 1), (3, 9)])
+    found = []
+    for teeth in (40, 80):
+        steps = [
+            (8 * k + x, y) for k in range(teeth) for x, y in ((0, 9), (3, 9), (3, 19), (8, 19))
+        ]
+        comb = Polygon([(0, 0), (8 * teeth, 0), *steps[::-1]])
+        trajectory, own, other = (
+            loop.MonotoneLoop(frame.enter(p.vertices, ORIGIN), "", frame)
+            for p in (sweep(comb, triangle).trajectory, comb, triangle)
+        )
+        found.append(count_steps(trajectory, other, own.turn_half()))
+        assert found[-1] == count_steps(trajectory, own.turn_half(), other)
+    assert found[1] < 2.2 * found[0]

@@ -3,6 +3,7 @@
 import json
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -79,3 +80,28 @@ def test_what_draws_convex_loops_is_found_among_few(monkeypatch: pytest.MonkeyPa
         found.append(measured)
     assert found[0] < 20 * 50
     assert found[1] < 2.2 * found[0]
+
+
+def test_one_long_edge_does_not_make_all_parallel_ones_near(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A square around a comb: for each edge of a loop all paths were tried, on all lines."""
+    tried = 0
+    paths_near = trace.Tracer._paths_near
+
+    def count(*arguments: Any) -> Any:
+        nonlocal tried
+        found = paths_near(*arguments)
+        tried += len(found)
+        return found
+
+    monkeypatch.setattr(trace.Tracer, "_paths_near", count)
+    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    for teeth in (40, 80):
+        tried = 0
+        steps = [
+            (8 * k + x, y) for k in range(teeth) for x, y in ((0, 9), (3, 9), (3, 19), (8, 19))
+        ]
+        s = sweep(square, [(0, 0), (8 * teeth, 0), *steps[::-1]])
+        assert verify(s.certificate()).proved
+        assert tried < 60 * teeth

@@ -13,6 +13,9 @@ from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon, reference_exact_fits
+from exactsweep.evidence.exact_fit import find_exact_fits
+from exactsweep.paper.counting import make_counted, watch_operations
+from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 
@@ -178,3 +181,23 @@ def test_mould_with_walls_is_a_fit() -> None:
     wedge = [(0, -1), (2, -1), (2, 0), (1, 1), (0, 0)]
     # To either side of x = 1, a shoulder of G comes under the ground, and stops there at y = 0.
     assert sweep(wedge, mould).exact_fits == (own.points((1, 0), (1, 1)),)
+
+
+def comb(teeth: int) -> list[tuple[int, int]]:
+    """A top chain, from right to left, with gaps of 2 between teeth 6 wide."""
+    steps = [[(8 * k, 0), (8 * k + 2, 0), (8 * k + 2, 10), (8 * k + 8, 10)] for k in range(teeth)]
+    return [vertex for step in steps for vertex in step][::-1]
+
+
+def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
+    """All of G was walked along at each place where two pairs of walls meet."""
+    tongue = [(-3, 0), (0, 0), (0, -9), (2, -9), (2, 0), (5, 0)]
+    found = []
+    for teeth in (50, 100):
+        generatrix, directrix = make_counted(comb(teeth)), make_counted(tongue)
+        trajectory = trajectory_mm(generatrix, directrix)
+        with watch_operations() as tally:
+            fits = find_exact_fits(generatrix, directrix, trajectory)
+        assert len(fits) == teeth - 1
+        found.append(tally.total)
+    assert found[1] < 2.5 * found[0]

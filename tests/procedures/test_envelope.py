@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon
 from exactsweep.geometry.point import Vertex
+from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
@@ -334,3 +335,16 @@ def test_of_an_envelope_that_reaches_no_x_range_nothing_is_kept() -> None:
     assert kept is not None
     assert kept.pieces[1] == GAP
     assert [value(at) for at in kept.breaks] == [0, half, 3 * half, 2]
+
+
+@pytest.mark.parametrize("place", [0, 500, 999])
+def test_an_x_range_is_found_among_many_in_logarithmic_time(place: int) -> None:
+    """All of them were looked at once, which made the inner loops of long zigzags quadratic."""
+    counted = make_counted([(4 * k, 4 * k + 2) for k in range(1000)])
+    spans = [((left, 1), (right, 1)) for left, right in counted]
+    chain = make_counted([(4 * place - 1, 0), (4 * place + 3, 1)])
+    with watch_operations() as tally:
+        kept = Envelope.of_convex(chain).keep(spans)
+    assert kept is not None
+    assert [value(at) for at in kept.breaks] == [4 * place, 4 * place + 2]
+    assert tally.total < 120
