@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from random import Random
-from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
 from tempfile import TemporaryDirectory
 from time import process_time
 from typing import NamedTuple
 
+from click import ClickException
 from rich.table import Table
 
 from benchmarks.families import FAMILIES
@@ -52,12 +52,9 @@ def draw_parts(count: int) -> list[Part]:
 def measure(job: Job, folder: Path, workers: int) -> BatchCost:
     """Run a batch on a Dask cluster of its own."""
     output = folder / "records.jsonl"
-    before = [_seconds(who) for who in (RUSAGE_SELF, RUSAGE_CHILDREN)]
+    before = _read_seconds()
     run(job, str(output), workers=workers, scheduler="local", restart=True)
-    client, children = (
-        _seconds(who) - start
-        for who, start in zip((RUSAGE_SELF, RUSAGE_CHILDREN), before, strict=True)
-    )
+    client, children = (now - start for now, start in zip(_read_seconds(), before, strict=True))
     chunks = sum(1 for _ in job.chunks(0))
     return BatchCost(job.total, chunks, client, children, output.stat().st_size)
 
@@ -134,6 +131,13 @@ def tabulate_model(costs: Sequence[BatchCost], alone: float) -> Table:
     return table
 
 
-def _seconds(who: int) -> float:
-    usage = getrusage(who)
-    return usage.ru_utime + usage.ru_stime
+def _read_seconds() -> list[float]:
+    """The processor time of this process, and of those that it has waited for."""
+    try:
+        from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
+    except ImportError:
+        raise ClickException(
+            "what processes took that have ended is told by POSIX systems only"
+        ) from None
+    used = [getrusage(who) for who in (RUSAGE_SELF, RUSAGE_CHILDREN)]
+    return [usage.ru_utime + usage.ru_stime for usage in used]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.swept_shape import SweptShape
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
@@ -129,6 +130,7 @@ class InnerFit(FoundPositions, no_fit.InnerFitPositions):
     asked = ("container", "part", "reference")
 
 
+@tells_arguments
 def sweep(
     generatrix: Region | Vertices,
     directrix: Region | Vertices,
@@ -212,6 +214,7 @@ def _share(
     return generatrix, directrix, chosen
 
 
+@tells_arguments
 def no_fit_polygon(
     stationary: Region | Vertices,
     orbiting: Region | Vertices,
@@ -254,6 +257,7 @@ def no_fit_polygon(
     return NoFitPolygon(Region(d), Region(g), origin, swept)
 
 
+@tells_arguments
 def inner_fit_polygon(
     container: Region | Vertices,
     part: Region | Vertices,

@@ -13,7 +13,9 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {f"geometry.{name}" for name in ("digits", "error", "limits", "number", "point")}
+NUMBERS = {
+    f"geometry.{name}" for name in ("arguments", "digits", "error", "limits", "number", "point")
+}
 GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
@@ -27,6 +29,10 @@ RULES: dict[str, tuple[set[str], str]] = {
     "geometry.number": (
         {"geometry.digits", "geometry.error", "geometry.limits"},
         "numbers stand on nothing but digits, limits and refusals",
+    ),
+    "geometry.arguments": (
+        {"geometry.digits", "geometry.error", "geometry.limits", "geometry.number"},
+        "arguments are shown as numbers are",
     ),
     "geometry.point": ({"geometry.digits"}, "points stand on digits alone"),
     "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
@@ -57,7 +63,7 @@ RULES: dict[str, tuple[set[str], str]] = {
     "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
     "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),
     "lessons": (
-        {"lessons", "draw"},
+        NUMBERS | {"lessons", "draw"},
         "what runs notebooks draws; these see all",
     ),
     "cli": (ABOVE | {"cli", "lessons"}, "commands are on top"),

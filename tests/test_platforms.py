@@ -1,5 +1,6 @@
 """What is said where the system lacks something, and metadata of the package."""
 
+import importlib
 import os
 import signal
 import sys
@@ -7,6 +8,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from click import ClickException
 
 from exactsweep import __version__
 from exactsweep.conform.run.outcome import stop_after
@@ -28,6 +30,18 @@ def test_without_alarms_nothing_is_stopped(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.delattr(signal, "SIGALRM")
     with stop_after(1e-9):
         assert sum(range(10**5)) == 4999950000
+
+
+def test_benchmarks_begin_where_processes_that_ended_are_not_accounted_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "resource", None)
+    for name in ("benchmarks.batches", "benchmarks.peers.memory"):
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    batches = importlib.import_module("benchmarks.batches")
+    assert importlib.import_module("benchmarks.peers.memory").peak
+    with pytest.raises(ClickException, match=r"is told by POSIX systems only$"):
+        next(batches.tabulate(workers=1, quick=True))
 
 
 def test_the_metadata_fits_together() -> None:

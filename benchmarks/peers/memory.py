@@ -9,7 +9,6 @@ comes from a second run.
 from __future__ import annotations
 
 import json
-import resource
 import sys
 import tracemalloc
 from pathlib import Path
@@ -26,6 +25,8 @@ def peak() -> int:
         for line in described.read_text(encoding="utf-8").splitlines():
             if line.startswith("VmHWM:"):
                 return 1024 * int(line.split()[1])
+    import resource
+
     unit = 1 if sys.platform == "darwin" else 1024
     return unit * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 

@@ -18,6 +18,7 @@ from exactsweep.formats.candidate import NamedPolygon
 from exactsweep.formats.files import show_path
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.rounding import Rounding
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.limits import get_max_bytes
 from exactsweep.geometry.number import format_fraction, quote
 
@@ -54,6 +55,7 @@ class Job(NamedTuple):
         return (Chunk(k, range(k, min(k + size, self.total))) for k in firsts)
 
 
+@tells_arguments
 def take_all_pairs(
     generatrices: Iterable[NamedPolygon | Part],
     directrices: Iterable[NamedPolygon | Part],
@@ -87,6 +89,7 @@ def take_all_pairs(
     return Job(work, total, _digest_input(work, b"all pairs"), None)
 
 
+@tells_arguments
 def take_listed_pairs(
     path: str,
     parts: Iterable[NamedPolygon | Part] = (),

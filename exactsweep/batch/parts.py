@@ -5,6 +5,7 @@ from typing import NamedTuple, Unpack
 
 from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -21,6 +22,7 @@ class Part(NamedTuple):
     polygon: Polygon | Region | str
 
 
+@tells_arguments
 def read_parts(path: str, tolerance: object = None, **options: Unpack[Options]) -> tuple[Part, ...]:
     """Read a part list, each polygon once.
 

@@ -11,11 +11,16 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
 from exactsweep.batch.work import Chunk, Work
+from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.number import quote
 
 # Chunks under way at a time, for each process: enough to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8
 # How often a pair may be computed alone before it is blamed for the end of its process.
 _TRIES = 3
+
+MAX_WORKERS = 1024
+"""The most processes that compute."""
 
 
 class Counts(NamedTuple):
@@ -52,6 +57,7 @@ class Processes(Protocol):
         """End all processes."""
 
 
+@tells_arguments
 def run(
     job: Job,
     output: str,
@@ -110,6 +116,8 @@ def run(
 
 
 def _start_processes(work: Work, workers: int | None, scheduler: str | None) -> Processes:
+    if workers is not None and not 1 <= workers <= MAX_WORKERS:
+        raise BatchError(f"{quote(workers)} workers: not from 1 to {MAX_WORKERS}")
     if scheduler is None:
         from exactsweep.batch.local import LocalProcesses
 

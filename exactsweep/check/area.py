@@ -16,8 +16,8 @@ from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
 
 _Quotient = tuple[int, int]
-_Part = tuple[int, int, int, int]
-_Term = TypeVar("_Term")
+_SharedTerm = tuple[int, int, int, int]
+_Addend = TypeVar("_Addend")
 
 
 def check_area(
@@ -49,12 +49,12 @@ def _double_area(nodes: Sequence[Node]) -> _Quotient:
     return total, first * others * last
 
 
-def _join_terms(one: _Part, other: _Part) -> _Part:
+def _join_terms(one: _SharedTerm, other: _SharedTerm) -> _SharedTerm:
     (a, p, m, q), (b, _, n, r) = one, other
     return a * n * r + b * p * m, p, m * q * n, r
 
 
-def _add_in_pairs(terms: list[_Term], add: Callable[[_Term, _Term], _Term]) -> _Term:
+def _add_in_pairs(terms: list[_Addend], add: Callable[[_Addend, _Addend], _Addend]) -> _Addend:
     """Add neighbours, and then their sums, so that factors are of equal length."""
     while len(terms) > 1:
         odd = terms[len(terms) & ~1 :]

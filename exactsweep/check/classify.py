@@ -22,6 +22,7 @@ from exactsweep.check.cone import dot, find_common_direction, find_direction_ins
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
 from exactsweep.check.shape import LatticeShape, bring_to_one_lattice, list_rings
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.reading import read_point
@@ -36,6 +37,7 @@ class Classification(NamedTuple):
     witness: Point | None
 
 
+@tells_arguments
 def classify(directrix: Any, generatrix: Any, t: tuple[Any, Any]) -> Classification:
     """Decide whether a directrix D, given first, meets a generatrix moved by t, G + t.
 

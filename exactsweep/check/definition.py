@@ -28,6 +28,7 @@ from exactsweep.check.piecewise import (
     take_least_sum,
 )
 from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import canonicalize_ring
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import to_fraction
@@ -43,6 +44,7 @@ class ReferenceLoops(NamedTuple):
     outer: tuple[Point, ...]
 
 
+@tells_arguments
 def reference_loops(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
 ) -> ReferenceLoops:
@@ -74,6 +76,7 @@ def reference_loops(
     return ReferenceLoops(*(frame.loop(bottom, top) for bottom, top in halves))
 
 
+@tells_arguments
 def reference_exact_fits(
     generatrix: Any, directrix: Any, direction: tuple[Any, Any] = (1, 0)
 ) -> tuple[Fit, ...]:

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from exactsweep.check.shape import bring_to_one_lattice, list_rings
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.point import Vertex
 
 
+@tells_arguments
 def point_in_polygon(point: tuple[Any, Any], polygon: Any) -> int:
     """Locate a point: 1 in the open interior of a polygon, 0 on its boundary, -1 outside.
 

@@ -44,6 +44,7 @@ from exactsweep.check.shape import (
     to_points,
 )
 from exactsweep.check.uncovered import OpenSets
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
@@ -72,6 +73,7 @@ class ReferenceSwept(NamedTuple):
     unswept: tuple[Loop, ...]
 
 
+@tells_arguments
 def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     """Evaluate the no-fit polygon of two shapes from the definition.
 
@@ -104,6 +106,7 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     )
 
 
+@tells_arguments
 def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     """Evaluate the positions of a part inside a container from the definition.
 
@@ -131,6 +134,7 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
 
 
+@tells_arguments
 def reference_swept(
     directrix: Any, generatrix: Any, exterior: Sequence[Point] | None = None
 ) -> ReferenceSwept:

@@ -41,6 +41,7 @@ from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, find_common_scale
 from exactsweep.check.sums import check_sum_within, count_steps
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
@@ -60,6 +61,7 @@ class Verification(NamedTuple):
     witness: Point | None
 
 
+@tells_arguments
 def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     """Decide whether a certificate proves its answer, from the definition alone.
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from traceback import clear_frames
 from typing import Any
 
 import click
@@ -55,7 +56,9 @@ def _refuse_in_one_line() -> Iterator[None]:
     except OSError as error:
         place = "" if error.filename is None else f"{show_path(str(error.filename))}: "
         raise click.ClickException(f"{place}{error.strerror or error}") from None
-    except MemoryError:
+    except MemoryError as error:
+        # What the functions held that have ended, so that there is room to say so.
+        clear_frames(error.__traceback__)
         raise click.ClickException("out of memory") from None
 
 

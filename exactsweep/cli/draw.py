@@ -76,8 +76,9 @@ def draw_command(
     (axes,) = figure.axes
     plot_sweep(result, axes, positions=positions or None, y_down=y_down)
     if title:
-        # A dollar would begin a formula.
-        axes.set_title(title.replace("$", r"\$"), loc="left")
+        # No font has what is no letter, and a dollar would begin a formula.
+        shown = "".join(c if c.isprintable() else repr(c)[1:-1] for c in title)
+        axes.set_title(shown.replace("$", r"\$"), loc="left")
     try:
         save(figure, output)
     except OSError as error:

@@ -9,7 +9,7 @@ import click
 
 from exactsweep.cli.output import write_readable
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
-from exactsweep.formats.rounding import Changes, Rounding, Side, contains
+from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.text.report import approximate
 from exactsweep.words import count
@@ -21,7 +21,7 @@ def takes_rounding(command: Callable[..., None]) -> Callable[..., None]:
     @click.option(
         "--round",
         "places",
-        type=click.IntRange(0, 4000),
+        type=click.IntRange(0, MAX_PLACES),
         metavar="PLACES",
         help="Round to so many decimal places, and say on standard error what that changed.",
     )

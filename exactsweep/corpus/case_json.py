@@ -11,6 +11,7 @@ from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import describe_kind, read_point, read_vertices
 from exactsweep.geometry.addition import add_up
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.number import format_fraction, quote
 from exactsweep.geometry.point import Fit, Loop, Point
@@ -20,6 +21,7 @@ from exactsweep.geometry.region import Region
 GivenRing = tuple[Loop, Polygon]
 
 
+@tells_arguments
 def case_to_json(case: Case) -> dict[str, Any]:
     """Write a case as plain JSON data.
 
@@ -73,6 +75,7 @@ def case_to_json(case: Case) -> dict[str, Any]:
     return data
 
 
+@tells_arguments
 def case_from_json(data: object) -> Case:
     """Read a case; the sweep is not computed again.
 

@@ -12,8 +12,10 @@ from exactsweep.corpus.case import KINDS, Case
 from exactsweep.corpus.case_json import case_from_json
 from exactsweep.corpus.generator import generate_case
 from exactsweep.corpus.names import require_known
+from exactsweep.geometry.arguments import tells_arguments
 
 
+@tells_arguments
 def themes() -> dict[str, str]:
     """Return the themes, in order, each with its title.
 
@@ -26,6 +28,7 @@ def themes() -> dict[str, str]:
     return {name: _theme(name)["title"] for name in _names()}
 
 
+@tells_arguments
 def cases(
     *,
     prefix: str = "",
@@ -85,6 +88,8 @@ def list_summaries(
 def _match(
     prefix: str, flags: Iterable[str], kind: str | None, max_size: int | None
 ) -> Iterator[dict[str, Any]]:
+    if not (isinstance(prefix, str) and isinstance(max_size, int | None)):
+        raise TypeError  # here, and not where the first case is asked for
     wanted = {require_known(flag, notes(), "flag") for flag in flags}
     if kind is not None:
         require_known(kind, KINDS, "class")
@@ -152,6 +157,7 @@ def read_theme(folder: Traversable, name: str) -> str:
     return lzma.decompress(folder.joinpath(f"{name}.json.xz").read_bytes()).decode("utf-8")
 
 
+@tells_arguments
 def find_case(id: str) -> Case:
     """Return the case of this id: a shipped one, or a generated one, made again.
 

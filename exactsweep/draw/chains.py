@@ -6,9 +6,11 @@ from collections.abc import Iterable, Mapping
 
 from exactsweep.canvas import style
 from exactsweep.draw.picture import Picture
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.point import Vertex
 
 
+@tells_arguments
 def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> None:
     """Draw chains by name, each in a colour and with a marker of its own.
 
@@ -20,6 +22,7 @@ def draw_chains(picture: Picture, chains: Mapping[str, Iterable[Vertex]]) -> Non
         picture.line(chain, style.choose_chain_look(k), name)
 
 
+@tells_arguments
 def draw_sub_trajectories(
     picture: Picture, chains: Iterable[Iterable[Vertex]], envelope: Iterable[Vertex] | None = None
 ) -> None:

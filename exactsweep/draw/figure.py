@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
+from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.number import quote
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 SUFFIXES = (".svg", ".pdf", ".png")
 
 # What each format would otherwise say about the time and the program of its making.
+_MOST_AXES = 400
 _METADATA: dict[str, dict[str, Any]] = {
     ".svg": {"Date": None, "Creator": "exactsweep"},
     ".pdf": {"CreationDate": None, "Creator": "exactsweep", "Producer": None},
@@ -30,6 +33,7 @@ def require_matplotlib() -> None:
         raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
 
 
+@tells_arguments
 def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | None = None) -> Figure:
     """Make a Figure in the style, with empty Axes; it is for a file and belongs to no window.
 
@@ -47,12 +51,15 @@ def make_figure(rows: int = 1, columns: int = 1, size: tuple[float, float] | Non
     require_matplotlib()
     from matplotlib.figure import Figure
 
+    if not 1 <= rows * columns <= _MOST_AXES or rows < 1:
+        raise DrawError(f"{quote(rows)} by {quote(columns)} pictures: not 1 to {_MOST_AXES}")
     with use_style():
         figure = Figure(layout="compressed", figsize=size)
         figure.subplots(rows, columns)
         return figure
 
 
+@tells_arguments
 def read_suffix(path: str) -> str:
     """Return the suffix of a picture file, in lower case.
 
@@ -70,6 +77,7 @@ def read_suffix(path: str) -> str:
     return suffix
 
 
+@tells_arguments
 def save(figure: Figure, path: str) -> None:
     """Write a figure to a file, in the format of its suffix: .svg, .pdf or .png.
 
@@ -84,6 +92,7 @@ def save(figure: Figure, path: str) -> None:
         figure.savefig(path, format=suffix[1:], metadata=_METADATA[suffix], bbox_inches="tight")
 
 
+@tells_arguments
 def save_svg(figure: Figure) -> str:
     """Write a figure as the text of an SVG document, the same each time, as `save` does."""
     text = StringIO()

@@ -20,6 +20,7 @@ from exactsweep.draw.sweeps import (
     place_generatrix,
     read_positions,
 )
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -87,6 +88,7 @@ class Positions(NamedTuple):
         return list(dict.fromkeys(found))
 
 
+@tells_arguments
 def plot_positions(
     found: NoFitPositions | InnerFitPositions,
     axes: Axes | None = None,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.point import Point
 
 
@@ -35,6 +36,7 @@ class ContactStretch(NamedTuple):
         return events.pop() if len(events) == 1 else "several"
 
 
+@tells_arguments
 def cut_trajectory(s: Swept) -> list[ContactStretch]:
     """Cut the trajectory where a contact begins or ends.
 

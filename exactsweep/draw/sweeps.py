@@ -14,6 +14,7 @@ from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import cut_trajectory
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
@@ -47,6 +48,7 @@ class Moving(Protocol):
         """The point of G whose positions are told."""
 
 
+@tells_arguments
 def plot_sweep(
     s: Swept,
     axes: Axes | None = None,
@@ -157,11 +159,13 @@ def trace_anchor(s: Swept) -> Polygon:
     return s.trajectory.translated(find_shift(s))
 
 
+@tells_arguments
 def place_generatrix(s: Moving, position: Point) -> Polygon | Region:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
 
+@tells_arguments
 def choose_telling_positions(s: Swept) -> list[Point]:
     """Choose positions worth drawing: in undercuts and exact fits, far from each other.
 
@@ -197,6 +201,7 @@ def _square(p: Point, q: Point) -> Fraction:
     return (p.x - q.x) ** 2 + (p.y - q.y) ** 2
 
 
+@tells_arguments
 def draw_loops(picture: Picture, s: Swept) -> None:
     """Draw the swept area between the inner and the outer loop, and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
@@ -209,6 +214,7 @@ def draw_loops(picture: Picture, s: Swept) -> None:
     picture.line(outer, style.OUTER, "outer loop", closed=True)
 
 
+@tells_arguments
 def draw_shape(
     picture: Picture, shape: Polygon | Region, look: Look, label: str | None = None
 ) -> None:
@@ -219,12 +225,14 @@ def draw_shape(
         picture.area(shape.vertices, look, label)
 
 
+@tells_arguments
 def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
     """Hatch undercuts."""
     for undercut in undercuts:
         picture.area(undercut.polygon.vertices, style.UNDERCUT, "undercut")
 
 
+@tells_arguments
 def draw_trajectory(picture: Picture, s: Swept) -> None:
     """Draw the path of the anchor, each stretch as its contact event has it."""
     dx, dy = find_shift(s)
@@ -244,6 +252,7 @@ def draw_trajectory(picture: Picture, s: Swept) -> None:
         picture.lines(chains["several"], style.SEVERAL_EVENTS, f"{of}, several events")
 
 
+@tells_arguments
 def draw_exact_fits(
     picture: Picture, s: Moving, fits: Iterable[Fit], loops: Iterable[Polygon]
 ) -> None:
@@ -285,6 +294,7 @@ def _move(points: Iterable[Point], s: Moving) -> list[Point]:
     return [Point(p.x + dx, p.y + dy) for p in points]
 
 
+@tells_arguments
 def draw_generatrix(
     picture: Picture, s: Moving, positions: Iterable[Point], label: str = "generatrix G"
 ) -> None:
@@ -297,6 +307,7 @@ def draw_generatrix(
         picture.lines(dots, style.REFERENCE, name_anchor(s))
 
 
+@tells_arguments
 def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
     """Mark where G touches D when its reference point is at each of some positions."""
     draw_spots(picture, find_spots(s, positions))

@@ -9,6 +9,7 @@ from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -206,7 +207,7 @@ def describe_kind(value: object) -> str:
         return "a list"
     if isinstance(value, str):
         return quote(value)
-    return json.dumps(value)
+    return json.dumps(value) if value is None or isinstance(value, bool) else quote(value)
 
 
 def count_vertices(text: str) -> int:
@@ -270,6 +271,7 @@ def read_number(value: object, path: str) -> Fraction:
         raise FormatError(f"{path}: {error}") from None
 
 
+@tells_arguments
 def read_certificate(path: str) -> object:
     """Read a certificate from a file, or from standard input, as `parse_certificate` does.
 

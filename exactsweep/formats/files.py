@@ -6,13 +6,16 @@ from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.limits import get_max_bytes
+from exactsweep.geometry.number import quote
 
 # Possessive, so that blank lines and comments without end are gone through once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")
 """What a DXF text starts with."""
 
 
+@tells_arguments
 def read_text(path: str) -> str:
     """Read a whole file, or standard input.
 
@@ -25,6 +28,9 @@ def read_text(path: str) -> str:
     Raises:
         FormatError: not readable, more bytes than `limits` allow, neither UTF-8 nor DXF.
     """
+    if not isinstance(path, str):
+        # A number would be taken for a file that is open.
+        raise FormatError(f"{quote(path)} is not a path")
     try:
         data = _read_bytes(path)
     except OSError as error:
@@ -52,6 +58,7 @@ def decode_text(data: bytes) -> str:
         raise FormatError(f"not UTF-8 text: {error.reason} at byte {error.start}") from None
 
 
+@tells_arguments
 def show_path(path: str) -> str:
     """Return a path as it is shown in a message: always on one line."""
     if path == "-":

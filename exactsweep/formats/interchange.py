@@ -7,7 +7,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError, require_imports
-from exactsweep.geometry.number import abridge
+from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.number import abridge, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     import shapely
 
 
+@tells_arguments
 def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
     """Read a polygon of shapely; its floats are taken as the binary values that they are.
 
@@ -48,6 +50,7 @@ def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
     return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
 
 
+@tells_arguments
 def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.Polygon:
     """Make a polygon of shapely, whose coordinates are floats.
 
@@ -76,6 +79,7 @@ def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.P
     return shapely.Polygon(rows, inner)
 
 
+@tells_arguments
 def from_numpy(array: numpy.ndarray) -> Polygon:
     """Read a polygon from an array with a row for each vertex.
 
@@ -100,6 +104,7 @@ def from_numpy(array: numpy.ndarray) -> Polygon:
     return Polygon(array)
 
 
+@tells_arguments
 def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) -> numpy.ndarray:
     """Make an array with a row for each vertex.
 
@@ -126,7 +131,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
     if dtype == "float64":
         return numpy.array(_floats(polygon.vertices, nearest))
     if dtype != "int64":
-        raise FormatError(f"dtype {dtype!r}: not 'object', 'int64' or 'float64'")
+        raise FormatError(f"dtype {quote(dtype)}: not 'object', 'int64' or 'float64'")
     for i, vertex in enumerate(polygon.vertices):
         for value in vertex:
             if value.denominator != 1 or not -(2**63) <= value < 2**63:

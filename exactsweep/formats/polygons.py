@@ -24,6 +24,7 @@ from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -31,6 +32,7 @@ from exactsweep.geometry.region import Region
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 
 
+@tells_arguments
 def parse_polygon(
     text: str,
     choice: str | None = None,
@@ -67,6 +69,7 @@ def parse_polygon(
     return choose(parse_candidates(text, tolerance, **options), choice).polygon()
 
 
+@tells_arguments
 def parse_polygons(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedPolygon]:
@@ -100,6 +103,7 @@ def parse_polygons(
     return read_each(parse_candidates(text, tolerance, **options), Candidate.named_polygon)
 
 
+@tells_arguments
 def parse_region(
     text: str,
     choice: str | None = None,
@@ -130,6 +134,7 @@ def parse_region(
     return choose(parse_candidates(text, tolerance, **options), choice).region()
 
 
+@tells_arguments
 def parse_regions(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedRegion]:
@@ -160,6 +165,7 @@ def parse_regions(
     return read_each(parse_candidates(text, tolerance, **options), Candidate.named_region)
 
 
+@tells_arguments
 def read_polygon(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Polygon:
@@ -181,6 +187,7 @@ def read_polygon(
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
+@tells_arguments
 def read_region(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> Region:
@@ -202,6 +209,7 @@ def read_region(
         return parse_region(read_text(file), choice, tolerance, **options)
 
 
+@tells_arguments
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedPolygon]:
@@ -222,6 +230,7 @@ def read_polygons(
         return read_each(candidates, Candidate.named_polygon)
 
 
+@tells_arguments
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
 ) -> list[NamedRegion]:

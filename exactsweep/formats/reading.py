@@ -73,7 +73,7 @@ class Reading:
         join: object = None,
         unit: str | None = None,
     ) -> None:
-        if unit is not None and unit not in UNITS:
+        if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
         self.tolerance = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")

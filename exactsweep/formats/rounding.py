@@ -26,7 +26,10 @@ from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.number import quote
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
@@ -35,6 +38,9 @@ from exactsweep.geometry.region import Region
 Side = Literal["closest", "outward", "inward"]
 # How many cells away a point for a right turn is looked for.
 _REACH = 3
+
+MAX_PLACES = 4000
+"""The most decimal places that numbers are rounded to."""
 
 
 class Rounding(NamedTuple):
@@ -77,6 +83,7 @@ class Changes(NamedTuple):
     left_out: int
 
 
+@tells_arguments
 def round_regions(
     regions: Iterable[NamedRegion], places: int, side_of: Callable[[NamedRegion], Side]
 ) -> tuple[list[NamedRegion], Changes]:
@@ -107,6 +114,7 @@ def round_regions(
     return found, Changes(changed, distance, left_out)
 
 
+@tells_arguments
 def round_region(region: Region, places: int, side: Side = "closest") -> Rounded:
     """Round a region to decimals.
 
@@ -133,6 +141,8 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
         (0, 0) (4, 0) (4, 3) (0, 3)
         (0, 0) (3, 0) (3, 2) (0, 2)
     """
+    if not 0 <= places <= MAX_PLACES:
+        raise FormatError(f"{quote(places)} decimal places: not from 0 to {MAX_PLACES}")
     grid = Fraction(1, 10**places)
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]

@@ -11,6 +11,7 @@ from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
@@ -19,6 +20,7 @@ from exactsweep.geometry.region import Region
 _Decimals = list[tuple[str, str]]
 
 
+@tells_arguments
 def format_polygons(
     polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion],
     form: str,

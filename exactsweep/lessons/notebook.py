@@ -11,16 +11,22 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.draw import save_svg
+from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.error import ExactSweepError
+from exactsweep.geometry.number import quote
 
 Notebook = dict[str, Any]
 
 FOLDER = Path(__file__).parent
 """Where the lessons are."""
 
+_NAMES = ("tour", "sweeps", "paper", "judging")
+
 # Longer outputs, such as the interactive page with its scripts, are made anew by whoever runs it.
 _MOST_STORED = 60_000
 
 
+@tells_arguments
 def list_titles() -> dict[str, str]:
     """Return the lessons, by file name without its suffix, with their titles.
 
@@ -28,10 +34,10 @@ def list_titles() -> dict[str, str]:
         >>> list_titles()["judging"]
         'Judging your own program'
     """
-    order = ("tour", "sweeps", "paper", "judging")
-    return {name: _source(read_notebook(name)["cells"][0]).split("\n")[0][2:] for name in order}
+    return {name: _source(read_notebook(name)["cells"][0]).split("\n")[0][2:] for name in _NAMES}
 
 
+@tells_arguments
 def read_notebook(name: str) -> Notebook:
     """Read a lesson.
 
@@ -41,6 +47,8 @@ def read_notebook(name: str) -> Notebook:
     Returns:
         The document, as the format of notebooks has it.
     """
+    if name not in _NAMES:
+        raise ExactSweepError(f"{quote(name)} is no lesson")
     found: Notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
     return found
 
@@ -51,6 +59,7 @@ def write_notebook(path: Path, notebook: Notebook) -> None:
     path.write_text(f"{text}\n", encoding="utf-8", newline="\n")
 
 
+@tells_arguments
 def run_notebook(notebook: Notebook) -> Notebook:
     """Run the cells of a notebook in order, as Jupyter would.
 
@@ -64,6 +73,8 @@ def run_notebook(notebook: Notebook) -> Notebook:
     Raises:
         Whatever a cell raises.
     """
+    if "cells" not in notebook:
+        raise ExactSweepError("the notebook has no cells")
     names: dict[str, Any] = {"__name__": "__main__"}
     cells = []
     number = 0

@@ -12,6 +12,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from exactsweep.canvas.style import write_style_sheet
+from exactsweep.geometry.arguments import tells_arguments
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept
@@ -35,6 +36,7 @@ _SCRIPTS = tuple(
 _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 
+@tells_arguments
 def make_page(
     s: Swept,
     *,

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.corpus import Case
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import ORIGIN, Loop, Point
 from exactsweep.geometry.polygon import Polygon
@@ -71,6 +72,7 @@ class _GivenPair(NamedTuple):
         return self.put(lambda p: Point(function(p.x), function(p.y)))
 
 
+@tells_arguments
 def shrink(
     case: Case, judge: Callable[[Case], str], *, tries: int = 1000, seconds: float = 60.0
 ) -> Case:

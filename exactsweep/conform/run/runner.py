@@ -14,6 +14,7 @@ from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.tally import ACCEPTED
 from exactsweep.corpus import Case
+from exactsweep.geometry.arguments import tells_arguments
 
 TO_MAKE_SMALLER = 20.0
 """Seconds that may be spent on one failure to find a smaller one like it."""
@@ -76,6 +77,7 @@ def _share_time(failures: Sequence[Outcome]) -> float:
     return min(TO_MAKE_SMALLER, MOST_TO_MAKE_SMALLER / max(1, len(failures)))
 
 
+@tells_arguments
 def conform(
     function: Function,
     cases: Iterable[Case],

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from inspect import cleandoc
 from itertools import count as count_from
-from itertools import islice
 from typing import Any, NamedTuple
 
 from exactsweep.corpus.case import Case
 from exactsweep.corpus.generator import any_shape, large, numeric, plain
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.names import UnknownNameError, require_known
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
@@ -81,6 +81,7 @@ FAMILIES: dict[str, Family] = {
 }
 
 
+@tells_arguments
 def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]:
     """Yield the cases of a family, making them one by one.
 
@@ -110,7 +111,8 @@ def generate(family: str, seed: int, count: int | None = None) -> Iterator[Case]
         raise ExactSweepError(f"the seed is {seed}, which is not from 0 to 10**18 - 1")
     if count is not None and count < 0:
         raise ExactSweepError(f"the count is negative: {count}")
-    return islice((_make(chosen, seed, number) for number in count_from()), count)
+    numbers = count_from() if count is None else range(count)
+    return (_make(chosen, seed, number) for number in numbers)
 
 
 def generate_case(id: str) -> Case:

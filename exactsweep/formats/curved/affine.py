@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 from exactsweep.geometry.point import Point
 
+_ZERO = Fraction(0)
+
 
 class Affine(NamedTuple):
     """The map (x, y) -> (a x + c y + e, b x + d y + f), numbers in the order of SVG's `matrix`.
@@ -39,11 +41,12 @@ class Affine(NamedTuple):
         """Map a point."""
         if self is IDENTITY:
             return Point(x, y)
-        return Point(self.a * x + self.c * y + self.e, self.b * x + self.d * y + self.f)
+        u, v = self.vector(x, y)
+        return Point(u + self.e if self.e else u, v + self.f if self.f else v)
 
     def vector(self, x: Fraction, y: Fraction) -> Point:
         """Map a difference of two points."""
-        return Point(self.a * x + self.c * y, self.b * x + self.d * y)
+        return Point(_add_products(self.a, x, self.c, y), _add_products(self.b, x, self.d, y))
 
     def error(self, points: Iterable[Point]) -> Fraction:
         """Return how far, at most, images of points and of their hull are from the meant ones."""
@@ -51,6 +54,13 @@ class Affine(NamedTuple):
             return Fraction(0)
         # Each coordinate is off by off * (|x| + |y| + 1); two of them, by less than twice that.
         return 2 * self.off * (1 + max(abs(x) + abs(y) for x, y in points))
+
+
+def _add_products(a: Fraction, x: Fraction, b: Fraction, y: Fraction) -> Fraction:
+    """Return a x + b y, quickly where a number is 0, as half of those of most maps are."""
+    if b and y:
+        return a * x + b * y if a and x else b * y
+    return a * x if a and x else _ZERO
 
 
 def make_affine(*numbers: int | Fraction) -> Affine:

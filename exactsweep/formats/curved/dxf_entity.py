@@ -26,6 +26,8 @@ _NORMAL = {210: 0, 220: 0, 230: 1}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
 # What $INSUNITS says, of what UNITS has.
 _FRAME = 16
+# Letters of a kind that is none.
+_LONG = 40
 # A group code and two ends of lines, at least.
 _GROUP = 4
 _INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
@@ -54,7 +56,8 @@ class Entity:
         kind = self.tags[0].value
         self.kind, self.line = str(kind).strip(), kind.line
         self.layer = self._text(_LAYER, "0")
-        shown = self.kind if self.kind.isidentifier() else quote(self.kind)
+        is_word = self.kind.isidentifier() and len(self.kind) < _LONG
+        shown = self.kind if is_word else quote(self.kind)
         self.place = f"line {self.line}: {shown}"
         self.vertices: list[Entity] = []
 

@@ -72,8 +72,10 @@ def _scale(numbers: Sequence[Fraction], reading: Reading) -> Affine:
 
 def _rotate(numbers: Sequence[Fraction], reading: Reading) -> Affine:
     angle, *center = numbers
-    x, y = center or (0, 0)
     turn = make_rotation(angle, reading)
+    if not center:
+        return turn
+    x, y = center
     return make_affine(1, 0, 0, 1, x, y) @ turn @ make_affine(1, 0, 0, 1, -x, -y)
 
 

@@ -69,6 +69,8 @@ def parse_xml(text: str) -> Element:
     try:
         parser.feed(text)
         root: Element = parser.close()
+    except UnicodeEncodeError:
+        raise FormatError("not XML: half of a character beyond the first 65,536") from None
     except ParseError as error:
         number, column = error.position
         reason = str(error).partition(":")[0]

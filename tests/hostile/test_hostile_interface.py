@@ -1,0 +1,270 @@
+"""Every public function, each of its arguments made what it is not: refused in a sentence.
+
+A function that is new has to be listed in VALID, or a test fails.
+"""
+
+import importlib
+import inspect
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+import shapely
+from command import EXAMPLE
+from hostile_table import require_row
+
+from exactsweep import ExactSweepError, Point, no_fit_polygon
+from exactsweep.batch import take_all_pairs
+from exactsweep.canvas.style import Look
+from exactsweep.cli.pair import GENERATRIX
+from exactsweep.conform import Verdict
+from exactsweep.corpus import case_to_json, find_case
+from exactsweep.draw import Picture, Scale, make_figure
+from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
+from exactsweep.geometry.arguments import ArgumentError, tells_arguments
+from exactsweep.geometry.region import Region
+
+ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "lessons", "view")
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+TEXT = "[[0, 0], [1, 0], [0, 1]]"
+PART = NamedRegion(Region(GENERATRIX), "a")
+PARTS = [NamedPolygon(GENERATRIX)]
+CASE = find_case("directions-y")
+ORIGIN = Point(Fraction(0), Fraction(0))
+# Files are there before a function is called.
+FILES = {"p.json": TEXT, "pairs.jsonl": f'{{"generatrix": {TEXT}, "directrix": {TEXT}}}\n'}
+
+
+class Hostile:
+    """Says of itself what is not so, at length, and in control characters."""
+
+    def __repr__(self) -> str:
+        return "\n\x1b[2J" * 10**4
+
+    __str__ = __repr__
+
+    def __iter__(self) -> Iterator[object]:
+        return iter((self, self))
+
+
+class Unspeakable:
+    def __repr__(self) -> str:
+        raise RuntimeError
+
+    __str__ = __repr__
+
+
+HOSTILE: list[Any] = [
+    *(None, "a", "", b"a", 1.5, float("nan"), float("inf"), True, -1, 10**30, 1j, Fraction(1, 3)),
+    *([], (), {}, set(), [None], [[]], {"a": 1}, [1, 2], object(), Hostile(), Unspeakable()),
+]
+
+OPTIONS = {"tolerance": None, "nested": False, "join": None, "unit": None}
+CHOSEN = {"text": TEXT, "choice": None, **OPTIONS}
+PAIR = {"generatrix": UNIT, "directrix": UNIT}
+FIGURE = make_figure()
+PICTURE = Picture(FIGURE.axes[0], Scale.of(EXAMPLE.outer.vertices))
+DRAWN = {"picture": PICTURE, "s": EXAMPLE}
+VALID: dict[str, dict[str, Any]] = {
+    "sweep": {**PAIR, "direction": (1, 0), "reference": (0, 0)},
+    "no_fit_polygon": {"stationary": UNIT, "orbiting": UNIT, "reference": (0, 0)},
+    "inner_fit_polygon": {"container": UNIT, "part": UNIT, "reference": (0, 0)},
+    "limits": {"max_digits": None, "max_mib": None},
+    "batch.read_parts": {"path": "p.json", **OPTIONS},
+    "batch.take_all_pairs": {
+        "generatrices": PARTS,
+        "directrices": PARTS,
+        "what": "loops",
+        "rounding": None,
+    },
+    "batch.take_listed_pairs": {
+        "path": "pairs.jsonl",
+        "parts": [],
+        "what": "loops",
+        "rounding": None,
+    },
+    "batch.run": {"job": take_all_pairs(PARTS, PARTS), "output": "o.jsonl", "workers": 1},
+    "check.classify": {**PAIR, "t": (0, 0)},
+    "check.point_in_polygon": {"point": (0, 0), "polygon": UNIT},
+    "check.reference_exact_fits": {**PAIR, "direction": (1, 0)},
+    "check.reference_loops": {**PAIR, "direction": (1, 0)},
+    "check.reference_inner_fit": {"container": UNIT, "part": UNIT},
+    "check.reference_no_fit": PAIR,
+    "check.reference_swept": {**PAIR, "exterior": None},
+    "check.verify": {"certificate": EXAMPLE.certificate(), "max_steps": 10**8},
+    "conform.compare": {
+        "case": CASE,
+        "result": {},
+        "rounding": None,
+        "promised": (),
+        "numbers": None,
+    },
+    "conform.conform": {
+        "function": lambda case: {},
+        "cases": [CASE],
+        "name": "a",
+        "loops": ("trajectory",),
+        "numbers": "rational",
+        "reference": "given",
+        "questions": ("sweep",),
+        "shapes": "monotone",
+        "seconds": 10.0,
+        "accepted": Verdict.EXACT,
+        "made_smaller": 0,
+    },
+    "conform.shrink": {"case": CASE, "judge": lambda case: "", "tries": 3, "seconds": 1.0},
+    "corpus.case_from_json": {"data": case_to_json(CASE)},
+    "corpus.case_to_json": {"case": CASE},
+    "corpus.cases": {"prefix": "directions", "flags": (), "kind": None, "max_size": None},
+    "corpus.find_case": {"id": "directions-y"},
+    "corpus.generate": {"family": "notched", "seed": 1, "count": 2},
+    "corpus.themes": {},
+    "draw.choose_telling_positions": {"s": EXAMPLE},
+    "draw.cut_trajectory": {"s": EXAMPLE},
+    "draw.draw_chains": {"picture": PICTURE, "chains": {"a": UNIT}},
+    "draw.draw_contacts": {**DRAWN, "positions": [ORIGIN]},
+    "draw.draw_exact_fits": {**DRAWN, "fits": [(ORIGIN, ORIGIN)], "loops": [EXAMPLE.trajectory]},
+    "draw.draw_generatrix": {**DRAWN, "positions": [ORIGIN], "label": "g"},
+    "draw.draw_loops": DRAWN,
+    "draw.draw_shape": {"picture": PICTURE, "shape": GENERATRIX, "look": Look("red"), "label": ""},
+    "draw.draw_sub_trajectories": {"picture": PICTURE, "chains": [UNIT], "envelope": None},
+    "draw.draw_trajectory": DRAWN,
+    "draw.draw_undercuts": {"picture": PICTURE, "undercuts": EXAMPLE.undercuts},
+    "draw.make_figure": {"rows": 1, "columns": 1, "size": (4, 3)},
+    "draw.place_generatrix": {"s": EXAMPLE, "position": ORIGIN},
+    "draw.plot_positions": {
+        "found": no_fit_polygon(UNIT, UNIT),
+        "axes": FIGURE.axes[0],
+        "positions": [(0, 0)],
+        "y_down": False,
+    },
+    "draw.plot_sweep": {"s": EXAMPLE, "axes": FIGURE.axes[0], "positions": [], "y_down": False},
+    "draw.read_suffix": {"path": "a.svg"},
+    "draw.save": {"figure": FIGURE, "path": "a.svg"},
+    "draw.save_svg": {"figure": FIGURE},
+    "formats.format_polygons": {"polygons": PARTS, "form": "wkt", "fits": (), "decimals": False},
+    "formats.from_numpy": {"array": np.array(UNIT)},
+    "formats.from_shapely": {"geometry": shapely.box(0, 0, 1, 1)},
+    "formats.parse_polygon": CHOSEN,
+    "formats.parse_polygons": {"text": TEXT, **OPTIONS},
+    "formats.parse_region": CHOSEN,
+    "formats.parse_regions": {"text": TEXT, **OPTIONS},
+    "formats.read_certificate": {"path": "p.json"},
+    "formats.read_polygon": {"path": "p.json", **OPTIONS},
+    "formats.read_polygons": {"path": "p.json", **OPTIONS},
+    "formats.read_region": {"path": "p.json", **OPTIONS},
+    "formats.read_regions": {"path": "p.json", **OPTIONS},
+    "formats.read_text": {"path": "p.json"},
+    "formats.round_region": {"region": PART.region, "places": 2, "side": "closest"},
+    "formats.round_regions": {"regions": [PART], "places": 2, "side_of": lambda part: "closest"},
+    "formats.show_path": {"path": "p.json"},
+    "formats.to_numpy": {"polygon": GENERATRIX, "dtype": "object", "nearest": False},
+    "formats.to_shapely": {"polygon": GENERATRIX, "nearest": False},
+    "lessons.list_titles": {},
+    "lessons.read_notebook": {"name": "tour"},
+    "lessons.run_notebook": {"notebook": {"cells": []}},
+    "view.make_page": {"s": EXAMPLE, "names": ("a", "b"), "y_down": False, "tell": str},
+}
+# What takes long, whatever the argument is: of these, only some.
+LONG = {
+    "batch.run": ("job", "output", "workers"),
+    "view.make_page": ("s", "names"),
+    "draw.plot_sweep": ("s",),
+    "draw.plot_positions": ("found",),
+    "draw.save": ("figure",),
+}
+
+
+def public() -> dict[str, Callable[..., Any]]:
+    found: dict[str, Callable[..., Any]] = {}
+    for room in ("", *ROOMS):
+        module = importlib.import_module(f"exactsweep.{room}" if room else "exactsweep")
+        for name in module.__all__:
+            value = getattr(module, name)
+            if inspect.isfunction(value):
+                found[f"{room}.{name}" if room else name] = value
+    return found
+
+
+PUBLIC = public()
+
+
+def test_every_public_function_is_tried() -> None:
+    assert PUBLIC.keys() == VALID.keys()
+    for name, function in PUBLIC.items():
+        parameters = inspect.signature(function).parameters.values()
+        named = {p.name for p in parameters if p.kind is not p.VAR_KEYWORD}
+        # An address is waited for; what is told of progress, and restarting, is not looked at.
+        assert named - {"scheduler", "progress", "restart"} <= VALID[name].keys(), name
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("room", ["", *ROOMS])
+def test_what_is_no_argument_is_refused_in_a_sentence(
+    room: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    mpl.use("Agg")
+    for name, text in FILES.items():
+        Path(name).write_text(text)
+    tried = refused = 0
+    for name, arguments in VALID.items():
+        if name.rpartition(".")[0] != room:
+            continue
+        assert call(PUBLIC[name], arguments) is None, name
+        for argument in LONG.get(name, arguments):
+            for hostile in HOSTILE:
+                tried += 1
+                said = call(PUBLIC[name], {**arguments, argument: hostile})
+                refused += said is not None
+                assert said is None or said.isprintable(), (name, argument)
+                assert said is None or 0 < len(said) < 300, (name, argument)
+    # Where they are no polygons, numbers and options they are names and flags.
+    assert refused > tried / 3
+    require_row(f"arguments of public functions, `exactsweep{'.' * bool(room)}{room}`", tried)
+
+
+def call(function: Callable[..., Any], arguments: dict[str, Any]) -> str | None:
+    """Call a function; return the refusal."""
+    try:
+        found = function(**arguments)
+        if isinstance(found, Iterator):
+            next(found, None)
+    except ExactSweepError as error:
+        return str(error)
+    return None
+
+
+def test_an_argument_is_named_with_what_it_should_be() -> None:
+    with pytest.raises(ArgumentError, match=r"^polygons is None, not Iterable\[Polygon \| Region"):
+        format_polygons(None, "wkt")  # type: ignore[arg-type]
+    with pytest.raises(ArgumentError, match=r"^max_steps is 'a', not int$"):
+        PUBLIC["check.verify"](EXAMPLE.certificate(), max_steps="a")
+
+
+def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
+    """Whatever it raises on arguments that are of the kind that it asks for stays as it is."""
+
+    @tells_arguments
+    def fail(number: int, names: list[str], *, other: "Unspeakable | None" = None) -> None:
+        raise TypeError("a fault")
+
+    with pytest.raises(TypeError, match="a fault"):
+        fail(1, ["a"])
+    with pytest.raises(TypeError, match="missing 1 required"):
+        fail(1)  # type: ignore[call-arg]
+    with pytest.raises(ArgumentError, match=r"^names is \[1\], not list\[str\]$"):
+        fail(1, [1])  # type: ignore[list-item]
+    with pytest.raises(ArgumentError, match=r"^other is 5, not Unspeakable or None$"):
+        fail(1, [], other=5)  # type: ignore[arg-type]
+
+
+def test_a_number_is_no_path_but_an_open_file() -> None:
+    """Once True was read as standard output, and closed it."""
+    for number in (0, 1, True):
+        with pytest.raises(ExactSweepError, match="is not a path"):
+            PUBLIC["formats.read_text"](number)
