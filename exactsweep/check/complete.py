@@ -36,7 +36,6 @@ from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
 from exactsweep.check.size import check_size
 from exactsweep.geometry.canonical import find_turns
-from exactsweep.geometry.lattice import to_lattice
 from exactsweep.geometry.point import Fit, Loop, Point
 
 
@@ -94,8 +93,7 @@ def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
     claimed = _parts_of_sweep(c.outer, c.inner, c.unswept)
     _check_size(ClaimedShape(c.no_fit.exterior, ()), g, claimed, max_steps)
     _prove_no_fit(c.no_fit, max_steps)
-    rings = [tuple(to_lattice(*zip(*s.exterior, strict=True))[1]) for s in (d, g)]
-    if not d.holes and not g.holes and has_shared_direction(rings):
+    if not d.holes and not g.holes and has_shared_direction([d.exterior, g.exterior]):
         raise CertificateError("kind: there is a shared direction, so it is not SS")
     _check_loops(claimed)
     true = _parts_of_sweep(*reference_swept(d, g, c.no_fit.exterior))

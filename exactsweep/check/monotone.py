@@ -17,9 +17,15 @@ def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:
 
     Cost: O(n**2) for n edges.
     """
-    edges = [[subtract(b, a) for a, b in list_edges([ring])] for ring in rings]
+    edges = [[_stretch(subtract(b, a)) for a, b in list_edges([ring])] for ring in rings]
     square = {(-y, x) for ways in edges for x, y in ways}
     return any(all(_turns(ways, u) == 2 for ways in edges) for u in square)
+
+
+def _stretch(way: Vertex) -> Vertex:
+    """The same direction in ints, which are multiplied in a tenth of the time of Fractions."""
+    (x, d), (y, e) = (c.as_integer_ratio() for c in way)
+    return x * e, y * d
 
 
 def _turns(ways: Iterable[Vertex], u: Vertex) -> int:
