@@ -111,3 +111,15 @@ def edges(loop: Vertices) -> Iterator[Vertices]:
 
 def texts(points: Vertices) -> list[list[str]]:
     return [[format_fraction(c) for c in point] for point in points]
+
+
+def find_meetings(one: Vertices, other: Vertices) -> Iterator[Point]:
+    """The point in which two edges meet that are not parallel."""
+    (ax, ay), (bx, by) = one
+    (cx, cy), (dx, dy) = other
+    det = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
+    if det:
+        share = ((cx - ax) * (dy - cy) - (cy - ay) * (dx - cx)) / det
+        meeting = Point(ax + share * (bx - ax), ay + share * (by - ay))
+        if all(min(edge) <= meeting <= max(edge) for edge in (one, other)):
+            yield meeting
