@@ -274,7 +274,7 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
     falls = True
     for k, (points, slopes, edges) in enumerate(found, 1):
         flattest: Slope = -inf if falls else slopes[0]
-        rises, falls = k == len(found), False
+        rises = k == len(found)
         if not rises:
             end, start = points[-1][1], found[k][0][0][1]
             rises, falls = start > end, start < end

@@ -248,3 +248,11 @@ def test_points_are_lists_of_two_and_no_strings_of_two(key: str) -> None:
     written = [x[-1] + y[-1] for x, y in certificate[key]]
     result = verify({**certificate, key: written})
     assert result.reason.startswith(f"{key}[0]: not a list of 2")
+
+
+@pytest.mark.parametrize("name", ["contacts", "inner_drawn", "outer_drawn"])
+def test_evidence_is_listed_once(name: str) -> None:
+    certificate = sweep(UNIT, VALLEY).certificate()
+    listed = next(found for found in certificate[name] if found)
+    listed.append(listed[0])
+    assert verify(certificate).reason.endswith("something is listed twice")

@@ -233,3 +233,12 @@ def test_what_is_no_monotone_loop_is_named(ring: list[tuple[int, int]], reason: 
     with pytest.raises(CertificateError) as found:
         _loop(tuple(Point(Fraction(x), Fraction(y)) for x, y in ring))
     assert found.value.args[0].startswith(reason)
+
+
+@pytest.mark.parametrize("side", [-1, 0, 1])
+def test_beside_a_sum_there_are_no_heights(side: int) -> None:
+    comb = Polygon([*((k, k % 2) for k in range(9)), (8, 9), (0, 9)])
+    part = Polygon([(0, 0), (2, 1), (0, 1)])
+    for a, b in product(_loop(comb.vertices).halves, _loop(part.vertices).halves):
+        for x in (-100, 100):
+            assert list(walk_heights(a, b, (x, 0, 1), side)) == []

@@ -1,5 +1,6 @@
 """Certificates of polygons of any shape: true ones are proved, and every change is refused."""
 
+import copy
 import json
 from bisect import bisect_left
 from fractions import Fraction
@@ -19,8 +20,8 @@ from shape_certificates import (
 from shapes import cell_sets, polyominoes, shape_pairs
 from strategies import simple_polygons
 
-from exactsweep import Point, Polygon
-from exactsweep.check import classify, verify
+from exactsweep import Point, Polygon, Region, inner_fit_polygon
+from exactsweep.check import classify, reference_inner_fit, verify
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.geometry.direction import DirectionError, choose_direction
 
@@ -244,3 +245,20 @@ def test_the_work_on_a_sweep_is_told_besides_that_on_its_trajectory() -> None:
     )
     assert verify(whole, max_steps=enough).reason.startswith("too large")
     assert verify(whole, max_steps=10 * enough).proved
+
+
+def test_inner_fit_around_two_defects() -> None:
+    """A unit square in a 12 by 6 sheet with two defects: one region, whose holes are sorted."""
+    sheet = [(0, 0), (12, 0), (12, 6), (0, 6)]
+    defects = [[(8, 2), (8, 4), (9, 4), (9, 2)], [(3, 2), (3, 4), (4, 4), (4, 2)]]
+    found = reference_inner_fit(Region(sheet, defects), [(0, 0), (1, 0), (1, 1), (0, 1)])
+    ((exterior, holes),) = found.regions
+    assert Polygon(exterior) == Polygon([(0, 0), (11, 0), (11, 5), (0, 5)])
+    assert [hole[0].x for hole in holes] == [2, 7]
+    inner_fit = inner_fit_polygon(Region(sheet, defects), [(0, 0), (1, 0), (1, 1), (0, 1)])
+    certificate = inner_fit.certificate()
+    assert verify(certificate).proved
+    for hole in certificate["regions"][0]["holes"]:
+        changed = copy.deepcopy(certificate)
+        changed["regions"][0]["holes"].remove(hole)
+        assert not verify(changed).proved

@@ -77,6 +77,7 @@ def test_integers_of_any_library_are_exact(three: Any) -> None:
         ("1e-3", Fraction(1, 1000)),
         ("1.5E+2", Fraction(150)),
         ("1e0002", Fraction(100)),
+        ("1e000000000000002", Fraction(100)),  # 15 digits, as many as are read
         (np.str_("1/2"), Fraction(1, 2)),
     ],
 )
@@ -264,3 +265,10 @@ def test_what_is_quoted_stands_on_one_line() -> None:
             return "two\nlines, \u00e9 and \x07"
 
     assert quote(Foreign()) == "two\\nlines, \u00e9 and \\x07"
+
+
+def test_one_digit_is_the_least_limit() -> None:
+    with limits(max_digits=1):
+        assert to_fraction("9") == 9
+        with pytest.raises(NumberError):
+            to_fraction("1e9")
