@@ -122,6 +122,16 @@ def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
     assert found.value.witness == Point(2 + Fraction(2, 16), Fraction(3))
 
 
+def test_witness_beside_a_corner_from_above() -> None:
+    """The last one turned by half a turn: at the upper chains."""
+    a = Polygon([(0, -4), (-1, -4), (-1, 0), (-2, -8), (-2, -20), (0, -20)])
+    q = Polygon([(0, 0), (-2, 0), (-2, -3), (-4, -3), (-4, -40), (0, -40)])
+    outer, part = _loop(q.vertices), _loop(a.vertices)
+    with pytest.raises(CertificateError, match="inside") as found:
+        check_sum_within(outer, part, part, FRAME, "outside {} {}", "inside {}")
+    assert found.value.witness == Point(-2 - Fraction(2, 16), Fraction(-3))
+
+
 def test_witness_beside_a_corner_on_a_wall_on_the_other_side() -> None:
     """The last one in the mirror."""
     a = Polygon([(0, 4), (-1, 4), (-1, 0), (-2, 8), (-2, 20), (0, 20)])

@@ -21,7 +21,7 @@ from shapes import cell_sets, polyominoes, shape_pairs
 from strategies import simple_polygons
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon
-from exactsweep.check import classify, reference_inner_fit, verify
+from exactsweep.check import classify, reference_inner_fit, reference_no_fit, verify
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.geometry.direction import DirectionError, choose_direction
 
@@ -182,10 +182,15 @@ def hole(*points: tuple[int, int]) -> list[list[str]]:
     ],
 )
 def test_bad_holes_are_refused(holes: list[Any], reason: str) -> None:
-    d = {"exterior": SQUARE, "holes": holes}
-    result = verify({**no_fit_certificate(C, UNIT), "directrix": d})
-    assert not result.proved
-    assert result.reason.startswith(reason)
+    shape = {"exterior": SQUARE, "holes": holes}
+    for name in ("directrix", "generatrix"):
+        result = verify({**no_fit_certificate(C, UNIT), name: shape})
+        assert not result.proved
+        assert result.reason.startswith(reason.replace("directrix", name))
+    for name in ("container", "part"):
+        result = verify({**inner_fit_certificate(C, UNIT), name: shape})
+        assert not result.proved
+        assert result.reason.startswith(reason.replace("directrix", name))
 
 
 def test_holes_may_touch_in_points() -> None:
@@ -245,6 +250,13 @@ def test_the_work_on_a_sweep_is_told_besides_that_on_its_trajectory() -> None:
     )
     assert verify(whole, max_steps=enough).reason.startswith("too large")
     assert verify(whole, max_steps=10 * enough).proved
+
+
+def test_the_least_hole_on_the_lattice_is_one() -> None:
+    """A triangle in a triangular hole that is larger by one: positions of half a unit of area."""
+    square, sides = [(0, 0), (9, 0), (9, 9), (0, 9)], [(2, 2), (6, 2), (2, 6)]
+    found = reference_no_fit(Region(square, [sides[::-1]]), [(0, 0), (3, 0), (0, 3)])
+    assert [Polygon(hole) for hole in found.holes] == [Polygon([(2, 2), (3, 2), (2, 3)])]
 
 
 def test_inner_fit_around_two_defects() -> None:

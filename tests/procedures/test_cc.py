@@ -158,6 +158,15 @@ def test_slopes_however_close_are_told_apart(one: list[Vertex], other: list[Vert
     assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
 
 
+def test_slopes_of_ints_over_fractions_are_told_apart() -> None:
+    """In units of the greatest width, 1, both slopes that are not 0 would be rounded to others."""
+    one: list[Vertex] = [(0, 0), (1, 0)]
+    other: list[Vertex] = [(0, 0), (1, Fraction(-1, 9)), (2, Fraction(-1, 9) + Fraction(1, 50))]
+    merged = trajectory_cc(inverse(one), other)
+    assert list(trajectory_mm(inverse(one), other)) == merged
+    assert list(trajectory_mm(inverse(one), Envelope.of(other))) == merged
+
+
 def test_parallel_edges_become_one() -> None:
     r"""G's flat top along D's flat bottom is one edge of length 1 + 2: an EE contact.
 
