@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from math import gcd
+from math import ceil, floor, gcd
 from typing import NamedTuple
 
 from exactsweep.check.columns import BoxColumns, Rectangle
@@ -109,16 +109,15 @@ class OpenSets:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis = line.axis
         reaches = self._reaches[line[:2]]
-        (left, first), (right, last) = line.at(spans[0][0]), line.at(spans[-1][1])
-        bottom, top = min(first, last), max(first, last)
-        for k in self._columns.near(left, right):
+        ends = line.at(spans[0][0]), line.at(spans[-1][1])
+        # Rounded outwards to ints, which are quicker to compare.
+        bottom, top = floor(min(y for _, y in ends)), ceil(max(y for _, y in ends))
+        first, last = floor(spans[0][0]), ceil(spans[-1][1])
+        for k in self._columns.near(ends[0][0], ends[1][0]):
             box = self._boxes[k]
-            if (
-                box[2 * axis] >= spans[-1][1]
-                or box[2 * axis + 1] <= spans[0][0]
-                or box[2] > top
-                or box[3] < bottom
-            ):
+            if box[2 * axis] >= last or box[2 * axis + 1] <= first:
+                continue
+            if box[2] > top or box[3] < bottom:
                 continue
             if k not in reaches:
                 reaches[k] = _measure_reach(self._rings[k], line)
@@ -129,6 +128,7 @@ class OpenSets:
             spans = [part for span in spans for part in _cut_away(span, low, high)]
             if not spans:
                 break
+            first, last = floor(spans[0][0]), ceil(spans[-1][1])
         return spans
 
     def holds(self, point: Vertex) -> bool:
@@ -150,9 +150,11 @@ class OpenSets:
         # Homogeneous: only ints below.
         (x, y), w = point, point[0].denominator * point[1].denominator
         px, py = int(x * w), int(y * w)
-        for k in self._columns.near(x, x):
-            x_low, x_high, y_low, y_high = self._boxes[k]
-            if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
+        left, bottom = floor(x), floor(y)
+        right, top = ceil(x), ceil(y)
+        for k in self._columns.near(left, right):
+            box = self._boxes[k]
+            if box[0] > left or box[1] < right or box[2] > bottom or box[3] < top:
                 continue
             for (ax, ay), (bx, by) in list_edges([self._rings[k]]):
                 dx, dy = bx - ax, by - ay
