@@ -204,6 +204,14 @@ def test_two_pockets_that_touch_are_two() -> None:
         own.points((-2, -1), (1, -1)),
         own.points((0, -1), (3, -1)),
     ]
+    assert [undercut.intersection for undercut in s.undercuts] == ["segment", "segment"]
+
+
+def test_a_bar_as_wide_as_a_notch_closes_it_in_one_position() -> None:
+    ridge = [(0, 0), (1, 0), (2, 2), (3, 0), (6, 0), (6, 3), (0, 3)]
+    (undercut,) = sweep([(0, 0), (2, 0), (2, 1), (0, 1)], ridge).undercuts
+    assert undercut.positions == own.points((1, -1))
+    assert undercut.intersection == "point"
 
 
 def test_pocket_behind_a_wall_ends_on_the_wall() -> None:
