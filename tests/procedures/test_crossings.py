@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from exactsweep.geometry.point import Point
-from exactsweep.procedures.contact_lines import Cut, Stretch
+from exactsweep.procedures.contact_lines import Cut, Stretch, _rank
 from exactsweep.procedures.crossings import cross, cut_at_crossings
 from exactsweep.procedures.free_positions import (
     _find_left_over,
@@ -70,6 +70,23 @@ def test_stretches_that_end_before_they_meet_have_no_cuts() -> None:
             one, other = through(1, 2, way, *span), through(1, 2, other_way, *other_span)
             cross(one, other)
             assert one.cuts == other.cuts == []
+
+
+def test_a_piece_of_a_stretch_is_covered_where_it_was_cut() -> None:
+    whole = Stretch((1, 0, 0), 2, 9, True, False)
+    whole.low_through, whole.high_through = (True, False), (False, True)
+    for low, high in product((1, 2, 3), (8, 9, 1)):
+        piece = whole.between(low, high)
+        assert (piece.low, piece.high) == ((low, 1), (high, 1))
+        assert (piece.low_covered, piece.high_covered) == (low != 2, high != 9)
+        assert (piece.low_through, piece.high_through) == ((True, False), (False, True))
+
+
+def test_directions_that_are_nearly_one_are_in_order_of_slope() -> None:
+    near = [(2**41, 1), (2**40, 3), (2**40, 5)]
+    assert _rank(near[::-1]) == (near, {u: k for k, u in enumerate(near)})
+    others = [(1, -1), *near, (1, 1), (0, 1)]
+    assert _rank(others[::-1]) == (others, {u: k for k, u in enumerate(others)})
 
 
 def stretches() -> list[Stretch]:
