@@ -56,7 +56,7 @@ def test_what_is_covered_does_not_matter(
     found = []
     for stretches in (whole, left):
         cut_at_crossings(stretches)
-        free = find_free_positions(stretches, overlap.at)
+        free = find_free_positions(stretches, overlap.at, 1)
         found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
