@@ -17,6 +17,7 @@ from exactsweep.geometry import lazy_number
 from exactsweep.geometry.addition import add_ratios, add_up
 from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find_doubled_area
 from exactsweep.geometry.digits import read_int, write_int
+from exactsweep.geometry.point import Vertex
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
 MINUTE = Fraction(1, 10**400)
@@ -74,7 +75,18 @@ def test_hardly_a_sign_of_a_long_ring_is_computed(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(lazy_number.LazyNumber, "_exact", count)
     assert len(Polygon(long_star(300, 1000))) == 300
-    assert computed < 100  # and were 20,000
+    assert 0 < computed < 100  # and were 20,000
+
+
+def test_points_of_mixed_numbers_are_turned_by_their_signs() -> None:
+    half = Fraction(1, 2)
+    ring: list[Vertex] = [(0, 0), (1, 0), (0, half)]
+    for spelled in (ring, ring[::-1]):
+        found = canonicalize_ring(spelled)
+        assert found.points == ((0, 0), (1, 0), (0, half))
+        assert found.convex
+    assert find_doubled_area(ring) == half
+    assert type(find_doubled_area([(0, 0), (1, 0), (0, 1)])) is int
 
 
 @given(st.lists(st.fractions(), max_size=40))

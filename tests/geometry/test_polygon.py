@@ -215,6 +215,11 @@ def test_text_is_short_and_exact_where_it_is_whole() -> None:
             [(0, 0), (2, 1), (4, 0), (4, 3), (2, 1), (0, 3)],
             "the boundary touches itself: vertices 1 and 4 coincide",
         ),
+        # The first vertex, which is also the last, and is not the least.
+        (
+            [(2, 1), (4, 0), (4, 3), (2, 1), (0, 3), (0, 0), (2, 1)],
+            "the boundary touches itself: vertices 0 and 3 coincide",
+        ),
         (
             [(0, 0), (6, 0), (6, 2), (5, 2), (5, 0), (1, 0), (1, 2), (0, 2)],
             "the boundary touches itself: vertex 5 lies on edge 0",
