@@ -126,6 +126,8 @@ def test_turns_and_mirror_images_undo_each_other(
 def test_mirror_image_in_a_slanted_line_by_hand() -> None:
     triangle = Polygon([(0, 0), (5, 0), (1, 2)])
     assert triangle.mirrored((1, 2)) == Polygon([(0, 0), (1, 2), (-3, 4)])
+    assert triangle.mirrored((1, 1)) == Polygon([(0, 0), (0, 5), (2, 1)])
+    assert triangle.mirrored((1, -1)) == Polygon([(0, 0), (0, -5), (-2, -1)])
 
 
 def test_unrelated_denominators_are_mapped_exactly() -> None:

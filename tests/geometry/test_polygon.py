@@ -120,6 +120,10 @@ def test_private_constructors_agree(polygon: Polygon) -> None:
     scale, points = polygon.lattice()
     fine = Polygon._from_lattice([(6 * x, 6 * y) for x, y in points], 6 * scale)
     trusted = Polygon._from_canonical(polygon.vertices)
+    # Before anybody asks for its lattice, and after.
+    for made in (trusted, fine):
+        assert made.is_convex == polygon.is_convex
+        assert made.is_x_monotone == polygon.is_x_monotone
     assert fine == trusted == polygon
     assert fine.lattice() == trusted.lattice() == polygon.lattice()
     assert fine.vertices == trusted.vertices == polygon.vertices

@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import combinations
 from random import Random
 
+from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.segment import Segment, choose_cover, find_offset, make_segment
 
 X_AXIS = (1, 0)
@@ -45,7 +46,8 @@ def test_of_pieces_that_reach_equally_far_the_first_is_taken() -> None:
 
 def test_lines_are_named_by_ints_where_they_can_be() -> None:
     half = Fraction(1, 2)
-    for point, offset in [((half, Fraction(2)), 2), ((4 * half, half), half), ((3, 1), 1)]:
+    points: list[Vertex] = [(half, Fraction(2)), (4 * half, half), (3, 1)]
+    for point, offset in zip(points, (2, half, 1), strict=True):
         found = find_offset(X_AXIS, point)
         assert found == offset
         assert type(found) is type(offset)
