@@ -229,10 +229,15 @@ def test_limits_are_positive(bad: object) -> None:
         limits(max_digits=bad).__enter__()  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("bad", [0, -5, "5", float("nan"), float("inf"), 2**21, True])
+@pytest.mark.parametrize("bad", [0, 0.0, -5, "5", float("nan"), float("inf"), 2**20 + 1, True])
 def test_so_are_those_on_texts(bad: object) -> None:
     with pytest.raises(LimitError, match=r"^max_mib must be a number above 0, at most 1048576$"):
         limits(max_mib=bad).__enter__()  # type: ignore[arg-type]
+
+
+def test_the_largest_limit_on_texts_is_a_tebibyte() -> None:
+    with limits(max_mib=2**20):
+        assert get_max_bytes() == 2**40
 
 
 def test_each_limit_is_moved_by_itself() -> None:

@@ -201,6 +201,13 @@ def test_shapely_reads_a_shape_and_is_read() -> None:
         (shapely.Polygon(), "the polygon is empty"),
         (shapely.Polygon([(0, 0, 1), (1, 0, 1), (0, 1, 1)]), "vertex 0 is not a pair of numbers"),
         (PLATE, "it has holes: make a Region of it"),
+        *(
+            (
+                SimpleNamespace(__geo_interface__={"type": "Polygon", "coordinates": told}),
+                "a Polygon without rings is not a polygon",
+            )
+            for told in (None, 5, [5], [[(0, 0), (1, 0), (0, 1)], None], {0: [(0, 0)]})
+        ),
     ],
 )
 def test_what_is_no_polygon_elsewhere_is_none_here(shape: Any, message: str) -> None:
