@@ -1,6 +1,5 @@
 """Exact fits that follow each other on a line, and loops that touch, from the definition."""
 
-from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -17,7 +16,7 @@ def _square(x: int, y: int, size: int) -> list[tuple[int, int]]:
     return [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]
 
 
-def _ints(points: Any) -> list[tuple[Fraction, Fraction]]:
+def _pairs(points: Any) -> list[Any]:
     return [(p.x, p.y) for p in points]
 
 
@@ -31,8 +30,8 @@ def test_slits_on_one_line_are_joined_where_no_loop_passes() -> None:
         "############",
     )
     found = reference_no_fit(plate, UNIT)
-    assert [_ints(hole) for hole in found.holes] == [_square(4, 1, 1)]
-    assert [_ints(fit) for fit in found.exact_fits] == [
+    assert [_pairs(hole) for hole in found.holes] == [_square(4, 1, 1)]
+    assert [_pairs(fit) for fit in found.exact_fits] == [
         [(4, 1), (1, 1)],
         [(5, 1), (10, 1)],
         [(7, 1), (7, 3)],
@@ -49,8 +48,8 @@ def test_islands_that_touch_are_holes_of_their_own_sorted(steps: list[tuple[int,
         corners.append((x, y))
     box = Region(_square(0, 0, 20), [_square(x, y, 1) for x, y in corners])
     ((exterior, holes),) = reference_inner_fit(box, UNIT).regions
-    assert _ints(exterior) == _square(0, 0, 19)
-    assert [_ints(hole) for hole in holes] == sorted(_square(x - 1, y - 1, 2) for x, y in corners)
+    assert _pairs(exterior) == _square(0, 0, 19)
+    assert [_pairs(hole) for hole in holes] == sorted(_square(x - 1, y - 1, 2) for x, y in corners)
 
 
 OCTAGON = [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]
