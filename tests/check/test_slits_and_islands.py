@@ -52,6 +52,21 @@ def test_islands_that_touch_are_holes_of_their_own_sorted(steps: list[tuple[int,
     assert [_pairs(hole) for hole in holes] == sorted(_square(x - 1, y - 1, 2) for x, y in corners)
 
 
+@pytest.mark.parametrize(
+    "ring", [[(0, 0), (5, 0), (5, 4), (0, 4)], [(0, 2), (2, 0), (5, 3), (3, 5)]]
+)
+def test_a_container_is_closed_on_all_sides(ring: list[tuple[int, int]]) -> None:
+    """A part of its size is put inside at one position, and a larger one at none."""
+    found = reference_inner_fit(ring, [(2 * x, 2 * y) for x, y in ring])
+    assert found == ((), ())
+    found = reference_inner_fit(ring, ring)
+    assert found.regions == ()
+    assert [_pairs(fit) for fit in found.exact_fits] == [[(0, 0)] * 2]
+    ((exterior, holes),) = reference_inner_fit(ring, [(x / 2, y / 2) for x, y in ring]).regions
+    assert _pairs(exterior) == [(x / 2, y / 2) for x, y in ring]
+    assert holes == ()
+
+
 OCTAGON = [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]
 
 
