@@ -13,9 +13,11 @@ from exactsweep.check.chain import (
     Node,
     add_nodes,
     put_longer_first,
+    turn,
     walk_heights,
 )
 from exactsweep.check.loop import MonotoneLoop, NodeFrame, line_through
+from exactsweep.check.sums import corners_with_common_slopes
 from exactsweep.geometry.point import ORIGIN
 
 Steps = list[tuple[int, int]]
@@ -174,3 +176,32 @@ def test_a_loop_knows_whether_it_is_convex(nodes: Steps, convex: bool) -> None:
     turned = loop.turn_half()
     assert turned.halves == (loop.halves[1], loop.halves[0])
     assert turned.nodes == [(-x, -y, 1) for x, y in nodes]
+
+
+def _slope(line: tuple[int, int, int], at_infinity: int) -> Fraction:
+    """Steeper than any other where it is vertical, down before a corner and up after it."""
+    return Fraction(-line[0], line[1]) if line[1] else Fraction(at_infinity * 10**9)
+
+
+@given(_steps, _steps)
+@example([(1, 0), (0, -1), (1, 0)], [(1, 0), (0, -2), (1, 0)])
+@example([(1, 1), (0, -1), (1, 0)], [(1, 1), (0, -1), (1, 1), (0, 2), (1, 0)])
+def test_corners_with_more_than_one_slope_in_common(one: Steps, other: Steps) -> None:
+    """At a fall the slopes begin with minus infinity, and before a rise they end with infinity."""
+    chains = [_chain(_without_straight(_take_steps(steps))) for steps in (one, other)]
+    corners = [[corner for run in chain.runs for corner in run] for chain in chains]
+    expected = {
+        (a[0], b[0])
+        for a in corners[0]
+        for b in corners[1]
+        if max(_slope(a[2], -1), _slope(b[2], -1)) < min(_slope(a[3], 1), _slope(b[3], 1))
+    }
+    assert {(a[0], b[0]) for a, b in corners_with_common_slopes(*chains)} == expected
+
+
+def _without_straight(nodes: list[Node]) -> list[Node]:
+    kept = nodes[:1]
+    for p, q in pairwise(nodes[1:]):
+        if turn(line_through(kept[-1], p), line_through(p, q)):
+            kept.append(p)
+    return [*kept, nodes[-1]]
