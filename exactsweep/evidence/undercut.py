@@ -54,7 +54,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
 
     Args:
         inner: the inner boundary, from left to right, nowhere above D_b.
-        directrix: D_b, from left to right, with the same ends.
+        directrix: D_b, from left to right, with the same ends; both have corners only.
 
     Returns:
         Pockets from left to right. Two that share only a point or a wall are two.
@@ -67,7 +67,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
         True
     """
     found: list[Pocket] = []
-    ends: list[Vertex] = []
+    ends: list[tuple[Vertex, Vertex, Vertex]] = []
     low, high = list_graph_edges(inner), list_graph_edges(directrix)
     i = j = 0
     b1 = a1 = directrix[0]
@@ -84,19 +84,26 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
             if max(b0[1], last_b[1]) >= min(a0[1], last_a[1]):
                 outside = a0 if above[0][0] < left else high[j - 1][1] if j > 0 else None
                 start = left, _contact_height(b0, a0, outside)
-                found.append(Pocket([start], [start]))
-                ends.append(start)
-            bottom, top = found[-1]
-            bottom += b0, b1
-            top += a0, a1
+                found.append(Pocket([start, b0], [start, a0]))
+                ends.append((b1, a1, start))
+            for chain, edge in zip(found[-1], (below, above), strict=True):
+                if edge[0][0] == left and edge[0] != chain[-1]:
+                    chain.append(edge[0])
+                if edge[1][0] == right:
+                    chain.append(edge[1])
             outside = a1 if right < above[1][0] else high[j + 1][0] if j + 1 < len(high) else None
-            ends[-1] = right, _contact_height(b1, a1, outside)
+            ends[-1] = b1, a1, (right, _contact_height(b1, a1, outside))
         i += below[1][0] == right
         j += above[1][0] == right
     return [
-        Pocket(take_corners([*bottom, end]), take_corners([*top, end]))
-        for (bottom, top), end in zip(found, ends, strict=True)
+        Pocket(_close([*bottom, b1, end]), _close([*top, a1, end]))
+        for (bottom, top), (b1, a1, end) in zip(found, ends, strict=True)
     ]
+
+
+def _close(chain: list[Vertex]) -> list[Vertex]:
+    """Take the corners of a chain that is cut at either end, where points may be there twice."""
+    return take_corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
 
 
 def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:

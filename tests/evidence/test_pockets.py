@@ -70,12 +70,6 @@ def test_pockets_are_the_undercuts_of_a_shape(family: str) -> None:
             [([(1, 2), (1, 0), (3, 0), (3, 2)], [(1, 2), (1, 4), (3, 4), (3, 2)])],
             id="walls of both down and up from a contact",
         ),
-        pytest.param(
-            [(0, 0), (1, 0), (4, 0), (4, 3), (5, 3), (6, 3)],
-            [(0, 0), (1, 0), (2, 1), (3, 2), (4, 3), (6, 3)],
-            [([(1, 0), (4, 0), (4, 3)], [(1, 0), (4, 3)])],
-            id="points that are straight are none of its corners",
-        ),
     ],
 )
 def test_pockets_by_hand(
