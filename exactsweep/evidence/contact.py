@@ -44,7 +44,7 @@ class Contact(NamedTuple):
 
 def list_edges(loop: Sequence[Vertex]) -> list[Edge]:
     """The edges of a loop, edge k from vertex k to vertex k + 1."""
-    return list(pairwise([*loop, loop[0]]))
+    return list(pairwise([*loop, *loop[:1]]))
 
 
 def find_edge_contacts(

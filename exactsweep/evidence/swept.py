@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -22,6 +22,7 @@ from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
 from exactsweep.geometry.addition import add_up
+from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
@@ -165,22 +166,28 @@ class Swept:
         """
         return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
 
+    @tells_arguments
     def contacts_along(
-        self, loops: Iterable[Sequence[Point]]
+        self, loops: Iterable[Iterable[Iterable[object]]]
     ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
         """The contacts along each edge of each of some loops of positions, all free, as `contacts`.
 
-        A loop of two positions is the way from one to the other, and back.
+        A loop of two positions is the way from one to the other, and back; along no way there are
+        no contacts.
 
         Cost: that of `contacts` for all loops together, not for each.
         """
+        enter, reference = self._frame.enter_point, self.reference
         edges = [
-            list_edges([self._frame.enter_point(point, self.reference) for point in loop])
+            list_edges([enter(read_point(point, "position"), reference) for point in loop])
             for loop in loops
         ]
-        found = iter(find_edge_contacts([*chain.from_iterable(edges)], *self._boundaries))
-        for of_loop in edges:
-            yield tuple(tuple(map(self._as_given, next(found))) for _ in of_loop)
+        ways = [(p, q) for p, q in chain.from_iterable(edges) if p != q]
+        found = iter(find_edge_contacts(ways, *self._boundaries))
+        return (
+            tuple(tuple(map(self._as_given, next(found))) if p != q else () for p, q in of_loop)
+            for of_loop in edges
+        )
 
     @cached_property
     def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:

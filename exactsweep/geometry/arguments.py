@@ -79,6 +79,8 @@ def _find_fault(
         parameter = signature.parameters[name]
         if parameter.kind in (parameter.VAR_KEYWORD, parameter.VAR_POSITIONAL):
             continue
+        if parameter.annotation is parameter.empty:  # self
+            continue
         hint = _resolve(parameter.annotation, function)
         if not _fits(value, hint):
             return f"{name} is {quote(value)}, not {_name_kind(hint, parameter.annotation)}"

@@ -15,7 +15,7 @@ from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, t
 from exactsweep.geometry.number import abridge, divide_all, divide_exactly
 from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
-from exactsweep.geometry.reading import read_interface, read_point
+from exactsweep.geometry.reading import read_interface, read_point, refuse_number
 from exactsweep.geometry.simplicity import are_chains_monotone
 from exactsweep.words import write_pair, write_size
 
@@ -127,8 +127,15 @@ class Polygon(PointSet):
         return self._lattice
 
     def vertex_index(self, k: int) -> int:
-        """Return the index in the caller's input of canonical vertex k."""
-        return self._vertex_index[k]
+        """Return the index in the caller's input of canonical vertex k.
+
+        Raises:
+            PolygonError: there is no vertex k; as in a list, those below 0 count from the end.
+        """
+        try:
+            return self._vertex_index[k]
+        except (TypeError, IndexError):
+            raise refuse_number(k, "vertex", len(self)) from None
 
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of canonical edge k, from vertex k to k + 1.
@@ -136,12 +143,18 @@ class Polygon(PointSet):
         Of several collinear input edges it is the first in the order of the input. Input edge i
         runs from input vertex i to the next.
 
+        Raises:
+            PolygonError: there is no edge k; as in a list, those below 0 count from the end.
+
         Example:
             >>> clockwise = Polygon([(0, 0), (0, 2), (2, 0)])
             >>> [clockwise.edge_index(k) for k in range(3)]
             [2, 1, 0]
         """
-        return self._edge_index[k]
+        try:
+            return self._edge_index[k]
+        except (TypeError, IndexError):
+            raise refuse_number(k, "edge", len(self)) from None
 
     @property
     def area(self) -> Fraction:

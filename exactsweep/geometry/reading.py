@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.error import name_refusals
-from exactsweep.geometry.number import to_fraction
+from exactsweep.geometry.number import quote, to_fraction
 from exactsweep.geometry.point import Point
 
 Pairs = Iterable[Iterable[object]]
@@ -21,6 +21,11 @@ def read_point(pair: Iterable[object], name: str) -> Point:
         raise PolygonError(f"{name} is not a pair of numbers") from None
     with name_refusals(name):
         return Point(to_fraction(x), to_fraction(y))
+
+
+def refuse_number(k: object, what: str, count: int) -> PolygonError:
+    """What to raise where k is not the number of one of so many vertices or edges."""
+    return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
 
 
 def read_interface(shape: object) -> list[Pairs] | None:

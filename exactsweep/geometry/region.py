@@ -16,7 +16,7 @@ from exactsweep.geometry.overlap import Places, find_points_between, is_inside, 
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_interface
+from exactsweep.geometry.reading import read_interface, refuse_number
 from exactsweep.words import write_pair, write_size
 
 Vertices = Polygon | Iterable[Iterable[object]]
@@ -134,16 +134,22 @@ class Region(PointSet):
         """Return the index in the caller's input of vertex k, counted through all `rings`.
 
         The input is counted through, too: the exterior, then the holes in the order given.
+
+        Raises:
+            PolygonError: there is no vertex k; as in a list, those below 0 count from the end.
         """
-        ring, k = self._ring_of(k)
+        ring, k = self._ring_of(k, "vertex")
         return self._first_index(self._order[ring]) + self._polygon(ring).vertex_index(k)
 
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
 
         Counted as for `vertex_index`; of collinear edges the first, as for `Polygon`.
+
+        Raises:
+            PolygonError: there is no edge k.
         """
-        ring, k = self._ring_of(k)
+        ring, k = self._ring_of(k, "edge")
         return self._first_index(self._order[ring]) + self._polygon(ring).edge_index(k)
 
     def _first_index(self, ring: int) -> int:
@@ -154,7 +160,11 @@ class Region(PointSet):
     def _polygon(self, ring: int) -> Polygon:
         return self.holes[ring - 1] if ring else self.exterior
 
-    def _ring_of(self, k: int) -> tuple[int, int]:
+    def _ring_of(self, k: int, what: str) -> tuple[int, int]:
+        try:
+            k = range(len(self))[k]
+        except (TypeError, IndexError):
+            raise refuse_number(k, what, len(self)) from None
         ring = 0
         while k >= len(self._polygon(ring)):
             k -= len(self._polygon(ring))

@@ -7,6 +7,7 @@ import importlib
 import inspect
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,15 @@ import shapely
 from command import EXAMPLE
 from hostile_table import require_row
 
-from exactsweep import ExactSweepError, Point, no_fit_polygon
+import exactsweep
+from exactsweep import (
+    ExactSweepError,
+    Point,
+    Polygon,
+    PolygonError,
+    inner_fit_polygon,
+    no_fit_polygon,
+)
 from exactsweep.batch import take_all_pairs
 from exactsweep.canvas.style import Look
 from exactsweep.cli.pair import GENERATRIX
@@ -192,6 +201,34 @@ def public() -> dict[str, Callable[..., Any]]:
 
 PUBLIC = public()
 
+HOLED = Region([(0, 0), (5, 0), (5, 5), (0, 5)], [[(1, 1), (2, 1), (1, 2)]])
+OF_SHAPES: dict[str, dict[str, Any]] = {
+    "contains": {"point": (0, 0), "strictly": False},
+    "edge_index": {"k": 0},
+    "mirrored": {"along": (0, 1), "center": (0, 0)},
+    "reflected": {"center": (0, 0)},
+    "rotated": {"by": 90, "center": (0, 0)},
+    "scaled": {"by": 2, "center": (0, 0)},
+    "translated": {"by": (1, 1)},
+    "vertex_index": {"k": 0},
+}
+PLOTTED = {"axes": None, "positions": [(0, 0)], "y_down": False}
+METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
+    (GENERATRIX, {**OF_SHAPES, "from_sympy": {"polygon": GENERATRIX.to_sympy()}}),
+    (HOLED, OF_SHAPES),
+    (
+        EXAMPLE,
+        {
+            "contacts_along": {"loops": [EXAMPLE.trajectory.vertices]},
+            "contacts_at": {"position": (0, 0)},
+            "plot": PLOTTED,
+            "view": {"height": 600},
+        },
+    ),
+    (no_fit_polygon(UNIT, UNIT), {"plot": PLOTTED}),
+    (inner_fit_polygon(HOLED, UNIT), {"plot": PLOTTED}),
+]
+
 
 def test_every_public_function_is_tried() -> None:
     assert PUBLIC.keys() == VALID.keys()
@@ -226,6 +263,55 @@ def test_what_is_no_argument_is_refused_in_a_sentence(
     # Where they are no polygons, numbers and options they are names and flags.
     assert refused > tried / 3
     require_row(f"arguments of public functions, `exactsweep{'.' * bool(room)}{room}`", tried)
+
+
+def test_every_public_method_is_tried() -> None:
+    kinds = {kind for kind in vars(exactsweep).values() if isinstance(kind, type)}
+    tried = {type(one): methods for one, methods in METHODS}
+    plain = {kind for kind in kinds if issubclass(kind, Exception | Point)}
+    assert tried.keys() == kinds - plain
+    for kind, methods in tried.items():
+        public = {name for name in dir(kind) if not name.startswith("_")}
+        with_arguments = {
+            name
+            for name in public
+            if inspect.isfunction(of := getattr(kind, name)) or inspect.ismethod(of)
+            if inspect.signature(getattr(kind, name)).parameters.keys() - {"self"}
+        }
+        assert with_arguments == methods.keys(), kind
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -> None:
+    mpl.use("Agg")
+    calls: list[tuple[Callable[..., Any], dict[str, Any]]] = [
+        (Polygon, {"vertices": UNIT}),
+        (Region, {"exterior": UNIT, "holes": ()}),
+        *((getattr(one, name), given) for one, of in METHODS for name, given in of.items()),
+    ]
+    tried = refused = 0
+    for function, arguments in calls:
+        assert call(function, arguments) is None, function
+        for argument, hostile in product(arguments, HOSTILE):
+            tried += 1
+            said = call(function, {**arguments, argument: hostile})
+            refused += said is not None
+            assert said is None or said.isprintable(), (function, argument)
+            assert said is None or 0 < len(said) < 300, (function, argument)
+    assert refused > tried / 2
+    require_row("arguments of methods of public classes, and what shapes are made of", tried)
+
+
+def test_vertices_and_edges_that_are_not_there() -> None:
+    with pytest.raises(PolygonError, match=r"^there is no vertex 4: they are numbered 0 to 3$"):
+        Polygon(UNIT).vertex_index(4)
+    with pytest.raises(PolygonError, match=r"^there is no edge -8: they are numbered 0 to 6$"):
+        HOLED.edge_index(-8)
+    with pytest.raises(PolygonError, match=r"^there is no edge 'a': they are numbered 0 to 3$"):
+        Polygon(UNIT).edge_index("a")  # type: ignore[arg-type]
+    # As in a list: the last is one of the hole.
+    assert HOLED.vertex_index(-1) == HOLED.vertex_index(6)
+    assert HOLED.edge_index(-7) == HOLED.edge_index(0)
 
 
 def call(function: Callable[..., Any], arguments: dict[str, Any]) -> str | None:
