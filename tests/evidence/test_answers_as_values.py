@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 
 import exactsweep
 from exactsweep import (
+    DirectionError,
     ExactSweepError,
     Polygon,
     Region,
@@ -77,6 +78,7 @@ def test_answers_are_equal_if_the_same_was_asked(
         assert answer != ask(g.translated((1, 0)), d)
         assert answer != ask(g, d, reference=(1, 0))
         assert (answer == ask(d, g)) == (g == d)
+        assert answer != object()
     assert sweep(g, d) != no_fit_polygon(d, g)
     assert len({sweep(g, d), sweep(spelled, d)}) == 1
 
@@ -109,6 +111,21 @@ def test_a_refusal_names_the_polygon(
     with pytest.raises(ExactSweepError) as caught:
         action(bad)
     assert str(caught.value).startswith(f"{name}: {message}")
+
+
+def test_an_answer_equals_what_was_asked_alike_and_nothing_else() -> None:
+    """By each of the polygons and the reference, one at a time."""
+    other, moved = [(0, 0), (3, 0), (0, 3)], (1, 0)
+    for ask in (sweep, no_fit_polygon, inner_fit_polygon):
+        answer: Any = ask(SQUARE, other)
+        assert answer == ask(SQUARE[::-1], other)
+        different = [ask(other, other), ask(SQUARE, SQUARE), ask(SQUARE, other, reference=moved)]
+        assert answer not in [*different, object(), None, 5]
+    assert sweep(SQUARE, other, direction=(1, 0)) != sweep(SQUARE, other, direction=(1, 1))
+    with pytest.raises(DirectionError, match=r"^the directrix has a hole: "):
+        sweep(SQUARE, HOLLOW, direction=(1, 0))
+    with pytest.raises(DirectionError, match=r"^the generatrix is not monotone to \(0, 1\)"):
+        sweep([(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)][::-1], SQUARE, direction=(0, 1))
 
 
 def test_shapes_of_other_libraries_are_swept_with_their_holes() -> None:

@@ -123,6 +123,24 @@ def test_turns_and_mirror_images_undo_each_other(
     assert shape.mirrored((1, 0)).mirrored((0, 1)) == shape.reflected()
 
 
+def test_maps_are_about_the_origin_unless_told() -> None:
+    corners = [(1, 1), (3, 1), (1, 2)]
+    triangle = Polygon(corners)
+    for image, expected in [
+        (triangle.rotated(0), corners),
+        (triangle.rotated(90), [(-y, x) for x, y in corners]),
+        (triangle.rotated(180), [(-x, -y) for x, y in corners]),
+        (triangle.rotated(270), [(y, -x) for x, y in corners]),
+        (triangle.rotated(-90), [(y, -x) for x, y in corners]),
+        (triangle.scaled(2), [(2 * x, 2 * y) for x, y in corners]),
+        (triangle.scaled((2, -3)), [(2 * x, -3 * y) for x, y in corners]),
+        (triangle.reflected(), [(-x, -y) for x, y in corners]),
+        (triangle.mirrored(), [(-x, y) for x, y in corners]),
+        (triangle.mirrored((1, 0)), [(x, -y) for x, y in corners]),
+    ]:
+        assert image == Polygon(expected)
+
+
 def test_mirror_image_in_a_slanted_line_by_hand() -> None:
     triangle = Polygon([(0, 0), (5, 0), (1, 2)])
     assert triangle.mirrored((1, 2)) == Polygon([(0, 0), (1, 2), (-3, 4)])

@@ -109,6 +109,13 @@ def test_reflection_is_an_involution(
     assert image.reflected(center) == polygon
 
 
+def test_a_mirror_image_is_numbered_as_its_polygon() -> None:
+    image = Polygon([(0, 0), (4, 0), (4, 3), (1, 5)]).mirrored()
+    assert image.vertices == strategies.points((-4, 0), (0, 0), (-1, 5), (-4, 3))
+    assert [image.vertex_index(k) for k in range(4)] == [1, 0, 3, 2]
+    assert [image.edge_index(k) for k in range(4)] == [0, 3, 2, 1]
+
+
 @given(strategies.simple_polygons())
 def test_bounding_box_is_tight(polygon: Polygon) -> None:
     xs, ys = zip(*polygon.vertices, strict=True)
