@@ -393,4 +393,4 @@ def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
         [],
     ]
     with pytest.raises(PolygonError, match=r"^position is not a pair of numbers$"):
-        s.contacts_along([[1, 2]])  # type: ignore[list-item]
+        s.contacts_along([[1, 2]])  # type: ignore[arg-type]
