@@ -127,7 +127,7 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
     breaks = [(x, 1) for x, _ in other]
-    same = CrossingPart(take_edges(other), breaks, part.flattest, part.steepest, part.slopes)
+    same = CrossingPart(take_edges(other, 0), breaks, part.flattest, part.steepest, part.slopes)
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
     assert (found is None) == (again is None)
     if found and again:

@@ -357,3 +357,34 @@ def test_an_x_range_is_found_among_many_in_logarithmic_time(place: int) -> None:
     assert kept is not None
     assert [value(at) for at in kept.breaks] == [4 * place, 4 * place + 2]
     assert tally.total < 120
+
+
+def test_pieces_are_found_before_and_after_each_break() -> None:
+    e = Envelope.of([(0, 0), (1, 2), (3, 1), (4, 5)])
+    for twice in range(-1, 10):
+        at = twice, 2
+        starts = [x for x, _ in e.breaks]
+        assert e.edge_before(at) == sum(2 * x < twice for x in starts) - 1
+        assert e.edge_after(at) == sum(2 * x <= twice for x in starts) - 1
+
+
+def test_x_ranges_side_by_side_leave_no_gap() -> None:
+    kept = Envelope.of([(0, 0), (6, 6)]).keep(
+        [((1, 1), (2, 1)), ((4, 2), (3, 1)), ((4, 1), (5, 1))]
+    )
+    assert kept is not None
+    assert [value(at) for at in kept.breaks] == [1, 2, 3, 4, 5]
+    assert [piece == GAP for piece in kept.pieces] == [False, False, True, False]
+
+
+def test_an_envelope_is_cut_to_an_x_range() -> None:
+    e = Envelope.of([(0, 0), (2, 4), (6, 0)])
+    assert [*e.restrict(1, 5)] == [(1, 2), (2, 4), (5, 1)]
+    assert [*e.restrict(-1, 1)] == [(0, 0), (1, 2)]
+
+
+@pytest.mark.parametrize("shift", range(-3, 4))
+def test_walls_of_any_length_at_any_height_stay(shift: int) -> None:
+    for end in range(-4, 5):
+        chain = [(0, shift), (2, shift - 1), (2, end), (4, end + 3)]
+        assert [*Envelope.of(chain)] == take_corners(chain)
