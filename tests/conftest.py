@@ -1,8 +1,9 @@
-"""No test of this project fails because the machine is busy; a browser for those that need one."""
+"""No test fails because the machine is busy, or by how it was begun; a browser for some of them."""
 
 from __future__ import annotations
 
 import shutil
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,14 @@ def browser() -> Iterator[Any]:
         opened = driver.chromium.launch(executable_path=chromium, args=FLAGS, timeout=MILLISECONDS)
         yield opened
         opened.close()
+
+
+@pytest.fixture
+def heed_interrupts() -> Iterator[None]:
+    """Programs that a test starts heed SIGINT; a shell has it ignored by what it starts with &."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

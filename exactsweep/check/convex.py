@@ -8,12 +8,15 @@ not cross can be completed to a triangulation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
 
 from exactsweep.check.cone import Cone, cross, dot, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
 from exactsweep.geometry.point import Rational, Vertex
+
+_NEAR = 32  # as many vertices to either side are tried first
 
 _Wall = tuple[Rational, Rational, Rational, Rational, Vertex, Vertex]
 """A segment by its ends, behind its least and its greatest x and y."""
@@ -29,16 +32,17 @@ def cut_to_convex(shape: LatticeShape) -> list[LatticeRing]:
         Convex rings, counter-clockwise, without straight angles. Their interiors are disjoint, and
         together with the diagonals between them they are the interior of the shape.
 
-    Cost: O(c n**2) at worst, O(c n log n) where the first diagonals tried are good.
+    Cost: O(c n**2) at worst, O(c n) where the first diagonals tried, to near vertices, are good.
 
     >>> len(cut_to_convex((((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)),)))
     2
     """
     touching = split_where_touching(shape)
     cones, walls = find_cones_of(touching), [_box(*edge) for edge in list_edges(touching)]
+    order = sorted(cones)
     for p in cones:
         while wide := next((cone for cone in cones[p] if _is_wide(cone)), None):
-            q = _best_diagonal(p, wide, cones, walls)
+            q = _find_diagonal(p, wide, order, cones, walls)
             walls.append(_box(p, q))
             for a, b in ((p, q), (q, p)):
                 _split(cones[a], subtract(b, a))
@@ -113,21 +117,38 @@ def _box(a: Vertex, b: Vertex) -> _Wall:
     return left, right, low, high, a, b
 
 
-def _best_diagonal(
-    p: Vertex, wide: Cone, cones: dict[Vertex, list[Cone]], walls: Sequence[_Wall]
+def _find_diagonal(
+    p: Vertex,
+    wide: Cone,
+    order: Sequence[Vertex],
+    cones: dict[Vertex, list[Cone]],
+    walls: Sequence[_Wall],
 ) -> Vertex:
-    """The end of a diagonal into a wide angle: best if it leaves none wide, here and there."""
-    ranked = []
-    for q, there in cones.items():
+    """The end of a diagonal into a wide angle: best among those to vertices next in x, if any."""
+    k = bisect_left(order, p)
+    return next(
+        q
+        for reach in (_NEAR, len(order))
+        for _, _, q in sorted(
+            _rank_diagonals(p, wide, order[max(k - reach, 0) : k + reach + 1], cones)
+        )
+        if not _is_blocked(p, q, walls)
+    )
+
+
+def _rank_diagonals(
+    p: Vertex, wide: Cone, ends: Iterable[Vertex], cones: dict[Vertex, list[Cone]]
+) -> Iterator[tuple[int, Rational, Vertex]]:
+    """How many angles each leaves wide, here and there, and the square of its length."""
+    for q in ends:
         way = subtract(q, p)
         if q == p or not wide.surrounds(way):
             continue
         back = (-way[0], -way[1])
-        if opposite := next((cone for cone in there if cone.surrounds(back)), None):
+        if opposite := next((cone for cone in cones[q] if cone.surrounds(back)), None):
             halves = [*_halves(wide, way), *_halves(opposite, back)]
             remaining = sum(map(_is_wide, halves)) - _is_wide(opposite)
-            ranked.append((remaining, dot(way, way), q))
-    return next(q for _, _, q in sorted(ranked) if not _is_blocked(p, q, walls))
+            yield remaining, dot(way, way), q
 
 
 def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[_Wall]) -> bool:

@@ -17,8 +17,9 @@ Let O be the positions t at which the interiors of D and G + t meet, and F the o
 5. Each component of the plane without the closure of O is bounded by one simple loop, if O is
    connected: around the unbounded one runs the exterior, around the others the holes.
 
-For positions inside a container, D is the complement of the container, within a box so large that
-G + t does not get near its border. Here O may fall apart, so that a component is bounded by more
+For positions inside a container, D is the complement of the container, within a box. How large it
+is does not matter: if G + t touches the container and is not inside it, G + t has points outside it
+that are as close to it as any. Here O may fall apart, so that a component is bounded by more
 loops than one, and may touch itself: loops are cut where they would visit a point twice.
 
 The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
@@ -128,7 +129,7 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     """
     scale, (c, g) = bring_to_integers([list_rings(container), list_rings(part)])
     outside = tuple(ring[::-1] for ring in c)
-    solids = [(_box_around(c[0], g[0]), outside[0]), *((ring,) for ring in outside[1:])]
+    solids = [(_box_around(c[0]), outside[0]), *((ring,) for ring in outside[1:])]
     pieces = [piece for solid in solids for piece in cut_to_convex(solid)]
     found = assemble_boundary(pieces, outside, g)
     return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
@@ -216,15 +217,11 @@ def _regions(loops: Sequence[WalkedLoop], scale: int) -> tuple[tuple[Loop, tuple
     return tuple(sorted((_vertices(e, scale), tuple(sorted(inside))) for e, inside in found))
 
 
-def _box_around(c: LatticeRing, g: LatticeRing) -> LatticeRing:
-    """A box so large that G + t, touching C, is inside it."""
-    lows, highs = [], []
-    for axis in (0, 1):
-        on_c, on_g = ([p[axis] for p in ring] for ring in (c, g))
-        margin = max(on_g) - min(on_g) + 1
-        lows.append(min(on_c) - margin)
-        highs.append(max(on_c) + margin)
-    return (lows[0], lows[1]), (highs[0], lows[1]), (highs[0], highs[1]), (lows[0], highs[1])
+def _box_around(ring: LatticeRing) -> LatticeRing:
+    """A box with a margin: G + t, touching the ring and not inside it, overlaps what is between."""
+    xs, ys = zip(*ring, strict=True)
+    left, low, right, high = min(xs) - 1, min(ys) - 1, max(xs) + 1, max(ys) + 1
+    return (left, low), (right, low), (right, high), (left, high)
 
 
 def _point_inside(piece: LatticeRing) -> Vertex:

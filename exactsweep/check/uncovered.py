@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from math import gcd
+from math import ceil, floor, gcd
 from typing import NamedTuple
 
+from exactsweep.check.columns import BoxColumns, Rectangle
 from exactsweep.check.cone import cross, divide, subtract
 from exactsweep.check.shape import LatticeRing, list_edges
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
 Interval = tuple[Rational, Rational]
-Rectangle = tuple[Rational, Rational, Rational, Rational]
 
 
 class LatticeLine(NamedTuple):
@@ -74,6 +74,7 @@ class OpenSets:
         boxed.sort(key=lambda pair: _measure_width(pair[0]), reverse=True)
         self._rings = [ring for _, ring in boxed]
         self._boxes = [box for box, _ in boxed]
+        self._columns = BoxColumns(self._boxes)
         # By the direction of a line and the number of the set.
         self._reaches: dict[tuple[int, int], dict[int, _Reach]] = defaultdict(dict)
 
@@ -88,7 +89,7 @@ class OpenSets:
             each other, and single points.
 
         Cost: for s segments on l lines and k rings of v vertices in all, O(lk + s log s) and
-        O(v) for each line at worst.
+        O(v) for each line at worst; of the rings those near a line are looked at.
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
@@ -108,8 +109,15 @@ class OpenSets:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis = line.axis
         reaches = self._reaches[line[:2]]
-        for k, box in enumerate(self._boxes):
-            if box[2 * axis] >= spans[-1][1] or box[2 * axis + 1] <= spans[0][0]:
+        ends = line.at(spans[0][0]), line.at(spans[-1][1])
+        # Rounded outwards to ints, which are quicker to compare.
+        bottom, top = floor(min(y for _, y in ends)), ceil(max(y for _, y in ends))
+        first, last = floor(spans[0][0]), ceil(spans[-1][1])
+        for k in self._columns.near(ends[0][0], ends[1][0]):
+            box = self._boxes[k]
+            if box[2 * axis] >= last or box[2 * axis + 1] <= first:
+                continue
+            if box[2] > top or box[3] < bottom:
                 continue
             if k not in reaches:
                 reaches[k] = _measure_reach(self._rings[k], line)
@@ -120,6 +128,7 @@ class OpenSets:
             spans = [part for span in spans for part in _cut_away(span, low, high)]
             if not spans:
                 break
+            first, last = floor(spans[0][0]), ceil(spans[-1][1])
         return spans
 
     def holds(self, point: Vertex) -> bool:
@@ -141,10 +150,13 @@ class OpenSets:
         # Homogeneous: only ints below.
         (x, y), w = point, point[0].denominator * point[1].denominator
         px, py = int(x * w), int(y * w)
-        for ring, (x_low, x_high, y_low, y_high) in zip(self._rings, self._boxes, strict=True):
-            if not (x_low * w <= px <= x_high * w and y_low * w <= py <= y_high * w):
+        left, bottom = floor(x), floor(y)
+        right, top = ceil(x), ceil(y)
+        for k in self._columns.near(left, right):
+            box = self._boxes[k]
+            if box[0] > left or box[1] < right or box[2] > bottom or box[3] < top:
                 continue
-            for (ax, ay), (bx, by) in list_edges([ring]):
+            for (ax, ay), (bx, by) in list_edges([self._rings[k]]):
                 dx, dy = bx - ax, by - ay
                 side = dx * (py - ay * w) - dy * (px - ax * w)
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):

@@ -26,11 +26,13 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 
 def require_matplotlib() -> None:
-    """Raise DrawError, which says how to get it, where matplotlib is not installed."""
+    """Raise DrawError where matplotlib is not installed, saying how to get it, or does not load."""
     try:
         import matplotlib  # noqa: F401
-    except ImportError:
+    except ModuleNotFoundError:
         raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
+    except ImportError as error:  # of a library that it needs, or for want of memory
+        raise DrawError(f"matplotlib cannot be loaded: {' '.join(str(error).split())}") from None
 
 
 @tells_arguments

@@ -20,7 +20,7 @@ def require_imports(package: str, extra: str, what: str) -> Iterator[None]:
         what: what it is needed for.
 
     Raises:
-        FormatError: the library is not there.
+        FormatError: the library is not there, or cannot be loaded.
 
     Example:
         >>> with require_imports("dreams", "night", "sleep"):
@@ -30,5 +30,8 @@ def require_imports(package: str, extra: str, what: str) -> Iterator[None]:
     """
     try:
         yield
-    except ImportError:
+    except ModuleNotFoundError:
         raise FormatError(f"{what} needs {package}: pip install 'exactsweep[{extra}]'") from None
+    except ImportError as error:  # of a library that it needs, or for want of memory
+        said = " ".join(str(error).split())
+        raise FormatError(f"{what} needs {package}, which cannot be loaded: {said}") from None

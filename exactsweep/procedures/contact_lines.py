@@ -32,15 +32,17 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd
+from math import gcd, inf
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
 from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures.envelope import Break
+from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
+_BEYOND = 1  # how far pieces go on outside of a leeway
 
 Cut = tuple[int, Break, bool, bool, bool]
 """A crossing of a stretch with another one.
@@ -107,9 +109,36 @@ class Stretch:
     def between(self, low: Rational, high: Rational) -> Stretch:
         """The piece from one place to another; an end that is not the stretch's is covered."""
         piece = Stretch((self.dx, self.dy, self.c), low, high, self.left, self.right)
-        piece.low_covered, piece.high_covered = low != self.low[0], high != self.high[0]
+        piece.low_covered = self.low_covered or low != self.low[0]
+        piece.high_covered = self.high_covered or high != self.high[0]
         piece.low_through, piece.high_through = self.low_through, self.high_through
         return piece
+
+    def within(self, leeway: Leeway) -> Stretch | None:
+        """The piece that is in the leeway, or a little more; None if there is none.
+
+        Outside of the leeway there is overlap everywhere, and so just inside of an end that is cut.
+        """
+        dx, dy, c, (low, _), (high, _) = self.dx, self.dy, self.c, self.low, self.high
+        if dx == 0:
+            if not leeway.left <= -c <= leeway.right:
+                return None
+            start, end = max(low, leeway.low - _BEYOND), min(high, leeway.high + _BEYOND)
+        else:
+            start, end = max(low, leeway.left - _BEYOND), min(high, leeway.right + _BEYOND)
+            # Ordinates, times dx.
+            floor, ceiling = (leeway.low - _BEYOND) * dx, (leeway.high + _BEYOND) * dx
+            first, last = (start, end) if dy >= 0 else (end, start)
+            if first * dy + c > ceiling or last * dy + c < floor:
+                return None
+            if first * dy + c < floor:
+                first = Fraction(floor - c, dy)
+            if last * dy + c > ceiling:
+                last = Fraction(ceiling - c, dy)
+            start, end = (first, last) if dy >= 0 else (last, first)
+        if start >= end:
+            return None
+        return self if (start, end) == (low, high) else self.between(start, end)
 
     def vertex(self, place: Break) -> ReducedPoint:
         """The point of the line at a place."""
@@ -141,12 +170,15 @@ class _Convex(NamedTuple):
     last: int
 
 
-def find_contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
+def find_contact_stretches(
+    stationary: Rings, moving: Rings, leeway: Leeway | None = None
+) -> list[Stretch]:
     """The contact segments of two shapes, those on one line put together.
 
     Args:
         stationary: the rings of D.
         moving: the rings of H = I(G), the orbiting shape turned by half a turn.
+        leeway: segments may be left out that are outside of it.
 
     Returns:
         The stretches, in the order of their lines.
@@ -156,6 +188,7 @@ def find_contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
     shapes = [[_DirectedRing(ring) for ring in rings] for rings in (stationary, moving)]
     directions, ranks = _rank(u for rings in shapes for ring in rings for u in ring.directions)
     sides = [_list_features(rings, ranks, len(directions)) for rings in shapes]
+    left, right, bottom, top = leeway or (-inf, inf, -inf, inf)
     lines: defaultdict[tuple[int, Rational], list[tuple[Rational, Rational, bool]]] = defaultdict(
         list
     )
@@ -170,7 +203,9 @@ def find_contact_stretches(stationary: Rings, moving: Rings) -> list[Stretch]:
                 bisect_left(at, first) : bisect_right(at, last)
             ]:
                 dx, dy = directions[k]
-                along = x if dx else y
+                along, least, greatest = (x, left, right) if dx else (y, bottom, top)
+                if low + along > greatest or high + along < least:
+                    continue
                 lines[k, dx * y - dy * x + offset].append((low + along, high + along, ahead))
     return [
         stretch

@@ -18,7 +18,8 @@ from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import Free, find_free_positions
+from exactsweep.procedures.free_positions import find_free_positions
+from exactsweep.procedures.leeway import find_leeway, frame_outside
 
 
 class NoFitSS(NamedTuple):
@@ -67,7 +68,11 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
-    free = _find_free(directrix, generatrix, scale)
+    moving = _turn(generatrix)
+    stretches = find_contact_stretches(directrix, moving)
+    stretches = leave_out_covered(stretches, directrix, moving)
+    cut_at_crossings(stretches)
+    free = find_free_positions(stretches, Overlap(directrix, generatrix).at, scale)
     (exterior,) = free.around
     return NoFitSS(exterior, sorted(free.within), free.fits)
 
@@ -83,28 +88,32 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
     Returns:
         Positions of the part's origin; nothing where it does not fit.
 
-    Cost: as for `no_fit_ss`.
+    Cost: as for `no_fit_ss`; of contact segments those count that are near the leeway.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).exact_fits]
     [(0, 0, 2, 0)]
     """
+    leeway = find_leeway(container, part)
+    if leeway.is_empty:
+        return InnerFitSS([], [])
     # What the part must not overlap is the plane outside the container, and each defect.
-    free = _find_free([ring[::-1] for ring in container], part, scale, unbounded=True)
+    outside, moving = [ring[::-1] for ring in container], _turn(part)
+    near = find_contact_stretches(outside, moving, leeway)
+    stretches = [piece for stretch in near if (piece := stretch.within(leeway))]
+    stretches = leave_out_covered(stretches, frame_outside(container), moving)
+    cut_at_crossings(stretches)
+    overlap = Overlap(outside, part, unbounded=True)
+    free = find_free_positions(stretches, overlap.at, scale)
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
         inside[_find_holder(loop, free.within)].append(loop)
     return InnerFitSS(list(zip(free.within, inside, strict=True)), free.fits)
 
 
-def _find_free(stationary: Rings, orbiting: Rings, scale: int, *, unbounded: bool = False) -> Free:
-    moving = [inverse(ring) for ring in orbiting]
-    stretches = find_contact_stretches(stationary, moving)
-    if not unbounded:
-        stretches = leave_out_covered(stretches, stationary, moving)
-    cut_at_crossings(stretches)
-    overlap = Overlap(stationary, orbiting, unbounded=unbounded)
-    return find_free_positions(stretches, overlap.at, scale)
+def _turn(shape: Rings) -> Rings:
+    """I(G): a shape turned by half a turn."""
+    return [inverse(ring) for ring in shape]
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:

@@ -125,6 +125,7 @@ def test_two_runs_at_once_are_refused(tmp_path: Path) -> None:
         assert records.done == 0
 
 
+@pytest.mark.usefixtures("heed_interrupts")
 def test_control_c_ends_in_one_line_and_no_process_stays(
     tmp_path: Path, command: list[str], whole: list[bytes]
 ) -> None:

@@ -14,6 +14,7 @@ from shape_families import untangled
 
 from exactsweep import (
     DirectionError,
+    Point,
     Polygon,
     PolygonError,
     Region,
@@ -24,7 +25,7 @@ from exactsweep import (
 )
 from exactsweep.check import verify
 from exactsweep.check.certificate import CertificateError
-from exactsweep.check.size import check_size, reading_steps
+from exactsweep.check.size import check_size, find_common_scale, reading_steps
 from exactsweep.cli import main
 from exactsweep.formats.exact_json import parse_certificate
 from exactsweep.geometry.limits import answer_digits
@@ -192,6 +193,28 @@ def test_the_longest_number_is_what_a_step_costs() -> None:
         check_size([loop], 100, 103 * 111 + 1)
         with pytest.raises(CertificateError, match="too large"):
             check_size([loop], 100, 103 * 111)
+
+
+def test_very_long_numbers_cost_more_than_their_length() -> None:
+    """With 1,000 words of 64 bits a step is 1,000 and as many again."""
+    loop = [(0, 0, 1), (1, 0, 1), (0, 2**63940, 1)]
+    check_size([loop], 100, 103 * 2000 + 1)
+    with pytest.raises(CertificateError, match="too large"):
+        check_size([loop], 100, 103 * 2000)
+
+
+def test_reading_very_long_numbers_takes_a_square_of_steps() -> None:
+    """7,874**2 is 155 * 400,000 less 124, and 7,875**2 is more; 88**2 is below both."""
+    for n, squares in ((7874, 154), (7875, 155)):
+        assert reading_steps("7" * n) == 1 + n * 88 // 1000 + squares
+
+
+def test_a_common_denominator_of_256_bits_is_of_use() -> None:
+    """Those of the points have 115, 96 and 47 bits, fewer than half as many."""
+    for power, scale in ((114, 2**114 * 3**60 * 5**20), (115, 1)):
+        assert (2**power * 3**60 * 5**20).bit_length() == 142 + power
+        points = [Point(Fraction(1, n), Fraction(1)) for n in (2**power, 3**60, 5**20)]
+        assert find_common_scale(points) == scale
 
 
 @pytest.mark.parametrize(("digits", "reason"), [(4300, "not a pair"), (4301, "not primitive")])

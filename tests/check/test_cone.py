@@ -1,5 +1,6 @@
 """Angles that shapes fill at a point, held against sectors of the compass."""
 
+from fractions import Fraction
 from itertools import permutations, product
 
 from exactsweep.check.cone import (
@@ -22,6 +23,8 @@ CONES = {
 
 def test_directions_are_sorted_counter_clockwise_from_the_x_axis() -> None:
     assert sorted(set(COMPASS), key=by_turn) == COMPASS
+    small = [(Fraction(x, 7), Fraction(y, 7)) for x, y in COMPASS]
+    assert sorted(set(small), key=by_turn) == small
     assert by_turn((1, 0)) == by_turn((2, 0)) < by_turn((-1, 0)) == by_turn((-3, 0))
 
 

@@ -184,8 +184,9 @@ def test_direction_is_respected() -> None:
     lying = [(y, x) for x, y in SLOT]
     with pytest.raises(ValueError, match="the directrix is not monotone to \\(1, 0\\)"):
         reference_loops(UNIT, lying)
-    with pytest.raises(ValueError, match="the generatrix is not monotone to \\(1, 0\\)"):
-        reference_loops(lying, UNIT)
+    for evaluate in (reference_loops, reference_exact_fits):
+        with pytest.raises(ValueError, match="the generatrix is not monotone to \\(1, 0\\)"):
+            evaluate(lying, UNIT)
     ((hanging, inner),) = reference_exact_fits(UNIT, lying, (0, -2))
     assert (hanging, inner) == (Point(Fraction(3), Fraction(1)), Point(Fraction(1), Fraction(1)))
 

@@ -57,3 +57,50 @@ def test_a_single_position_on_a_segment_is_not_one_of_the_fits(line: Any) -> Non
 def test_the_middle_of_an_extent_is_on_its_line(extent: Any, line: Any, middle: Any) -> None:
     x, y, w = find_middle(extent, line)
     assert (Fraction(x, w), Fraction(y, w)) == middle
+
+
+def part(is_loop: bool, *points: Any) -> LoopOrFit:
+    name = "exterior" if is_loop else "exact_fits"
+    return LoopOrFit(name, name, tuple(Point(Fraction(x), Fraction(y)) for x, y in points), is_loop)
+
+
+@pytest.mark.parametrize("ends", [(0, 1), (1, 0)])
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (1, 2), (-2, 1), (1, -1)])
+def test_a_witness_is_half_way_to_the_next_segment(way: Any, ends: Any) -> None:
+    """On a line beside the origin, claimed from 0 to 8; whichever way segments are written."""
+
+    def put(low: Any, high: Any) -> LoopOrFit:
+        along = [(low, high)[k] for k in ends]
+        return part(False, *((1 + k * way[0], 5 + k * way[1]) for k in along))
+
+    def find(*true: LoopOrFit) -> Any:
+        with pytest.raises(CertificateError) as found:
+            compare([put(0, 8)], true, lambda _: "nothing is")
+        assert found.value.args[0] == "exact_fits: at the witness nothing is"
+        assert found.value.witness is not None
+        x, y = found.value.witness
+        assert (x - 1) * way[1] == (y - 5) * way[0]
+        return (x - 1) / way[0] if way[0] else (y - 5) / way[1]
+
+    # From left to right, or straight up.
+    assert find(put(2, 3), put(5, 6)) == (1 if way > (0, 0) else 7)
+    assert find(put(0, 3), put(2, 5), put(6, 8)) == Fraction(11, 2)
+    assert find(put(-3, 4), put(4, 7)) == Fraction(15, 2)
+    assert find(put(9, 12)) == 4
+    compare([put(0, 8)], [put(0, 8)], str)
+
+
+def test_a_position_on_one_of_two_segments_of_a_line_is_on_a_segment() -> None:
+    true = [part(False, (0, 0), (1, 1)), part(False, (3, 3), (5, 5))]
+    for where in (0, 1, 3, 4):
+        with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
+            compare([*true, part(False, (where, where), (where, where))], true, str)
+    with pytest.raises(CertificateError, match="at the witness it is beside"):
+        compare([*true, part(False, (2, 2), (2, 2))], true, lambda _: "it is beside")
+
+
+def test_the_last_edge_of_a_loop_is_one_of_its_edges() -> None:
+    loop = part(True, (0, 0), (4, 0), (0, 4))
+    for along in ([(0, 1), (0, 3)], [(0, 4), (0, 0)], [(0, 2), (0, 2)]):
+        with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
+            compare([loop, part(False, *along)], [loop], str)

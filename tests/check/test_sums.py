@@ -122,6 +122,21 @@ def test_witness_beside_a_corner_on_a_wall_of_the_sum() -> None:
     assert found.value.witness == Point(2 + Fraction(2, 16), Fraction(3))
 
 
+def test_witness_half_way_along_an_edge() -> None:
+    """Right of x = 2 the sum rises from 0 with slope 1, below the edge of length 2 at y = 3."""
+    a = Polygon([(0, 4), (1, 4), (1, 0), (3, 2), (3, 20), (0, 20)])
+    q = Polygon([(0, 0), (2, 0), (2, 3), (4, 3), (4, -9), (7, -9), (7, 40), (0, 40)])
+    with pytest.raises(CertificateError, match="inside 2") as found:
+        check_sum_within(
+            _loop(q.vertices),
+            *(_loop(a.vertices),) * 2,
+            FRAME,
+            "outside {} {}",
+            "inside {}",
+        )
+    assert found.value.witness == Point(Fraction(3), Fraction(3))
+
+
 def test_witness_beside_a_corner_from_above() -> None:
     """The last one turned by half a turn: at the upper chains."""
     a = Polygon([(0, -4), (-1, -4), (-1, 0), (-2, -8), (-2, -20), (0, -20)])
@@ -151,6 +166,20 @@ def test_few_edges_are_walked_along_at_each_corner() -> None:
     # Below, 101 runs of one corner with 2 corners, and one run with 101; above, 2 and 2. At 100
     # concave corners one edge of the triangle, and 2 of the comb, but for one at the end.
     assert steps == 202 + 101 + 4 + 100 + 199
+
+
+@pytest.mark.parametrize("by", [1, 5, -3])
+def test_edges_over_a_part_count_wherever_it_is(by: int) -> None:
+    """A part of two edges below and above, 5 wide: of the comb, the edges that end under it."""
+    comb = Polygon([*((k, k % 2) for k in range(21)), (20, 9), (0, 9)])
+    part = Polygon([(by, 0), (by + 1, -4), (by + 5, 0), (by + 1, 1)])
+    outer = Polygon([*((k, k % 2) for k in range(by - 1, by + 26)), (by + 25, 30), (by - 1, 30)])
+    loops = [_loop(p.vertices) for p in (outer, comb, part)]
+    # Below, 11 runs of one corner with one of three, above one of two with one of three.
+    runs = 11 * 3 + 11 + 2 + 3
+    concave = [x for x, y in outer.vertices[1:] if y == 1]
+    under = [sum(x - by - 5 <= end < x - by for end in range(1, 21)) for x in concave]
+    assert count_steps(*loops) == runs + sum(under) + 2 * len(concave)
 
 
 def test_a_witness_very_near_to_a_corner_is_found_in_few_steps(
@@ -198,6 +227,9 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
 @settings(max_examples=500)
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
+@example([(0, 0), (0, 1), (2, 0), (2, 1)])
+@example([(0, 0), (2, 1), (2, 0), (0, 1)])
+@example([(0, 0), (1, 3), (2, 0), (3, 2), (0, 2)])
 @example([(0, 0), (1, 0), (1, 2), (2, 2), (2, 4), (1, 4), (1, 1), (0, 1)])
 @example([(0, 2), (1, 2), (1, 0), (2, 0), (2, 1), (1, 1), (1, 4), (0, 4)])
 @example([(2, 1), (1, 1), (1, 4), (0, 4), (0, 2), (1, 2), (1, 0), (2, 0)])

@@ -217,6 +217,7 @@ def test_a_worker_that_is_killed_ends_the_run() -> None:
 # Interrupted, and gone on with.
 
 
+@pytest.mark.usefixtures("heed_interrupts")
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
 def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -> None:
     journal, log, gate = tmp_path / "journal", tmp_path / "log", tmp_path / "gate"

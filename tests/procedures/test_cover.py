@@ -103,3 +103,5 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
         stretch = Stretch((dx, dy, sign * c), begin, end, True, True)
         (left,) = cover.uncovered(stretch)
         assert (left.low, left.high) == (stretch.low, stretch.high)
+    for column, row in [(-1, 2), (len(cover.columns), 2), (2, -1), (2, 40)]:
+        assert not cover._covers(column, row, row)

@@ -102,7 +102,7 @@ def run_afresh(tree: Path, tests: Sequence[str], seconds: Mapping[str, float]) -
         status = 3  # unless it comes to an end
         try:
             enter(tree)
-            watch.limit(3 * sum(seconds.values()) + SPARE if seconds else ALONE)
+            watch.limit(ALONE)  # for reading them
             limit_memory()
             files = dict.fromkeys(test.partition("::")[0] for test in tests)
             status = pytest.main([*FIRST, *files], plugins=[watch, _Choice(tests)])

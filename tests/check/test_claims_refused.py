@@ -1,0 +1,121 @@
+"""Claims about shapes with holes: what is refused before anything is proved, and by which name."""
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from cells import Holed, grid
+from shape_certificates import (
+    HEAD,
+    inner_fit_certificate,
+    no_fit_certificate,
+    outline,
+    read,
+    sweep_certificate,
+    write,
+)
+
+from exactsweep import Point
+from exactsweep.check import verify
+
+UNIT = grid("#")
+FULL = grid("###", "#.#", "###")
+CROSSED = [["0", "0"], ["1", "1"], ["1", "0"], ["0", "1"]]
+NO_FIT = no_fit_certificate(FULL, grid("##", "#."))
+HOLLOW = no_fit_certificate(grid("####", "#..#", "#..#", "####"), UNIT)
+INNER = inner_fit_certificate(grid("#####", "#####", "##.##", "#####", "#####"), UNIT)
+SWEEP = sweep_certificate(FULL, UNIT)
+
+
+def _refuse(certificate: Any, **steps: int) -> str:
+    result = verify(certificate, **steps)
+    assert not result.proved
+    return result.reason
+
+
+@pytest.mark.parametrize(
+    ("certificate", "key"),
+    [
+        *((claim, key) for claim in (NO_FIT, SWEEP) for key in ("directrix", "generatrix")),
+        *((INNER, key) for key in ("container", "part")),
+    ],
+)
+def test_both_shapes_have_to_be_polygons(certificate: Any, key: str) -> None:
+    changed = {**certificate, key: {"exterior": CROSSED, "holes": []}}
+    assert _refuse(changed).startswith(f"{key}.exterior: ")
+
+
+@pytest.mark.parametrize(
+    ("certificate", "path"),
+    [
+        (NO_FIT, ("exterior",)),
+        (HOLLOW, ("holes", 0)),
+        (INNER, ("regions", 0, "exterior")),
+        (INNER, ("regions", 0, "holes", 0)),
+        (SWEEP, ("outer",)),
+        (SWEEP, ("inner",)),
+    ],
+)
+def test_loops_of_a_claim_are_canonical(certificate: Any, path: tuple[Any, ...]) -> None:
+    """Walked clockwise they are refused by their names, and with a straight vertex."""
+    at = certificate
+    for key in path:
+        at = at[key]
+    (ax, ay), (bx, by) = at[:2]
+    middle = [str((int(ax) + int(bx)) // 2), str((int(ay) + int(by)) // 2)]
+    name = path[0] + "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in path[1:])
+    for false in ([at[0], *at[:0:-1]], [at[0], middle, *at[1:]]):
+        assert _refuse(_put(certificate, path, false)) == f"{name}: not canonical"
+
+
+def _put(value: Any, path: tuple[Any, ...], new: Any) -> Any:
+    if not path:
+        return new
+    changed = value.copy()
+    changed[path[0]] = _put(value[path[0]], path[1:], new)
+    return changed
+
+
+def test_a_hole_left_out_of_a_region_is_missed_where_it_is() -> None:
+    changed = _put(INNER, ("regions", 0, "holes"), [])
+    assert _refuse(changed) == "holes of regions: one is missing, or a part of it"
+
+
+def test_a_sweep_with_a_shared_direction_is_not_one_of_any_shape() -> None:
+    reason = _refuse(sweep_certificate(grid("##", "#."), UNIT))
+    assert reason == "kind: there is a shared direction, so it is not SS"
+
+
+# Shapes with their vertices, and at most how many pieces they are cut into.
+PIECES = [
+    (grid("####", "####"), 4, 1),
+    (grid("#.", "##"), 6, 2),
+    (grid("#.#", "###"), 8, 3),
+    (grid("#...", "##..", "###.", "####"), 10, 4),
+    (grid(".#.", "###", ".#."), 12, 5),
+    (FULL, 8, 5),
+]
+
+
+@pytest.mark.parametrize(("d", "m", "p"), PIECES)
+@pytest.mark.parametrize(("g", "n", "q"), PIECES)
+@pytest.mark.parametrize("names", [("directrix", "generatrix"), ("container", "part")])
+def test_work_is_told_from_vertices_and_pieces(
+    d: Holed, m: int, p: int, g: Holed, n: int, q: int, names: tuple[str, str]
+) -> None:
+    """A straight vertex is one more. The claim itself is a triangle, and false."""
+    triangle = [["0", "0"], ["1", "0"], ["0", "1"]]
+    claimed = {"exterior": triangle, "holes": []}
+    certificate = {**HEAD, "claim": "no_fit", "exact_fits": [], **claimed}
+    if "part" in names:
+        certificate = {**HEAD, "claim": "inner_fit", "exact_fits": [], "regions": [claimed]}
+    for name, shape in zip(names, (d, g), strict=True):
+        written = outline(shape.mapped(((1, 0), (0, 1)), Fraction(1, 2)))
+        first, second = read(written["exterior"][:2])
+        middle = Point((first.x + second.x) / 2, (first.y + second.y) / 2)
+        written["exterior"][1:1] = write([middle])
+        certificate[name] = written
+    m, n = m + 1, n + 1
+    steps = 2 * m * n * (1 + p * q // 16) + m * m + n * n + m + n + 3 + 1
+    assert _refuse(certificate, max_steps=steps - 1).startswith("too large")
+    assert not _refuse(certificate, max_steps=steps).startswith("too large")

@@ -1,0 +1,116 @@
+"""Shapes cut into convex pieces, and what open convex sets leave of segments."""
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from cells import Holed, grid
+from hypothesis import example, given, settings
+from shapes import shape_pairs
+from strategies import simple_polygons
+
+from exactsweep import Polygon
+from exactsweep.check.arrangement import WalkedLoop
+from exactsweep.check.convex import cut_to_convex
+from exactsweep.check.shape import bring_to_integers
+from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
+from exactsweep.geometry.canonical import find_doubled_area, find_turns
+
+WEDGE = Polygon([(0, -3), (3, 0), (9, 1), (6, 6), (-6, 6), (0, 3), (-2, 1)])
+STEPS = grid("##.", ".##").exterior
+
+
+def _check_pieces(*rings: Polygon) -> int:
+    """That pieces are convex, make up the shape, and do not overlap, for their areas add up."""
+    _, (shape,) = bring_to_integers([rings])
+    pieces = cut_to_convex(shape)
+    for piece in pieces:
+        assert min(find_turns(piece)) > 0
+        assert len({*piece}) == len(piece)
+        assert {*piece} <= {p for ring in shape for p in ring}
+    assert sum(map(find_doubled_area, pieces)) == sum(map(find_doubled_area, shape))
+    return len(pieces)
+
+
+@settings(max_examples=60)
+@given(simple_polygons())
+@example(WEDGE)
+def test_convex_pieces_make_up_a_polygon(polygon: Polygon) -> None:
+    assert _check_pieces(polygon) <= sum(turn < 0 for turn in find_turns(polygon.vertices)) + 1
+
+
+@settings(max_examples=60)
+@given(shape_pairs())
+def test_convex_pieces_make_up_a_shape_with_holes(pair: tuple[Holed, Holed]) -> None:
+    for shape in pair:
+        _check_pieces(shape.exterior, *shape.holes)
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_diagonal_does_not_pass_by_a_corner_that_touches_it(turns: int) -> None:
+    """From (0, 0) to (0, 8), which are corners of holes, a corner of a third one is between."""
+    holes = [
+        [(0, 0), (-1, -1), (1, -1)],
+        [(0, 8), (1, 9), (-1, 9)],
+    ]
+    for touching in ([(0, 4), (1, 3), (1, 5)], [(0, 4), (-1, 5), (-1, 3)]):
+        rings = [[(-2, -3), (2, -3), (2, 11), (-2, 11)], *holes, touching]
+        for _ in range(turns):
+            rings = [[(-y, x) for x, y in ring] for ring in rings]
+        _check_pieces(*map(Polygon, rings))
+
+
+def test_one_diagonal_serves_two_wide_angles() -> None:
+    """Straight angles are not wide: two steps are two bars, and a cross is three."""
+    assert _check_pieces(STEPS) == 2
+    assert _check_pieces(grid(".#.", "###", ".#.").exterior) == 3
+    assert _check_pieces(grid("#..", "##.", "###").exterior) == 3
+
+
+SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
+
+
+@pytest.mark.parametrize(
+    ("segments", "pieces", "points"),
+    [
+        ([((0, 2), (4, 2))], [], [(0, 2), (4, 2)]),
+        ([((0, 2), (3, 2))], [], [(0, 2)]),
+        ([((1, 2), (4, 2))], [], [(4, 2)]),
+        ([((1, 2), (3, 2))], [], []),
+        ([((-2, 2), (4, 2))], [((-2, 2), (0, 2))], [(4, 2)]),
+        ([((0, 2), (9, 2))], [((4, 2), (9, 2))], [(0, 2)]),
+        ([((5, 2), (9, 2)), ((4, 2), (5, 2))], [((4, 2), (9, 2))], []),
+        ([((0, 0), (9, 9))], [((4, 4), (9, 9))], [(0, 0)]),
+        ([((2, 6), (2, 0))], [((2, 4), (2, 6))], [(2, 0)]),
+        ([((0, 0), (4, 0)), ((3, 0), (6, 0))], [((0, 0), (6, 0))], []),
+        ([((0, 0), (-3, 3))], [((-3, 3), (0, 0))], []),
+    ],
+)
+def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, points: Any) -> None:
+    """The border is not in it, and an end on the border is left as a point."""
+    found, single = OpenSets([SQUARE]).uncovered(segments)
+    assert [piece.ends for piece in found] == pieces
+    assert single == {*points}
+
+
+def test_points_beside_a_line_are_in_the_union_or_not() -> None:
+    """Near (4, 2), right of the square; and up along a border nothing is inside."""
+    sets = OpenSets([SQUARE])
+    upwards, level = LatticeLine(0, 1, -4), LatticeLine(1, 0, 0)
+    assert sets.is_beside(upwards, 2, 1)
+    assert not sets.is_beside(upwards, 2, -1)
+    assert not sets.is_beside(level, 0, 1)
+    assert not sets.is_beside(level, 4, 1)
+    assert sets.is_beside(level, Fraction(1, 3), 1)
+    assert not sets.holds((4, 2))
+    assert sets.holds((Fraction(1, 3), Fraction(1, 2)))
+
+
+def test_a_loop_of_the_least_triangle_has_its_sense() -> None:
+    around = ((0, 0), (1, 0), (0, 1))
+    assert WalkedLoop(around, (0, 0)).is_hole
+    assert not WalkedLoop(around[::-1], (0, 0)).is_hole
+
+
+def test_pieces_of_lines_go_from_left_to_right() -> None:
+    assert LinePiece(LatticeLine(1, 2, 4), 0, 2).ends == ((0, 4), (2, 8))

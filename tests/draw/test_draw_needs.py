@@ -1,0 +1,54 @@
+"""What pictures and formats say where a library is missing, or cannot be loaded."""
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from exactsweep.canvas.error import DrawError
+from exactsweep.draw.figure import require_matplotlib
+from exactsweep.formats.error import FormatError, require_imports
+
+
+def read_dreams() -> None:
+    with require_imports("dreams", "night", "sleep"):
+        import dreams  # type: ignore[import-not-found]  # noqa: F401
+
+
+@pytest.mark.parametrize(
+    ("name", "load", "error", "missing", "broken"),
+    [
+        (
+            *("matplotlib", require_matplotlib, DrawError),
+            "pictures need matplotlib: pip install 'exactsweep[plot]'",
+            "matplotlib cannot be loaded: ft2font.so: failed to map segment",
+        ),
+        (
+            *("dreams", read_dreams, FormatError),
+            "sleep needs dreams: pip install 'exactsweep[night]'",
+            "sleep needs dreams, which cannot be loaded: ft2font.so: failed to map segment",
+        ),
+    ],
+)
+def test_what_is_missing_is_told_from_what_does_not_load(
+    name: str,
+    load: Callable[[], None],
+    error: type[Exception],
+    missing: str,
+    broken: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(error) as refused:
+        load()
+    assert str(refused.value) == missing
+    monkeypatch.delitem(sys.modules, name)
+    # As the loader says it where memory is short, with more lines than one.
+    text = 'raise ImportError("ft2font.so: failed to\\n map segment")\n'
+    (tmp_path / f"{name}.py").write_text(text)
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(error) as refused:
+        load()
+    assert str(refused.value) == broken

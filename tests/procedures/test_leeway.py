@@ -1,0 +1,204 @@
+"""Where a part can be in the bounds of its container: what lies beyond is not looked at."""
+
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from polyominoes import Cells, polyominoes, region
+
+from exactsweep import Polygon, sweep
+from exactsweep.geometry.overlap import Overlap, Rings
+from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.procedures import ss
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
+from exactsweep.procedures.cover import Cover
+from exactsweep.procedures.crossings import cut_at_crossings
+from exactsweep.procedures.free_positions import find_free_positions
+from exactsweep.procedures.leeway import Leeway, find_leeway, frame_outside
+
+MATRICES = st.sampled_from([(1, 0, 0, 1), (7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
+SMALL = st.integers(-6, 6)
+HALVES = st.integers(-12, 12).map(lambda n: Fraction(n, 2))
+
+
+def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]:
+    return [list(ring) for ring in region(cells, matrix).lattice()[1]]
+
+
+def place(stretch: Stretch, at: Rational) -> tuple[Fraction, Fraction]:
+    xn, xd, yn, yd = stretch.vertex((at, 1))
+    return Fraction(xn, xd), Fraction(yn, yd)
+
+
+@st.composite
+def stretches(draw: st.DrawFn) -> Stretch:
+    line = draw(st.sampled_from([(0, 1), (1, 0), (1, 1), (1, -1), (3, -2), (1, 50), (50, 1)]))
+    low, high = sorted(draw(st.sets(HALVES, min_size=2, max_size=2)))
+    return Stretch((*line, draw(st.integers(-40, 40))), low, high, True, False)
+
+
+@given(stretches(), SMALL, st.integers(0, 4), SMALL, st.integers(0, 4))
+@settings(max_examples=150)
+def test_what_is_cut_away_lies_outside(
+    stretch: Stretch, left: int, width: int, low: int, height: int
+) -> None:
+    leeway = Leeway(left, left + width, low, low + height)
+    kept = stretch.within(leeway)
+    (start, _), (end, _) = stretch.low, stretch.high
+    ends = [start, end]
+    if kept is not None:
+        ends += [kept.low[0], kept.high[0]]
+        assert start <= kept.low[0] < kept.high[0] <= end
+        # Just inside of an end that is cut, there is overlap: it is outside of the leeway.
+        assert kept.low_covered == (kept.low[0] != start)
+        assert kept.high_covered == (kept.high[0] != end)
+        for at, is_cut in ((kept.low[0], kept.low_covered), (kept.high[0], kept.high_covered)):
+            assert not (is_cut and is_within(place(kept, at), leeway))
+    for a, b in pairwise(
+        sorted({*ends, *(start + Fraction(end - start) * k / 40 for k in range(41))})
+    ):
+        middle = Fraction(a + b) / 2
+        if is_within(place(stretch, middle), leeway):
+            assert kept is not None
+            assert kept.low[0] < middle < kept.high[0]
+
+
+def is_within(point: tuple[Fraction, Fraction], leeway: Leeway) -> bool:
+    x, y = point
+    return leeway.left <= x <= leeway.right and leeway.low <= y <= leeway.high
+
+
+@pytest.mark.parametrize(
+    ("line", "low", "high", "kept"),
+    [
+        ((0, 1, -2), -9, 9, (-1, 4)),  # upright
+        ((0, 1, -4), -9, 9, None),
+        ((0, 1, 0), -9, 0, (-1, 0)),  # along the left side, to the lower corner
+        ((1, 0, 3), -9, 9, (-1, 4)),  # along the upper side
+        ((1, 0, 5), -9, 9, None),
+        ((1, 2, 0), -9, 9, (Fraction(-1, 2), 2)),
+        ((1, -2, 0), -9, 9, (-1, Fraction(1, 2))),
+        ((1, 1, 0), 1, 2, (1, 2)),  # all of it
+        ((1, 1, 0), 5, 9, None),
+    ],
+)
+def test_stretches_are_cut_one_beyond(
+    line: tuple[int, int, int], low: int, high: int, kept: tuple[Rational, Rational] | None
+) -> None:
+    found = Stretch(line, low, high, True, False).within(Leeway(0, 3, 0, 3))
+    assert (found and (found.low[0], found.high[0])) == kept
+
+
+def test_a_stretch_that_is_not_cut_stays_the_same() -> None:
+    stretch = Stretch((1, 1, 0), 1, 2, True, False)
+    assert stretch.within(Leeway(0, 3, 0, 3)) is stretch
+
+
+def test_what_was_covered_stays_covered() -> None:
+    stretch = Stretch((1, 0, 0), 0, 9, True, False).between(1, 8)
+    again = stretch.between(1, 7).between(2, 7)
+    assert (again.low_covered, again.high_covered) == (True, True)
+    assert (stretch.between(1, 3).low_covered, stretch.between(3, 8).high_covered) == (True, True)
+
+
+def test_a_leeway_by_hand() -> None:
+    container: Rings = [[(0, 0), (7, 0), (7, 5), (0, 5)], [(3, 2), (3, 3), (4, 3), (4, 2)]]
+    assert find_leeway(container, [[(-1, 0), (2, 0), (0, 4)]]) == (1, 5, 0, 1)
+    assert frame_outside(container) == [
+        [(0, 0), (7, 0), (7, 5), (0, 5)],
+        [(0, 5), (7, 5), (7, 0), (0, 0)],
+        [(4, 2), (4, 3), (3, 3), (3, 2)],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("part", "empty"), [((7, 5), False), ((8, 1), True), ((1, 6), True), ((1, 1), False)]
+)
+def test_a_part_that_is_too_long_or_too_high_has_no_leeway(
+    part: tuple[int, int], empty: bool
+) -> None:
+    a, b = part
+    container, moved = [[(0, 0), (7, 0), (7, 5), (0, 5)]], [[(0, 0), (a, 0), (a, b), (0, b)]]
+    assert find_leeway(container, moved).is_empty is empty
+    assert ss.inner_fit_ss(container, moved).regions == [] or not empty
+
+
+@given(polyominoes(14, 4), polyominoes(4, 2), MATRICES, st.integers(1, 20))
+@settings(max_examples=60)
+def test_what_is_beyond_or_covered_does_not_matter(
+    d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
+) -> None:
+    container, part = rings(d, matrix), rings(g, matrix)
+    outside, moving = [ring[::-1] for ring in container], [inverse(ring) for ring in part]
+    overlap = Overlap(outside, part, unbounded=True)
+    leeway = find_leeway(container, part)
+    cover = Cover(frame_outside(container), moving, columns)
+    whole = find_contact_stretches(outside, moving)
+    near = find_contact_stretches(outside, moving, leeway)
+    clipped = [kept for stretch in near if (kept := stretch.within(leeway)) is not None]
+    left = [piece for stretch in clipped for piece in cover.uncovered(stretch)]
+    found = []
+    for chosen in (whole, left):
+        cut_at_crossings(chosen)
+        free = find_free_positions(chosen, overlap.at)
+        found.append((sorted(free.around), sorted(free.within), free.fits))
+    assert found[0] == found[1]
+
+
+def test_each_corner_of_a_square_that_is_covered_is_outside() -> None:
+    # A hexagon in a plate with a defect: its centre is where squares of the frame are, or of the
+    # defect, moved by points of the hexagon.
+    container: Rings = [
+        [(0, 0), (40, 0), (40, 40), (0, 40)],
+        [(15, 15), (15, 25), (25, 25), (25, 15)],
+    ]
+    part: Rings = [[(-6, 0), (-3, -5), (3, -5), (6, 0), (3, 5), (-3, 5)]]
+    cover = Cover(frame_outside(container), [inverse(ring) for ring in part], 40)
+    overlap = Overlap([ring[::-1] for ring in container], part, unbounded=True)
+    corners = [
+        Point(
+            Fraction((cover.left + k + i) * cover.side),
+            Fraction((cover.low + row + j) * cover.side),
+        )
+        for k, bits in enumerate(cover.columns)
+        for row in range(bits.bit_length())
+        if bits >> row & 1
+        for i in (0, 1)
+        for j in (0, 1)
+    ]
+    assert len(corners) > 400
+    assert all(map(overlap.at, corners))
+
+
+def test_only_segments_near_the_leeway_are_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A saw of n teeth around a hook that it cannot leave: of all pairs of teeth those matter that
+    # are near each other.
+    hook = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
+    counts: list[tuple[int, int, int]] = []
+    asked: list[Any] = []
+
+    def find(*given: Any) -> list[Stretch]:
+        asked[:] = given
+        return find_contact_stretches(*given)
+
+    def count(stretches: list[Stretch]) -> None:
+        every, near = find_contact_stretches(*asked[:2]), find_contact_stretches(*asked)
+        counts.append((len(every), len(near), len(stretches)))
+        cut_at_crossings(stretches)
+
+    for n in (80, 160):
+        teeth: list[Vertex] = [(2 * i, 2000 + i * i * 37 % 101) for i in range(n)]
+        swept = sweep(Polygon([(0, 0), (2 * n - 2, 0), *teeth[::-1]]), Polygon(hook))
+        assert swept.trajectory
+        with monkeypatch.context() as patched:
+            patched.setattr(ss, "find_contact_stretches", find)
+            patched.setattr(ss, "cut_at_crossings", count)
+            assert swept.inner
+    (few, near, left), (more, still_near, still_left) = counts
+    assert more > 3 * few
+    assert still_near < 2 * near < few / 4
+    assert still_left < 2 * left < few / 4
