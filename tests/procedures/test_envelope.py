@@ -433,3 +433,10 @@ def test_walls_of_any_length_at_any_height_stay(shift: int) -> None:
     for end in range(-4, 5):
         chain = [(0, shift), (2, shift - 1), (2, end), (4, end + 3)]
         assert [*Envelope.of(chain)] == take_corners(chain)
+
+
+def test_an_edge_that_began_further_left_comes_back() -> None:
+    """Its start is as far left of the edge between as that one's end is right, and as high."""
+    chains = [Envelope.of([(2, 0), (4, 2)]), Envelope.of([(0, 2), (6, -1)])]
+    found = [*lower_envelope_mm(chains)]
+    assert found == [(0, 2), (2, 1), (2, 0), (8 * third, 2 * third), (6, -1)]
