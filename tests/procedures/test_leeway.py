@@ -144,7 +144,7 @@ def test_what_is_beyond_or_covered_does_not_matter(
     found = []
     for chosen in (whole, left):
         cut_at_crossings(chosen)
-        free = find_free_positions(chosen, overlap.at)
+        free = find_free_positions(chosen, overlap.at, 1)
         found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
