@@ -182,3 +182,10 @@ def test_parallel_edges_become_one() -> None:
 def test_a_chain_that_is_not_convex_is_refused() -> None:
     with pytest.raises(ChainError, match="convex"):
         take_whole([(0, 0), (1, 2), (2, 0)], 4)
+
+
+def test_a_single_point_only_moves_the_other_chain() -> None:
+    chain = [(0, 0), (2, 0), (3, 4)]
+    moved = [(1, 2), (3, 2), (4, 6)]
+    assert merge_by_slope([(1, 2)], chain) == merge_by_slope(chain, [(1, 2)]) == moved
+    assert merge_by_slope([(1, 2)], [(0, 0)]) == [(1, 2)]

@@ -1,7 +1,7 @@
 """Lower envelopes: worked by hand, and against the least of all chains, point by point."""
 
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 from random import Random
 
 import pytest
@@ -15,7 +15,7 @@ from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm
-from exactsweep.procedures.envelope import GAP, Envelope, value
+from exactsweep.procedures.envelope import GAP, Envelope, find_crossing, find_point_on, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 Chain = list[Vertex]
@@ -440,3 +440,19 @@ def test_an_edge_that_began_further_left_comes_back() -> None:
     chains = [Envelope.of([(2, 0), (4, 2)]), Envelope.of([(0, 2), (6, -1)])]
     found = [*lower_envelope_mm(chains)]
     assert found == [(0, 2), (2, 1), (2, 0), (8 * third, 2 * third), (6, -1)]
+
+
+def test_points_of_an_edge_at_any_break() -> None:
+    for px, py, width, qy, n, d in product(
+        (-1, 0), (-1, 2), (1, 3), range(-2, 4), range(-4, 8), (1, 2)
+    ):
+        edge = (px, py), (px + width, qy)
+        x = Fraction(n, d)
+        assert find_point_on(edge, (n, d)) == (x, py + (qy - py) * (x - px) / width)
+
+
+def test_lines_cross_where_their_difference_is_nothing() -> None:
+    for u, v in product((-3, -1, 1, 2), range(-3, 4)):
+        n, d = find_crossing(u, v)
+        assert d > 0
+        assert u * n + v * d == 0
