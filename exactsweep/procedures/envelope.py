@@ -220,7 +220,7 @@ def find_point(piece: Piece, at: Break) -> Vertex:
     return ratio(n, d), ratio(dy * n + c * d, dx * d)
 
 
-def take_edges(chain: Sequence[Vertex], source: int = 0) -> list[Piece]:
+def take_edges(chain: Sequence[Vertex], source: int) -> list[Piece]:
     """The edges of a chain without vertical edges, as pieces. Cost: O(n)."""
     return [
         (dx := qx - px, dy := qy - py, py * dx - px * dy, start, source)

@@ -10,6 +10,7 @@ import pytest
 from exactsweep import Polygon, sweep
 from exactsweep.check import verify
 from exactsweep.evidence import trace
+from exactsweep.evidence.certificate import _written_int
 from exactsweep.geometry import segment
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.point import Rational, Vertex
@@ -113,3 +114,9 @@ def test_one_long_edge_does_not_make_all_parallel_ones_near(
         s = sweep(square, [(0, 0), (8 * teeth, 0), *steps[::-1]])
         assert verify(s.certificate()).proved
         assert tried < 60 * teeth
+
+
+def test_an_int_of_more_than_4300_digits_is_a_string() -> None:
+    """Python reads no longer one from JSON, unless it is told to."""
+    longest = 10**4299
+    assert (_written_int(longest), _written_int(10 * longest)) == (longest, f"1{'0' * 4300}")

@@ -127,7 +127,7 @@ def test_a_part_known_by_its_lines_is_swept_as_one_on_the_lattice(
         for points, left, right in ((one, *turns[:2]), (other, *turns[2:]))
     )
     breaks = [(x, 1) for x, _ in other]
-    same = CrossingPart(take_edges(other), breaks, part.flattest, part.steepest, part.slopes)
+    same = CrossingPart(take_edges(other, 0), breaks, part.flattest, part.steepest, part.slopes)
     found, again = part.sweep(chain, 0), same.sweep(chain, 0)
     assert (found is None) == (again is None)
     if found and again:
@@ -182,3 +182,10 @@ def test_parallel_edges_become_one() -> None:
 def test_a_chain_that_is_not_convex_is_refused() -> None:
     with pytest.raises(ChainError, match="convex"):
         take_whole([(0, 0), (1, 2), (2, 0)], 4)
+
+
+def test_a_single_point_only_moves_the_other_chain() -> None:
+    chain = [(0, 0), (2, 0), (3, 4)]
+    moved = [(1, 2), (3, 2), (4, 6)]
+    assert merge_by_slope([(1, 2)], chain) == merge_by_slope(chain, [(1, 2)]) == moved
+    assert merge_by_slope([(1, 2)], [(0, 0)]) == [(1, 2)]

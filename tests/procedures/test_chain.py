@@ -232,3 +232,25 @@ def test_chains_of_no_width_are_refused(chain: list[Vertex]) -> None:
 def test_a_wall_is_no_step_back() -> None:
     with pytest.raises(ChainError, match="point 3 lies left of point 2"):
         find_convex_parts([(0, 0), (1, 0), (1, 2), (0, 3)])
+
+
+class Whole(int):
+    """An int of a class of its own."""
+
+
+def test_ints_of_any_class_have_a_width() -> None:
+    assert measure_width([(Whole(2), 5), (7, Whole(1))]) == 5
+
+
+def test_the_first_point_to_the_left_is_named() -> None:
+    for chain, k in ([(1, 0), (0, 0), (-1, 0)], 1), ([(0, 0), (1, 0), (1, 5), (0, 0)], 3):
+        message = f"point {k} lies left of point {k - 1}"
+        with pytest.raises(ChainError, match=message):
+            find_convex_parts(chain)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_either_chain_may_be_the_one_that_turns_back(sign: int) -> None:
+    ring = [(0, 0), (3, -1), (1, -2), (4, 0), (2, 3)]
+    with pytest.raises(ChainError, match="not monotone to the X axis"):
+        split([(sign * x, sign * y) for x, y in ring])

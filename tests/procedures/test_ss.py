@@ -1,5 +1,6 @@
 """Polygons of any shape: answers worked out by hand, counted ones, and the paper's beside them."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import product
 
@@ -14,9 +15,10 @@ from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.procedures.contact_lines import Stretch, _join_segments
 from exactsweep.procedures.free_positions import _find_left_over, _lies_on, _part_where_it_touches
+from exactsweep.procedures.ss import no_fit_ss
 
 Ring = list[tuple[int, int]]
 Fits = tuple[tuple[Point, Point], ...]
@@ -59,6 +61,14 @@ def test_a_hole_with_room_in_one_direction_is_a_segment() -> None:
 def test_a_hole_with_room_is_a_hole() -> None:
     n = no_fit_polygon(Region(box(-2, -2, 7, 7), [box(0, 0, 4, 3)]), UNIT)
     assert (n.holes, n.exact_fits) == ((Polygon(box(0, 0, 3, 2)),), ())
+
+
+def test_holes_come_in_order() -> None:
+    rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
+    plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
+    plate += [room[::-1] for room in rooms]
+    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).holes]
+    assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
 
 # A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
