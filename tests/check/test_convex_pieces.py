@@ -114,3 +114,13 @@ def test_a_loop_of_the_least_triangle_has_its_sense() -> None:
 
 def test_pieces_of_lines_go_from_left_to_right() -> None:
     assert LinePiece(LatticeLine(1, 2, 4), 0, 2).ends == ((0, 4), (2, 8))
+
+
+def test_a_diagonal_is_found_among_vertices_far_away() -> None:
+    """Above a ceiling there are seventy vertices nearer in x, none of which can be seen; and
+    between the two holes that touch at a corner there is one below it that can."""
+    teeth = [(35 - k, 1000 - 500 * (k % 2)) for k in range(71)]
+    plate = [(-9999, 0), (0, -9), (9999, 0), (9999, 1000), *teeth, (-9999, 1000)]
+    ceiling = [(-9000, 200), (9000, 200), (9000, 300), (-9000, 300)]
+    feet = [[(0, 100), (-90, 10), (-40, 10)], [(0, 100), (40, 10), (90, 10)]]
+    _check_pieces(*map(Polygon, (plate, ceiling, *feet)))
