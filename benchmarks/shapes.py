@@ -45,7 +45,7 @@ def count_steps(family: str, size: int) -> tuple[int, ...]:
         asked[0] += 1
         return overlap.at(t)
 
-    find_free_positions(left, ask)
+    find_free_positions(left, ask, 1)
     crossings = sum(len(stretch.cuts) for stretch in left) // 2
     return len(stretches), len(left), crossings, asked[0]
 

@@ -144,7 +144,7 @@ class MonotoneOutline(Outline):
         left, right = min(range(size), key=loop.__getitem__), max(range(size), key=loop.__getitem__)
         self._chains = []
         for start, end, sign in (left, right, 1), (right, left, -1):
-            numbers = [k % size for k in range(start, start + (end - start) % size + 1)]
+            numbers = [k % size for k in range(start, start + (end - start) % size)]
             self._chains.append((sign, [sign * loop[k][0] for k in numbers], numbers))
 
     def scaled(self, factor: int) -> MonotoneOutline:
@@ -156,7 +156,7 @@ class MonotoneOutline(Outline):
         for sign, xs, numbers in self._chains:
             x = sign * point[0]
             first = max(bisect_left(xs, x) - 1, 0)
-            for k in numbers[first : min(bisect_right(xs, x), len(xs) - 1)]:
+            for k in numbers[first : bisect_right(xs, x)]:
                 p, q = self.edge(k)
                 (px, py), (qx, qy), (tx, ty) = p, q, point
                 if (qx - px) * (ty - py) == (qy - py) * (tx - px) and (
@@ -194,19 +194,16 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
             found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
-    # Edges that overlap have an end of one on the other: a contact of the kinds found.
+    # What two edges share ends, towards the start of G's edge, in that start or in an end of D's: a
+    # contact of the kinds found.
     for event, i, j in list(found):
-        own = [i] if event == "EV" else [i, generatrix.before[i]]
-        others = [j] if event == "VE" else [j, directrix.before[j]]
-        for e in own:
-            piece = make_segment(generatrix.edge(e))
-            for d in others:
-                other = make_segment(directrix.edge(d))
-                if piece.direction != other.direction:
-                    continue
+        piece = make_segment(generatrix.edge(i))
+        for d in [j] if event == "VE" else [j, directrix.before[j]]:
+            other = make_segment(directrix.edge(d))
+            if piece.direction == other.direction:
                 moved = piece.moved(t)
                 if moved.offset == other.offset and moved.shares_piece(other):
-                    found.add(Contact("EE", e, d))
+                    found.add(Contact("EE", i, d))
     return sorted(found)
 
 

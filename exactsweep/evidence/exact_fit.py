@@ -17,7 +17,6 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
-from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges
 from exactsweep.procedures.envelope import Envelope, find_point_on
@@ -49,20 +48,16 @@ def find_exact_fits(
     meetings = Counter(
         d - g for d in _discontinuities(directrix) for g in _discontinuities(generatrix)
     )
-    (start, _), (end, _) = trajectory.breaks[0], trajectory.breaks[-1]
     top, bottom = list_graph_edges(generatrix[::-1]), list_graph_edges(directrix)
     fits: list[tuple[Vertex, Vertex]] = []
     for x, count in sorted(meetings.items()):
-        if count < 2 or not start < x < end:
-            continue
-        at = x, 1
-        hanging = max(
-            trajectory.point(trajectory.edge_before(at), at)[1],
-            trajectory.point(trajectory.edge_after(at), at)[1],
-        )
-        limit = _least_height(top, bottom, x)
-        if limit > hanging:
-            fits.append(((x, hanging), (x, limit)))
+        if count > 1:
+            at = x, 1
+            beside = trajectory.edge_before(at), trajectory.edge_after(at)
+            hanging = max(trajectory.point(k, at)[1] for k in beside)
+            limit = _least_height(top, bottom, x)
+            if limit > hanging:
+                fits.append(((x, hanging), (x, limit)))
     return fits
 
 
@@ -77,28 +72,17 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
 
     Cost: O(log m + log n), and the edges of both over each other.
     """
-    least: Rational | None = None
-    jumps = True
+    heights: list[Rational] = []
     i = bisect_right(top, bottom[0][0][0] - shift, key=_right)
     j = bisect_right(bottom, top[0][0][0] + shift, key=_right)
     while i < len(top) and j < len(bottom):
         (gp, gq), (dp, dq) = top[i], bottom[j]
         low, high = max(gp[0] + shift, dp[0]), min(gq[0] + shift, dq[0])
-        if low < high:
-            # Without a jump the limits on both sides of an x are the same.
-            for x in (low, high) if jumps else (high,):
-                height = _value(bottom[j], x) - _value(top[i], x - shift)
-                least = height if least is None else min(least, height)
-            jumps = False
-        if gq[0] + shift == high:
-            i += 1
-            jumps |= i < len(top) and top[i][0] != gq
-        if dq[0] == high:
-            j += 1
-            jumps |= j < len(bottom) and bottom[j][0] != dq
-    if least is None:
-        raise ExactSweepError("the polygons have no common x-range at this translation")
-    return least
+        for x in low, high:
+            heights.append(_value(bottom[j], x) - _value(top[i], x - shift))
+        i += gq[0] + shift == high
+        j += dq[0] == high
+    return min(heights)
 
 
 def _right(edge: Edge) -> Rational:

@@ -100,9 +100,10 @@ class Tracer:
         whole = make_segment(edge)
         pieces: list[tuple[Segment, int]] = []
         traces: list[Trace] = []
+        # All that they find lies on the line of the edge.
         for source in (self._from_ends(edge, whole), self._paths_of(whole), self._at_all(whole)):
             for piece, trace in source:
-                if piece.offset == whole.offset and piece.shares_piece(whole):
+                if piece.shares_piece(whole):
                     if piece.low <= whole.low and whole.high <= piece.high:
                         return [trace]
                     pieces.append((piece, len(traces)))

@@ -54,7 +54,7 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
 
     Args:
         inner: the inner boundary, from left to right, nowhere above D_b.
-        directrix: D_b, from left to right, with the same ends.
+        directrix: D_b, from left to right, with the same ends; both have corners only.
 
     Returns:
         Pockets from left to right. Two that share only a point or a wall are two.
@@ -67,55 +67,42 @@ def find_pockets(inner: Sequence[Vertex], directrix: Sequence[Vertex]) -> list[P
         True
     """
     found: list[Pocket] = []
-    ends: list[list[Vertex]] = []
-    is_open = False
+    ends: list[tuple[Vertex, Vertex, Vertex]] = []
     low, high = list_graph_edges(inner), list_graph_edges(directrix)
     i = j = 0
-    b1 = a1 = None
-    while i < len(low) and j < len(high):
+    b1 = a1 = directrix[0]
+    while i < len(low):
         below, above = low[i], high[j]
         left, right = max(below[0][0], above[0][0]), min(below[1][0], above[1][0])
-        if left < right:
-            # Along an edge a slice begins where the last one ended.
-            last_b, last_a = b1, a1
-            b0 = below[0] if below[0][0] == left else last_b or _point(below, left)
-            a0 = above[0] if above[0][0] == left else last_a or _point(above, left)
-            b1, a1 = _point(below, right), _point(above, right)
-            if b0 == a0 and b1 == a1:
-                is_open = False
-            else:
-                # The pocket goes on if the slices at its last x and here overlap.
-                if not (is_open and last_b and last_a) or max(b0[1], last_b[1]) >= min(
-                    a0[1], last_a[1]
-                ):
-                    outside = a0 if above[0][0] < left else high[j - 1][1] if j > 0 else None
-                    start = left, _contact_height(b0, a0, outside)
-                    found.append(Pocket([start, b0], [start, a0]))
-                    ends.append([])
-                    is_open = True
-                bottom, top = found[-1]
-                for chain, edge, first in (bottom, below, b0), (top, above, a0):
-                    if first != chain[-1] and edge[0][0] == left:
-                        chain.append(first)
-                    if edge[1][0] == right:
-                        chain.append(edge[1])
-                outside = (
-                    a1 if right < above[1][0] else high[j + 1][0] if j + 1 < len(high) else None
-                )
-                ends[-1] = [b1, a1, (right, _contact_height(b1, a1, outside))]
-        if below[1][0] == right:
-            i += 1
-        if above[1][0] == right:
-            j += 1
+        # Along an edge a slice begins where the last one ended.
+        last_b, last_a = b1, a1
+        b0 = below[0] if below[0][0] == left else last_b
+        a0 = above[0] if above[0][0] == left else last_a
+        b1, a1 = _point(below, right), _point(above, right)
+        if b0 != a0 or b1 != a1:
+            # A pocket goes on if the slices at its last x and here overlap.
+            if max(b0[1], last_b[1]) >= min(a0[1], last_a[1]):
+                outside = a0 if above[0][0] < left else high[j - 1][1] if j > 0 else None
+                start = left, _contact_height(b0, a0, outside)
+                found.append(Pocket([start, b0], [start, a0]))
+                ends.append((b1, a1, start))
+            for chain, edge in zip(found[-1], (below, above), strict=True):
+                if edge[0][0] == left and edge[0] != chain[-1]:
+                    chain.append(edge[0])
+                if edge[1][0] == right:
+                    chain.append(edge[1])
+            outside = a1 if right < above[1][0] else high[j + 1][0] if j + 1 < len(high) else None
+            ends[-1] = b1, a1, (right, _contact_height(b1, a1, outside))
+        i += below[1][0] == right
+        j += above[1][0] == right
     return [
-        Pocket(_close(bottom, b1, end), _close(top, a1, end))
+        Pocket(_close([*bottom, b1, end]), _close([*top, a1, end]))
         for (bottom, top), (b1, a1, end) in zip(found, ends, strict=True)
     ]
 
 
-def _close(chain: list[Vertex], last: Vertex, end: Vertex) -> list[Vertex]:
-    """A chain with its end; where it is cut at either end, points may be there twice."""
-    chain += [last, end]
+def _close(chain: list[Vertex]) -> list[Vertex]:
+    """Take the corners of a chain that is cut at either end, where points may be there twice."""
     return take_corners(chain, {0, 1, len(chain) - 2, len(chain) - 1})
 
 
@@ -146,7 +133,8 @@ def find_closing_positions(
     if len(edges) == 1:
         ends = tracer.closing_range(edges[0])
         if ends is not None:
-            return ("segment", list(ends)) if ends[0] != ends[1] else ("point", [ends[0]])
+            closing = list(dict.fromkeys(ends))
+            return "point" if len(closing) == 1 else "segment", closing
     else:
         position = tracer.covering_position(bottom)
         if position is not None:

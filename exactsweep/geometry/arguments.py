@@ -11,7 +11,7 @@ import inspect
 import re
 import typing
 from collections import abc
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import wraps
 from itertools import islice
 from types import NoneType, UnionType
@@ -138,23 +138,23 @@ def _fits(value: object, hint: object) -> bool:
         return all(hasattr(value, name) for name in vars(kind) if not name.startswith("_"))
     if not isinstance(value, kind):
         return False
-    return not get_args(hint) or all(_fits(one, of) for one, of in _look_into(value, hint))
+    of = get_args(hint)
+    return not of or all(_fits(one, its) for one, its in _look_into(value, kind, of))
 
 
 # Of this no value is.
 _NOTHING = _UnseenType("nothing", (), {})
 
 
-def _look_into(value: object, hint: object) -> Iterable[tuple[object, object]]:
+def _look_into(value: object, kind: type, of: Sequence[object]) -> Iterable[tuple[object, object]]:
     """The first things that an argument holds, as far as it can be looked into more than once."""
-    kind, of = get_origin(hint), get_args(hint)
-    if isinstance(value, str | bytes | Mapping) and not issubclass(kind or object, Mapping):
+    if isinstance(value, str | bytes | Mapping) and not issubclass(kind, Mapping):
         # Letters and keys are no list of other things.
         return () if type(value) in of else [(value, _NOTHING)]
     if isinstance(value, tuple) and kind is tuple and ... not in of:
         return zip(value, of, strict=False) if len(value) == len(of) else [(value, _NOTHING)]
     if isinstance(value, Mapping):
-        return [(one, hint) for item in value.items() for one, hint in zip(item, of, strict=True)]
+        return [(one, its) for item in value.items() for one, its in zip(item, of, strict=True)]
     if isinstance(value, Iterable) and not isinstance(value, Iterator):
         return [(one, of[0]) for one in islice(value, _LOOKED_AT)]
     return ()
@@ -162,6 +162,6 @@ def _look_into(value: object, hint: object) -> Iterable[tuple[object, object]]:
 
 def _name_kind(hint: object, annotation: object) -> str:
     kinds = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
-    if any(not isinstance(kind, type) or kind is object for kind in kinds):
+    if not all(isinstance(kind, type) for kind in kinds):
         return re.sub(r"\b(?:[a-z_]+\.)+(?=[A-Z])", "", str(annotation))
     return " or ".join("None" if kind is NoneType else kind.__name__ for kind in kinds)

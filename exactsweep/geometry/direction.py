@@ -297,8 +297,8 @@ def _find_simplest_between(u: Vector, v: Vector) -> Vector:
     """The direction of least components strictly between two, v less than half a turn after u."""
     if u[0] > 0 > v[0]:
         return Y_AXIS
-    if u[0] <= 0 and v[0] <= 0:
-        u, v = (-u[0], -u[1]), (-v[0], -v[1])
+    if u == Y_AXIS:
+        u, v = (0, -1), (-v[0], -v[1])
     if u[1] < 0:
         # Not both sides of the X axis: that would have been taken.
         p, q = _simplest_fraction(-v[1], v[0], -u[1], u[0])

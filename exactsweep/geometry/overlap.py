@@ -281,7 +281,7 @@ def find_points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -
                 continue
             found = True
             q = ring[(i + 1) % len(ring)]
-            along = sorted({p, q, *on_edge}, reverse=q < p)
+            along = sorted({p, q, *on_edge})
             yield from ((ax + bx, ay + by) for (ax, ay), (bx, by) in pairwise(along))
         if not found:
             x, y = ring[0]
@@ -313,11 +313,9 @@ def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, in
                 return False
             if (turn < 0) == (bx > ax):
                 inside = not inside
-        elif ax == 0 or bx == 0:
+        elif bx == 0:
+            # A vertex is met at the end of the edge before it.
             ay, by = py * factor - y, qy * factor - y
-            if ax == bx:
-                if ay <= 0 <= by or by <= 0 <= ay:
-                    return False
-            elif (ax == 0 == ay) or (bx == 0 == by):
+            if by == 0 or (ax == 0 and (ay < 0) != (by < 0)):
                 return False
     return inside

@@ -86,7 +86,7 @@ class Polygon(PointSet):
         return polygon
 
     @classmethod
-    def _from_lattice(cls, points: Sequence[Vertex], scale: int = 1) -> Self:
+    def _from_lattice(cls, points: Sequence[Vertex], scale: int) -> Self:
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))

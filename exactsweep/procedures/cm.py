@@ -126,12 +126,12 @@ def sweep_inner_cm(
             continue
         at = trajectory.breaks[k]
         before, after = parts[sources[k - 1]], parts[sources[k]]
-        i, left, in_left = _find_contact(reversed_edges, before, pieces[k - 1], at, rightmost=True)
-        j, right, in_right = _find_contact(reversed_edges, after, pieces[k], at, rightmost=False)
+        i, left, in_left = _find_contact(reversed_edges, before, pieces[k - 1], at)
+        j, right, in_right = _find_contact(reversed_edges, after, pieces[k], at)
         step = height(pieces[k - 1], pieces[k], at)
         # Vertices of G are corners. A contact may be straight, or be the vertex of G beside it,
-        # unless both are inside edges of D_b.
-        plain = step == 0 and in_left and in_right
+        # unless both are inside edges of D_b; at a step, one is where a part of D_b ends.
+        plain = in_left and in_right
         higher = trajectory.point(k if step < 0 else k - 1, at)
         inner += before[done : i + 1]
         first = len(inner)
@@ -146,12 +146,12 @@ def sweep_inner_cm(
 
 
 def _find_contact(
-    moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break, *, rightmost: bool
+    moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break
 ) -> tuple[int, Break, bool]:
     """Where G touches a convex part of D_b when it stands at a break on a piece of the trajectory.
 
     In order of slope, the piece follows all flatter edges of D_i and of reversed G_t: VE if D_i has
-    an edge of its slope, EV if G_t has one, EE if both; an EE contact is a segment.
+    an edge of its slope, EV if G_t has one, EE if both; of an EE contact, a segment, the right end.
 
     Returns (number of an edge of the part, x on it, whether that is VE and inside the edge).
     Cost: O(log m + log n).
@@ -167,10 +167,8 @@ def _find_contact(
     elif h == len(moving) - 1 or cross(moving[h], moving[h + 1], piece) > 0:
         along = travelled
         inside = 0 < along < (points[k + 1][0] - points[k][0]) * d
-    elif rightmost:
-        along = min(travelled, (points[k + 1][0] - points[k][0]) * d)
     else:
-        along = max(0, travelled - (moving[h + 1][0] - moving[h][0]) * d)
+        along = min(travelled, (points[k + 1][0] - points[k][0]) * d)
     return min(k, len(points) - 2), (points[k][0] * d + along, d), inside
 
 

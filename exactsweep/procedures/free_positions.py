@@ -53,7 +53,7 @@ _FreeEdge = tuple[ReducedPoint, ReducedPoint, int, int]
 def find_free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
-    scale: int = 1,
+    scale: int,
 ) -> Free:
     """Find the loops and the exact fits among stretches that have been cut at their crossings.
 
@@ -166,7 +166,7 @@ def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[
 
     def compare(a: tuple[bool, int], b: tuple[bool, int]) -> int:
         if a[0] != b[0]:
-            return 1 if a[0] else -1
+            return a[0] - b[0]
         (_, _, px, py), (_, _, qx, qy) = pieces[a[1]], pieces[b[1]]
         return qx * py - qy * px
 
@@ -235,7 +235,7 @@ def _join(
 
 
 def _lies_on(vertex: ReducedPoint, fit: tuple[ReducedPoint, ReducedPoint]) -> bool:
-    p, (a, b) = _leave(vertex, 1), sorted(_leave(end, 1) for end in fit)
+    p, a, b = (_leave(place, 1) for place in (vertex, *fit))
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) and a <= p <= b
 
 
@@ -243,5 +243,6 @@ def _hang(
     fit: tuple[ReducedPoint, ReducedPoint], bounding: Container[ReducedPoint], scale: int
 ) -> Fit:
     """Put the end on a loop first, if only one is, else the lesser one; and leave the lattice."""
-    (p, first), (q, second) = sorted((_leave(end, scale), end) for end in fit)
+    first, second = fit
+    p, q = _leave(first, scale), _leave(second, scale)
     return (q, p) if second in bounding and first not in bounding else (p, q)

@@ -45,11 +45,11 @@ def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) ->
     rng = Random(1)
 
     def shift() -> Fraction:
-        return Fraction(1, rng.getrandbits(900 if is_convex else 450) | 1)
+        return Fraction(1, rng.getrandbits(1000 if is_convex else 450) | 1)
 
     def draw() -> Polygon:
         if is_convex:
-            return Polygon([(x + shift(), x * x + shift()) for x in range(5)])
+            return Polygon([(x + shift(), x and x * x + shift()) for x in range(5)])
         low, high = (
             [(x + shift(), y + rng.randrange(5) + shift()) for x in range(5)] for y in (0, 20)
         )

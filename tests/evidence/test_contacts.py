@@ -1,5 +1,6 @@
 """Contacts against all pairs of features, tried one by one."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
@@ -10,6 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, PolygonError, sweep
+from exactsweep.evidence.contact import (
+    MonotoneOutline,
+    find_contacts,
+    find_edge_contacts,
+    find_facing,
+)
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Found = set[tuple[str, int, int]]
@@ -35,15 +44,15 @@ def edges(polygon: Polygon) -> list[Edge]:
     return list(zip(v, (*v[1:], v[0]), strict=True))
 
 
-def cross(a: Point, b: Point, c: Point) -> Fraction:
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+def cross(a: Vertex, b: Vertex, c: Vertex) -> Fraction | int:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def inside(edge: Edge, p: Point) -> bool:
+def inside(edge: tuple[Vertex, Vertex], p: Vertex) -> bool:
     return min(edge) < p < max(edge) and cross(*edge, p) == 0
 
 
-def overlap(e: Edge, f: Edge) -> bool:
+def overlap(e: tuple[Vertex, Vertex], f: tuple[Vertex, Vertex]) -> bool:
     """Whether two edges have a segment of positive length in common."""
     if max(min(e), min(f)) >= min(max(e), max(f)):
         return False
@@ -52,19 +61,18 @@ def overlap(e: Edge, f: Edge) -> bool:
 
 def touching(generatrix: Polygon, directrix: Polygon, t: Point) -> Found:
     """All contacts of G + t with D, features numbered in canonical order."""
-    g = Polygon([(x + t.x, y + t.y) for x, y in generatrix.vertices])
+    moved = [(x + t.x, y + t.y) for x, y in generatrix.vertices]
+    return meetings(moved, directrix.vertices)
+
+
+def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
+    """All contacts of two rings."""
+    sides, others = (list(enumerate(zip(r, (*r[1:], r[0]), strict=True))) for r in (g, d))
     found: Found = set()
-    vertices = product(enumerate(g.vertices), enumerate(directrix.vertices))
-    found |= {("VV", i, j) for (i, w), (j, v) in vertices if w == v}
-    for (i, e), (j, v) in product(enumerate(edges(g)), enumerate(directrix.vertices)):
-        if inside(e, v):
-            found.add(("EV", i, j))
-    for (i, w), (j, d) in product(enumerate(g.vertices), enumerate(edges(directrix))):
-        if inside(d, w):
-            found.add(("VE", i, j))
-    for (i, e), (j, d) in product(enumerate(edges(g)), enumerate(edges(directrix))):
-        if overlap(e, d):
-            found.add(("EE", i, j))
+    found |= {("VV", i, j) for (i, w), (j, v) in product(enumerate(g), enumerate(d)) if w == v}
+    found |= {("EV", i, j) for (i, e), (j, v) in product(sides, enumerate(d)) if inside(e, v)}
+    found |= {("VE", i, j) for (i, w), (j, f) in product(enumerate(g), others) if inside(f, w)}
+    found |= {("EE", i, j) for (i, e), (j, f) in product(sides, others) if overlap(e, f)}
     return found
 
 
@@ -264,3 +272,110 @@ def test_one_edge_of_the_trajectory_may_have_several_contacts() -> None:
 def test_positions_that_are_no_points_are_refused() -> None:
     with pytest.raises(PolygonError, match="position is not a pair of numbers"):
         sweep(UNIT, UNIT).contacts_at([1])
+
+
+BLOCK = [(0, 0), (2, 0), (2, 2), (0, 2)]
+BRACKET = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (3, 2), (3, 3), (0, 3)]
+KITE = [(0, 0), (1, -2), (2, 0), (1, 1)]
+BOOT = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (0, 2)]
+
+
+@pytest.mark.parametrize(
+    ("g", "d"), [(BLOCK, BRACKET), (KITE, BOOT), (BOOT, KITE), (BOOT, BLOCK), (KITE, KITE)]
+)
+def test_contacts_at_all_positions_of_a_grid(g: list[Vertex], d: list[Vertex]) -> None:
+    """Of outlines that are searched and of those that are walked along."""
+    twice = [(2 * x, 2 * y) for x, y in d]
+    for x, y in product(range(-5, 9), range(-7, 11)):
+        moved = [(2 * u + x, 2 * v + y) for u, v in g]
+        expected = sorted(meetings(moved, twice))
+        t = Fraction(x, 2), Fraction(y, 2)
+        assert find_contacts(Outline([g]), Outline([d]), t) == expected
+        if d is not BRACKET:
+            assert find_contacts(MonotoneOutline(g), MonotoneOutline(d), t) == expected
+
+
+COMPASS = [(x, y) for x, y in product(range(-2, 3), repeat=2) if 2 in (abs(x), abs(y))]
+
+
+def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
+    """Corners that are convex, with both of their edges to the right of the edge or along it."""
+    ways = dict(enumerate(COMPASS))
+    for forward, back in product(COMPASS, repeat=2):
+        turn = forward[0] * back[1] - forward[1] * back[0]
+        if turn == 0:
+            continue
+        faced = {
+            i
+            for i, j in find_facing(
+                {k: ((5, 5), (5 + x, 5 + y)) for k, (x, y) in ways.items()},
+                Outline([[(0, 0), forward, back]]),
+            )
+            if j == 0
+        }
+        assert faced == {
+            k
+            for k, (x, y) in ways.items()
+            if turn > 0 and all(x * w <= y * v for v, w in (forward, back))
+        }
+
+
+STAIRS = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (3, 0), (3, 1), (4, 1), (4, 0), (5, 0), (5, 3)]
+
+
+@pytest.mark.parametrize(
+    ("g", "d"),
+    [
+        (BLOCK, [*STAIRS, (0, 3)]),
+        ([*STAIRS, (0, 3)], [(0, 0), (7, 0), (7, 1), (0, 1)]),
+        ([*STAIRS, (0, 3)], [*STAIRS, (0, 3)]),
+        (KITE, BOOT),
+        (BOOT, [(0, 0), (4, -2), (8, 0), (6, 1), (4, 0), (2, 1)]),
+    ],
+)
+def test_contacts_along_edges_in_one_line(g: list[Vertex], d: list[Vertex]) -> None:
+    s = sweep(numbered(Polygon(g)), numbered(Polygon(d)))
+    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
+        assert list(found) == sorted(lasting(s.generatrix, s.directrix, p, q))
+
+
+def test_a_contact_late_on_the_longest_of_many_edges() -> None:
+    """On one line, a long edge that begins first and short ones behind it."""
+    bar, tooth = Outline([[(0, 0), (2, 0), (2, 1), (0, 1)]]), Outline([[(80, 1), (81, 1), (80, 2)]])
+    found = [("EE", 2, 0)]
+    for shift, expected in (0, [found, [], []]), (-3, [[], found, []]):
+        ends = [(0, 81), (82, 83), (84, 85)]
+        line: list[tuple[Vertex, Vertex]] = [((x + shift, 0), (y + shift, 0)) for x, y in ends]
+        assert find_edge_contacts(line, bar, tooth) == expected
+
+
+def staircase(size: int) -> list[Vertex]:
+    """An X-monotone ring with a wall in the middle of its bottom chain, and one at either end."""
+    bottom = [(2 * k, k % 2) for k in range(size)]
+    bottom[size // 2 : size // 2] = [(bottom[size // 2][0], -3)]
+    return [*bottom, *((x, y + 4) for x, y in bottom[::-1] if y >= 0)]
+
+
+@pytest.mark.parametrize("size", range(2, 9))
+def test_edges_through_a_point_are_found_by_its_x(size: int) -> None:
+    ring = staircase(size)
+    walked, searched = Outline([ring]), MonotoneOutline(ring)
+    for x, y in product(range(-1, 4 * size), range(-7, 11)):
+        point = Fraction(x, 2), Fraction(y, 2)
+        assert sorted(searched.edges_through(point)) == [*walked.edges_through(point)]
+
+
+def test_of_each_chain_one_edge_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    outline = MonotoneOutline(staircase(50))
+    asked: list[int] = []
+
+    def note(k: int) -> tuple[Vertex, Vertex]:
+        asked.append(k)
+        return Outline.edge(outline, k)
+
+    monkeypatch.setattr(outline, "edge", note)
+    for x in (1, 41, 97):
+        found = [*outline.edges_through((x, Fraction(1, 2)))]
+        assert len(asked) == 2
+        assert found == asked[:1]
+        asked.clear()

@@ -201,3 +201,47 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
         assert len(fits) == teeth - 1
         found.append(tally.total)
     assert found[1] < 2.5 * found[0]
+
+
+def test_fits_of_chains_come_by_x_whatever_meets_there() -> None:
+    """Both teeth of G in slots at once; and each of them in one, beside D."""
+    slots = [(-5, 0), (-3, 0), (-3, 3), (-2, 3), (-2, 0), (0, 0), (0, 2), (1, 2), (1, 0), (3, 0)]
+    fork = [(4, 0), (3, 0), (3, -9), (1, -9), (1, 0), (0, 0)]
+    trajectory = trajectory_mm(fork, slots)
+    fits = [((-6, 0), (-6, 3)), ((-3, 0), (-3, 2)), ((0, 0), (0, 2))]
+    assert find_exact_fits(fork, slots, trajectory) == fits
+
+
+@pytest.mark.parametrize(
+    ("lid", "ceiling", "rim", "fit"),
+    [
+        ([], [], 1, (1, 9)),
+        ([], [("3/2", 5)], 0, (0, 5)),
+        ([("1/2", 4)], [], 0, (0, 5)),
+        ([("1/4", 3), ("3/4", 5)], [("5/4", 7), ("7/4", 8)], 0, (0, 3)),
+    ],
+    ids=["unequal rims", "low in the middle", "a tip", "a tip and a slope"],
+)
+def test_how_far_a_lid_goes_up_a_slot(
+    lid: list[tuple[str, int]], ceiling: list[tuple[str, int]], rim: int, fit: tuple[int, int]
+) -> None:
+    """One unit wide, with its ceiling at 9 at both walls; the lid is at 0 at both of its ends."""
+    top = [(Fraction(x), y) for x, y in [("1", 0), *lid[::-1], ("0", 0)]]
+    slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
+    bottom = [(Fraction(x), y) for x, y in slot]
+    hanging, inside = fit
+    assert find_exact_fits(top, bottom, trajectory_mm(top, bottom)) == [((1, hanging), (1, inside))]
+
+
+def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
+    def zigzag(size: int) -> list[tuple[int, int]]:
+        return [(k, k % 2) for k in range(size)]
+
+    found = []
+    for size in (50, 100):
+        generatrix, directrix = make_counted(zigzag(size)[::-1]), make_counted(zigzag(size))
+        trajectory = trajectory_mm(generatrix, directrix)
+        with watch_operations() as tally:
+            assert find_exact_fits(generatrix, directrix, trajectory) == []
+        found.append(tally.total)
+    assert found[1] < 2.5 * found[0]

@@ -1,11 +1,12 @@
 """What the steps of a sweep say, held against the definition."""
 
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import pairwise, product
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, Region, Sweep, sweep
@@ -52,6 +53,31 @@ def any_sweeps() -> st.SearchStrategy[Sweep]:
     return sweeps() | turned_sweeps()
 
 
+# Two teeth at once, slots, walls, slanted edges; stairs, along which walls are touched in turn.
+FORK = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
+TABLE = [(0, 3), (0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (4, 0), (4, 1), (5, 1), (5, 0), (6, 0)]
+TABLE += [(6, 3)]
+ROOF = [(0, 0), (2, 3), (4, 0), (5, 2), (6, 0), (6, 4), (3, 6), (0, 4)]
+STAIRS = [(0, 2), (0, 0), (1, 0), (1, -1), (2, -1), (2, -3), (3, -3), (3, 2)]
+STEPS = [(0, -5), (3, -5), (3, -3), (2, -3), (2, -1), (1, -1), (1, 0), (0, 0)]
+PAIRS = [(FORK, TABLE), (FORK, ROOF), (ROOF, TABLE[::-1]), (FORK[::-1], TABLE), (STEPS, STAIRS)]
+
+
+def known() -> Iterator[Sweep]:
+    for g, d in [(SQUARE, SLOT), *PAIRS]:
+        yield sweep(g, d, direction=(1, 0), reference=("1/3", -2))
+        yield sweep([(-x, y) for x, y in g], [(-x, y) for x, y in d], direction=(1, 0))
+        turned = ([(x - y, x + y) for x, y in shape] for shape in (g, d))
+        yield sweep(*turned, direction=(1, 1))
+
+
+def also_known(law: Callable[[Sweep], None]) -> Callable[[Sweep], None]:
+    """Have a law hold for some sweeps with several contacts at once, before others are drawn."""
+    for s in known():
+        law = example(s)(law)
+    return law
+
+
 def verdict(s: Sweep, position: Point) -> str:
     (x, y), (rx, ry) = position, s.reference
     return classify(s.directrix, s.generatrix, (x - rx, y - ry)).verdict
@@ -81,6 +107,7 @@ def cross(p: tuple[int, int], q: tuple[int, int]) -> int:
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_steps_are_the_edges_of_the_trajectory(s: Sweep) -> None:
     steps = explain(s)
@@ -95,6 +122,7 @@ def test_steps_are_the_edges_of_the_trajectory(s: Sweep) -> None:
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_touches_are_the_contacts_and_last_as_said(s: Sweep) -> None:
     for step, listed in zip(explain(s), s.contacts, strict=True):
@@ -112,9 +140,12 @@ def test_touches_are_the_contacts_and_last_as_said(s: Sweep) -> None:
             if high < 1:
                 assert contact not in s.contacts_at(middle(end, step.end))
         assert reached == 1
+        starts = [share(step, touch.start) for touch in step.touches]
+        assert starts == sorted(starts)
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_a_corner_is_where_g_would_leave_and_a_stop_where_it_would_overlap(s: Sweep) -> None:
     steps = explain(s)
@@ -130,9 +161,32 @@ def test_a_corner_is_where_g_would_leave_and_a_stop_where_it_would_overlap(s: Sw
             assert (straight_on == "OVERLAP") == (step.ending == "stop") == bool(step.reasons)
         assert not {touch.contact for touch in step.touches} & set(step.reasons)
         assert set(step.reasons) <= set(s.contacts_at(step.end))
+        assert [*step.reasons] == sorted(step.reasons)
+
+
+def ends_of(polygon: Polygon) -> dict[int, set[int]]:
+    """The numbers of the ends of each edge, as given."""
+    vertex, edge, size = polygon.vertex_index, polygon.edge_index, len(polygon)
+    return {edge(k): {vertex(k), vertex((k + 1) % size)} for k in range(size)}
+
+
+def test_at_a_corner_vertices_meet_of_what_touches_on_the_way() -> None:
+    for s in known():
+        g_ends, d_ends = ends_of(s.generatrix), ends_of(s.directrix)
+        for step in explain(s):
+            if step.ending == "corner":
+                near = {
+                    (a, b)
+                    for (event, i, j), _, _ in step.touches
+                    for a in (g_ends[i] if event[0] == "E" else {i})
+                    for b in (d_ends[j] if event[1] == "E" else {j})
+                }
+                met = {(i, j) for event, i, j in s.contacts_at(step.end) if event == "VV"}
+                assert {(i, j) for _, i, j in step.reasons} == near & met
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_straight_on_into_an_exact_fit_there_is_one(s: Sweep) -> None:
     for step in explain(s):
@@ -161,6 +215,7 @@ def test_what_blocks_leads_to_overlap_and_all_else_does_not(
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_landmarks_are_on_their_step(s: Sweep) -> None:
     for step in explain(s):
@@ -170,6 +225,7 @@ def test_landmarks_are_on_their_step(s: Sweep) -> None:
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_every_undercut_is_closed_once(s: Sweep) -> None:
     marks = [mark for step in explain(s) for mark in step.landmarks]
@@ -196,6 +252,7 @@ def test_every_undercut_is_closed_once(s: Sweep) -> None:
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_an_undercut_is_begun_before_it_is_done_with(s: Sweep) -> None:
     steps = explain(s)
@@ -219,6 +276,7 @@ def test_an_undercut_is_begun_before_it_is_done_with(s: Sweep) -> None:
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_the_halves_follow_each_other(s: Sweep) -> None:
     halves = [step.half for step in explain(s)]
@@ -258,6 +316,7 @@ def test_features_are_numbered_as_in_the_input(
 
 
 @patient
+@also_known
 @given(any_sweeps())
 def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
     lines = list(tell(s))

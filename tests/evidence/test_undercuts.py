@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
+from exactsweep.evidence.contact import MonotoneOutline
 from exactsweep.evidence.trace import Feature, Tracer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.outline import Outline
@@ -204,6 +205,14 @@ def test_two_pockets_that_touch_are_two() -> None:
         own.points((-2, -1), (1, -1)),
         own.points((0, -1), (3, -1)),
     ]
+    assert [undercut.intersection for undercut in s.undercuts] == ["segment", "segment"]
+
+
+def test_a_bar_as_wide_as_a_notch_closes_it_in_one_position() -> None:
+    ridge = [(0, 0), (1, 0), (2, 2), (3, 0), (6, 0), (6, 3), (0, 3)]
+    (undercut,) = sweep([(0, 0), (2, 0), (2, 1), (0, 1)], ridge).undercuts
+    assert undercut.positions == own.points((1, -1))
+    assert undercut.intersection == "point"
 
 
 def test_pocket_behind_a_wall_ends_on_the_wall() -> None:
@@ -287,7 +296,42 @@ def test_all_corners_of_a_chain_are_corners_of_the_generatrix(
         assert found == ((0, 0) if covered else None)
 
 
-@pytest.mark.parametrize("way", [(1, 0), (0, 1)], ids=["upright", "lying"])
+def test_a_chain_may_be_covered_from_the_middle_of_an_edge_but_not_beyond_g() -> None:
+    g = Outline([[(-1, 5), (0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]])
+    lying, aside = (Outline([[(x, 0), (9, 0), (9, 9), (x, 9)]]) for x in (-1, 1))
+    chain = [(0, 2), (1, 0), (3, 0), (4, 2), (5, 5)]
+    for way in (chain, chain[::-1]):
+        assert Tracer(MonotoneOutline(lying.vertices), g).covering_position(way) == (0, 0)
+        assert Tracer(lying, g).covering_position(way) == (0, 0)
+        assert Tracer(aside, g).covering_position(way) is None
+    longer = [*chain[:-1], (6, 8)]
+    for way in (longer, longer[::-1]):
+        assert Tracer(lying, g).covering_position(way) is None
+
+
+def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
+    """By the top edge of a bar, 5 long and at 3 from its origin; up to a single position."""
+    bar = Outline([[(3, 0), (8, 0), (8, 1), (3, 1)]])
+    path = Outline([[(0, -1), (4, -1), (5, 7), (6, 7), (7, -1), (20, -1), (20, 9), (0, 9)]])
+    for low, high, expected in [
+        (5, 7, (0, 2)),
+        (6, 7, (0, 3)),
+        (9, 10, (2, 4)),
+        (10, 12, (4, 4)),
+        (11, 13, (7, 8)),
+        (12, 17, (9, 9)),
+        (7, 12, (4, 4)),
+        (7, 13, None),
+    ]:
+        found = Tracer(path, bar).closing_range(((low, 0), (high, 0)))
+        assert found == (None if expected is None else tuple((x, -1) for x in expected))
+
+
+@pytest.mark.parametrize(
+    "way",
+    [(1, 0), (0, 1), (-1, 0), (0, -1)],
+    ids=["upright", "lying", "turned", "turned and lying"],
+)
 def test_an_edge_of_several_positions_is_drawn_at_vertices_of_the_trajectory(
     way: tuple[int, int],
 ) -> None:

@@ -1,6 +1,7 @@
 """Directions of monotonicity against a count of sign changes, one direction at a time."""
 
-from itertools import pairwise
+from fractions import Fraction
+from itertools import combinations, pairwise
 from math import gcd
 from typing import Any
 
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
+    _SMALL,
     X_AXIS,
     Directions,
     _find_simplest_between,
@@ -245,6 +247,13 @@ def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector)
     assert read_direction(given_) == expected
 
 
+def test_directions_of_ints_and_fractions_are_reduced() -> None:
+    half = Fraction(1, 2)
+    assert reduce_direction((3, half)) == reduce_direction((-3, -half)) == (6, 1)
+    assert reduce_direction((half, 3)) == (1, 6)
+    assert reduce_direction((0, -half)) == (0, 1)
+
+
 @given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
 @settings(max_examples=30)
 def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
@@ -258,13 +267,43 @@ def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None
     assert members(a & a) == members(a)
 
 
+# All directions of small components, by angle.
+HALF = sorted(
+    ((p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)),
+    key=angle_key,
+)
+
+
 def test_the_simplest_between_two_directions_is_strictly_between() -> None:
-    """All directions of small components, by angle; the X axis would have been taken before."""
-    half = [(p, q) for p in range(7) for q in range(-6, 7) if gcd(p, q) == 1 and (p or q > 0)]
-    half.sort(key=angle_key)
-    for i, u in enumerate(half):
-        for j in range(i + 2, len(half)):
-            between = half[i + 1 : j]
+    """Round the turn, too; the X axis would have been taken before."""
+    turn = [*HALF, *((-p, -q) for p, q in HALF)]
+    for i, u in enumerate(HALF):
+        for j in range(i + 2, i + len(HALF)):
+            between = {reduce_direction(v) for v in turn[i + 1 : j]}
             if X_AXIS not in between:
                 least = min(between, key=lambda w: w[0] ** 2 + w[1] ** 2)
-                assert _find_simplest_between(u, half[j]) == least, (u, half[j])
+                assert _find_simplest_between(u, turn[j]) == least, (u, turn[j])
+
+
+def test_the_smallest_directions_are_those_of_least_squares() -> None:
+    by_length = sorted(HALF, key=lambda u: (u[0] ** 2 + u[1] ** 2, u))
+    assert [X_AXIS, *_SMALL] == sorted(by_length[:8], key=lambda u: u != X_AXIS)
+
+
+def test_the_simplest_of_single_directions_has_the_least_squares() -> None:
+    for u, v in combinations(HALF, 2):
+        if X_AXIS not in (u, v):
+            least = min(u, v, key=lambda w: (w[0] ** 2 + w[1] ** 2, w))
+            assert Directions((u, v), (True, True), (False, False)).simplest() == least
+
+
+def test_what_is_shared_turns_where_either_does() -> None:
+    flat = Polygon([(0, 0), (9, 1), (18, 0), (9, -1)])
+    square, steep = find_monotone_directions(Polygon(UNIT)), find_monotone_directions(flat)
+    assert steep.critical == ((1, -9), (1, 9))
+    steep = find_monotone_directions(flat.rotated(90))
+    assert steep.critical == ((9, -1), (9, 1))
+    for shared in (square & steep, steep & square):
+        assert shared.critical == ((9, -1), (1, 0), (9, 1), (0, 1))
+    lying, sloped = find_monotone_directions(Polygon(NOTCHED)), find_monotone_directions(flat)
+    assert str(lying & sloped) == str(sloped & lying) == str(lying)

@@ -1,5 +1,6 @@
 from decimal import Decimal, localcontext
 from fractions import Fraction
+from math import gcd
 from typing import Any
 
 import gmpy2
@@ -16,7 +17,16 @@ from exactsweep.geometry.limits import (
     limits,
     list_limits,
 )
-from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
+from exactsweep.geometry.number import (
+    NumberError,
+    abridge,
+    add_to_all,
+    format_fraction,
+    negate,
+    quote,
+    ratio,
+    to_fraction,
+)
 
 MILLION = "9" * 10**6
 NINES = "9" * 5000
@@ -189,7 +199,15 @@ def test_what_is_written_out_may_be_as_long_as_an_answer() -> None:
         longest = 10**71 - 1
         for value in (Fraction(longest), Fraction(-longest, longest - 1), Fraction(1, longest)):
             assert to_fraction(format_fraction(value)) == value
-        for text in (f"1{'0' * 71}", f"1/1{'0' * 71}", f"0.{'0' * 70}1", f"9.{'1' * 71}"):
+        long = f"1{'0' * 71}"
+        for text in (
+            long,
+            f"1/{long}",
+            f"5/{long}",
+            f"{long}/5",
+            f"0.{'0' * 70}1",
+            f"9.{'1' * 71}",
+        ):
             with pytest.raises(NumberError, match="more than 71 digits"):
                 to_fraction(text)
         assert to_fraction("1e2") == 100
@@ -211,10 +229,15 @@ def test_limits_are_positive(bad: object) -> None:
         limits(max_digits=bad).__enter__()  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("bad", [0, -5, "5", float("nan"), float("inf"), 2**21, True])
+@pytest.mark.parametrize("bad", [0, 0.0, -5, "5", float("nan"), float("inf"), 2**20 + 1, True])
 def test_so_are_those_on_texts(bad: object) -> None:
     with pytest.raises(LimitError, match=r"^max_mib must be a number above 0, at most 1048576$"):
         limits(max_mib=bad).__enter__()  # type: ignore[arg-type]
+
+
+def test_the_largest_limit_on_texts_is_a_tebibyte() -> None:
+    with limits(max_mib=2**20):
+        assert get_max_bytes() == 2**40
 
 
 def test_each_limit_is_moved_by_itself() -> None:
@@ -272,3 +295,62 @@ def test_one_digit_is_the_least_limit() -> None:
         assert to_fraction("9") == 9
         with pytest.raises(NumberError):
             to_fraction("1e9")
+
+
+def test_five_times_as_many_digits_are_read_as_may_be_left() -> None:
+    with limits(max_digits=1):
+        assert answer_digits() == 39
+        assert to_fraction(f"1.{'0' * 194}") == to_fraction(f"0.{'0' * 195}") + 1 == 1
+        for text in (f"1.{'0' * 195}", f"0.{'0' * 196}"):
+            with pytest.raises(NumberError, match="more than 39 digits"):
+                to_fraction(text)
+
+
+def test_powers_of_ten_are_as_long_as_they_are() -> None:
+    """Of all powers of ten up to there, 10**643 is the one nearest below a power of two."""
+    with limits(max_digits=643):
+        assert to_fraction("1e642") == 10**642
+        for text in ("1e643", "1e-643"):
+            with pytest.raises(NumberError, match="more than 643 digits"):
+                to_fraction(text)
+
+
+def test_what_is_as_long_as_may_be_shown_is_shown() -> None:
+    assert quote("7" * 38) == f"'{'7' * 38}'"
+    assert quote("7" * 39) == f"'{'7' * 36}..."
+    assert abridge(Fraction(10**23)) == f"1{'0' * 23}"
+    assert abridge(Fraction(10**24)) == f"1{'0' * 20}..."
+
+
+NUMBERS = [-6, 0, 1, 3, 12, *(Fraction(n, d) for n in (-6, 0, 1, 3, 12) for d in (1, 2, 4))]
+
+
+def is_reduced(value: int | Fraction) -> bool:
+    """Whether it is an int, or a Fraction of ints in lowest terms."""
+    if type(value) is int:
+        return True
+    n, d = value.numerator, value.denominator
+    return type(n) is type(d) is int and d > 0 and gcd(n, d) == 1
+
+
+@pytest.mark.parametrize("value", NUMBERS)
+def test_quotients_are_ints_where_they_can_be(value: int | Fraction) -> None:
+    for divisor in (1, 3, 4, Fraction(1), Fraction(3), Fraction(3, 2), Fraction(1, 4)):
+        found = ratio(value, divisor)
+        assert found == Fraction(value) / divisor
+        assert is_reduced(found)
+        assert (type(found) is int) == (found.denominator == 1)
+
+
+@pytest.mark.parametrize("value", NUMBERS)
+def test_ints_stay_ints_and_fractions_stay_reduced(value: int | Fraction) -> None:
+    assert negate(value) == -value
+    assert type(negate(value)) is type(value)
+    assert is_reduced(negate(value))
+    half = Fraction(1, 2)
+    cases: list[list[int | Fraction]] = [[1, -2], [half, -half / 2], [1, half], []]
+    for others in cases:
+        found = add_to_all(value, others)
+        assert found == [value + other for other in others]
+        assert all(map(is_reduced, found))
+        assert list(map(type, found)) == [type(value + other) for other in others]

@@ -1,19 +1,32 @@
 """Whether interiors meet, where boundaries do no more than touch."""
 
 from collections import Counter
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from itertools import permutations, product
+from math import ceil, floor
 from random import Random
 
 import pytest
 import small_pairs
+from cells import shape_of
+from polyominoes import Matrix
 
 from exactsweep import Point, Region
 from exactsweep.check import classify
-from exactsweep.geometry.overlap import Overlap, touch
-from exactsweep.geometry.point import Vertex
+from exactsweep.corpus.generator.cells import Cell, grow
+from exactsweep.geometry.overlap import (
+    Overlap,
+    Places,
+    _EdgesByColumn,
+    find_points_between,
+    is_inside,
+    touch,
+)
+from exactsweep.geometry.point import Rational, Vertex
 
 ORIGIN = Point(Fraction(0), Fraction(0))
+AROUND = [*product(range(-1, 4), repeat=2)]
 SQUARE = [[(0, 0), (4, 0), (4, 4), (0, 4)]]
 
 
@@ -64,6 +77,117 @@ def test_interiors_meet_where_the_definition_says() -> None:
             assert overlap.at(Point(t.x + aside, t.y)) == there, (pair, t, aside)
             found[there] += 1
     assert min(found.values()) > 200
+
+
+@pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (0, -1, 1, 0), (2, 1, 1, 2), (1, -3, 0, 2)])
+def test_interiors_of_polyominoes_meet_where_squares_do(matrix: Matrix) -> None:
+    """At places of the grid, halfway between them, and off all of them."""
+    rng = Random(matrix[1])
+    found: Counter[tuple[bool, bool]] = Counter()
+    for _ in range(40):
+        d, g = (grow(rng.randrange(10**6) for _ in range(rng.randrange(n))) for n in (24, 4))
+        (outer, orbiting) = (loops_of(cells, matrix, rng) for cells in (d, g))
+        outside = [ring[::-1] for ring in outer]
+        inside_of, outside_of = Overlap(outer, orbiting), Overlap(outside, orbiting, unbounded=True)
+        for _ in range(12):
+            part = rng.choice([1, 2, 3])
+            (dx, dy), (gx, gy) = (rng.choice(sorted(cells)) for cells in (d, g))
+            ux, uy = (a - b + Fraction(rng.randint(-2, 2), part) for a, b in ((dx, gx), (dy, gy)))
+            over = {
+                (x, y)
+                for gx, gy in g
+                for x in (floor(gx + ux), ceil(gx + ux))
+                for y in (floor(gy + uy), ceil(gy + uy))
+            }
+            t = Point(matrix[0] * ux + matrix[1] * uy, matrix[2] * ux + matrix[3] * uy)
+            assert inside_of.at(t) == bool(over & d), (d, g, t)
+            assert outside_of.at(t) == bool(over - d), (d, g, t)
+            found[bool(over & d), bool(over - d)] += 1
+    assert len(found) == 3
+    assert min(found.values()) > 20
+
+
+@pytest.mark.parametrize("matrix", [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 2), (1, -3, 0, 2)])
+@pytest.mark.parametrize("unit", [1, Fraction(1, 9)])
+def test_a_point_is_inside_where_all_squares_around_it_are(
+    matrix: Matrix, unit: int | Fraction
+) -> None:
+    """At vertices, in edges, above and below them, and in between, all in units of one half."""
+    rng = Random(matrix[1])
+    a, b, c, d = (unit * part for part in matrix)
+    for _ in range(6):
+        cells = grow(rng.randrange(10**6) for _ in range(rng.randrange(24)))
+        rings = loops_of(cells, (a, b, c, d), rng)
+        for x, y in {(2 * cx + i, 2 * cy + j) for cx, cy in cells for i, j in AROUND}:
+            around = product({x // 2, (x - 1) // 2}, {y // 2, (y - 1) // 2})
+            found = is_inside((a * x + b * y, c * x + d * y), rings)
+            assert found == cells.issuperset(around), (cells, x, y)
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_tip_in_a_bar(turns: int) -> None:
+    """No other part of the one is near the other, nor a vertex of either in it."""
+
+    def turned(ring: list[tuple[int, int]]) -> list[list[Vertex]]:
+        for _ in range(turns):
+            ring = [(-y, x) for x, y in ring]
+        return [[*ring]]
+
+    tip, bar = turned([(0, 0), (4, 0), (2, 6)]), turned([(0, 4), (4, 4), (4, 5), (0, 5)])
+    assert Overlap(tip, bar).at(ORIGIN)
+    assert Overlap(bar, tip).at(ORIGIN)
+    above = turned([(0, 6), (4, 6), (4, 8), (0, 8)])
+    assert not Overlap(tip, above).at(ORIGIN)
+    assert not Overlap(above, tip).at(ORIGIN)
+
+
+def test_edges_share_what_the_definition_says() -> None:
+    def is_on(v: Vertex, a: Vertex, b: Vertex) -> bool:
+        return turn(a, b, v) == 0 and min(a, b) <= v <= max(a, b)
+
+    def turn(a: Vertex, b: Vertex, c: Vertex) -> int | Fraction:
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    def expect(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> set[Vertex] | None:
+        shared = {v for v in (a, b) if is_on(v, p, q)} | {v for v in (p, q) if is_on(v, a, b)}
+        if len(shared) == 2:
+            return None if (a < b) == (p < q) else shared
+        crossing = turn(a, b, p) * turn(a, b, q) < 0 and turn(p, q, a) * turn(p, q, b) < 0
+        return None if crossing else shared
+
+    rng = Random(8)
+    for side in (3, 4, 7):
+        grid = [(x, y) for x in range(side) for y in range(side)]
+        for _ in range(2000):
+            (a, b), (p, q) = rng.sample(grid, 2), rng.sample(grid, 2)
+            found = touch(a, b, p, q)
+            assert (found if found is None else {*found}) == expect(a, b, p, q), (a, b, p, q)
+
+
+def test_points_between_places_are_middles() -> None:
+    ring: list[Vertex] = [(0, 0), (4, 0), (4, 4)]
+    places = Places(set, {(7, 0): {(1, 0), (4, 0)}, (7, 2): {(3, 3)}, (7, 1): set()})
+    found = [*find_points_between({7: ring, 8: ring}, places)]
+    assert sorted(found) == [(0, 0), (1, 0), (3, 3), (5, 0), (7, 7)]
+
+
+def test_a_place_is_near_few_of_many_edges() -> None:
+    teeth: list[Vertex] = [(x, x % 2) for x in range(3000)]
+    edges = _EdgesByColumn([[*teeth, (2999, 9), (0, 9)]])
+    assert max(map(len, edges._columns)) < 12
+
+
+def loops_of(
+    cells: Collection[Cell], matrix: Sequence[Rational], rng: Random
+) -> list[list[Vertex]]:
+    """The rings of a polyomino, the holes clockwise, each from any vertex on."""
+    a, b, c, d = matrix
+    loops = []
+    for ring in Region(*shape_of(cells)).lattice()[1]:
+        first = rng.randrange(len(ring))
+        loop = [*ring[first:], *ring[:first]]
+        loops.append([(a * x + b * y, c * x + d * y) for x, y in loop])
+    return loops
 
 
 def edge_of(rng: Random, shape: small_pairs.Shape) -> tuple[Vertex, Vertex]:

@@ -126,6 +126,8 @@ def test_turns_and_mirror_images_undo_each_other(
 def test_mirror_image_in_a_slanted_line_by_hand() -> None:
     triangle = Polygon([(0, 0), (5, 0), (1, 2)])
     assert triangle.mirrored((1, 2)) == Polygon([(0, 0), (1, 2), (-3, 4)])
+    assert triangle.mirrored((1, 1)) == Polygon([(0, 0), (0, 5), (2, 1)])
+    assert triangle.mirrored((1, -1)) == Polygon([(0, 0), (0, -5), (-2, -1)])
 
 
 def test_unrelated_denominators_are_mapped_exactly() -> None:
@@ -199,6 +201,13 @@ def test_shapely_reads_a_shape_and_is_read() -> None:
         (shapely.Polygon(), "the polygon is empty"),
         (shapely.Polygon([(0, 0, 1), (1, 0, 1), (0, 1, 1)]), "vertex 0 is not a pair of numbers"),
         (PLATE, "it has holes: make a Region of it"),
+        *(
+            (
+                SimpleNamespace(__geo_interface__={"type": "Polygon", "coordinates": told}),
+                "a Polygon without rings is not a polygon",
+            )
+            for told in (None, 5, [5], [[(0, 0), (1, 0), (0, 1)], None], {0: [(0, 0)]})
+        ),
     ],
 )
 def test_what_is_no_polygon_elsewhere_is_none_here(shape: Any, message: str) -> None:

@@ -120,6 +120,10 @@ def test_private_constructors_agree(polygon: Polygon) -> None:
     scale, points = polygon.lattice()
     fine = Polygon._from_lattice([(6 * x, 6 * y) for x, y in points], 6 * scale)
     trusted = Polygon._from_canonical(polygon.vertices)
+    # Before anybody asks for its lattice, and after.
+    for made in (trusted, fine):
+        assert made.is_convex == polygon.is_convex
+        assert made.is_x_monotone == polygon.is_x_monotone
     assert fine == trusted == polygon
     assert fine.lattice() == trusted.lattice() == polygon.lattice()
     assert fine.vertices == trusted.vertices == polygon.vertices
@@ -214,6 +218,11 @@ def test_text_is_short_and_exact_where_it_is_whole() -> None:
         (
             [(0, 0), (2, 1), (4, 0), (4, 3), (2, 1), (0, 3)],
             "the boundary touches itself: vertices 1 and 4 coincide",
+        ),
+        # The first vertex, which is also the last, and is not the least.
+        (
+            [(2, 1), (4, 0), (4, 3), (2, 1), (0, 3), (0, 0), (2, 1)],
+            "the boundary touches itself: vertices 0 and 3 coincide",
         ),
         (
             [(0, 0), (6, 0), (6, 2), (5, 2), (5, 0), (1, 0), (1, 2), (0, 2)],

@@ -76,11 +76,11 @@ def test_indices_count_through_the_rings_as_given() -> None:
         # Of equal bounds, touching in points only.
         (
             [[(3, 1), (5, 3), (3, 5), (1, 3)], [(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)]],
-            "hole",
+            "^hole 0 is inside hole 1$",
         ),
         (
             [[(1, 3), (2, 1), (4, 1), (5, 3), (4, 5), (2, 5)], [(3, 2), (5, 3), (3, 4), (1, 3)]],
-            "hole",
+            "^hole 1 is inside hole 0$",
         ),
         ([[(0, 4), (4, 0), (9, 5)]], "^the interior falls apart: the exterior and hole 0 touch at"),
         (
@@ -99,6 +99,80 @@ def test_indices_count_through_the_rings_as_given() -> None:
 def test_refusals_name_rings_and_indices(holes: list[list[tuple[int, int]]], message: str) -> None:
     with pytest.raises(PolygonError, match=message):
         Region(SQUARE, holes)
+
+
+def refusal(*holes: list[Vertex]) -> str:
+    with pytest.raises(PolygonError) as caught:
+        Region(SQUARE, holes)
+    return str(caught.value)
+
+
+def turned(ring: list[Vertex], turns: int, width: int) -> list[Vertex]:
+    """Turned by so many quarters about the middle of a square of that width."""
+    for _ in range(turns):
+        ring = [(width - y, x) for x, y in ring]
+    return ring
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_hole_that_touches_a_wall_twice(turns: int) -> None:
+    """From inside, it cuts a piece off; else it leaves through the two points."""
+    within = turned([(4, 4), (9, 3), (8, 4), (9, 5)], turns, 9)
+    assert refusal(within) in {
+        f"the interior falls apart: the exterior and hole 0 touch at ({x},{y}) "
+        "and are joined elsewhere, too"
+        for x, y in (within[1], within[3])
+    }
+    out = turned([(4, 4), (9, 3), (11, 4), (9, 5)], turns, 9)
+    assert refusal(out) == "hole 0 is not inside the exterior"
+
+
+@pytest.mark.parametrize("walls", range(16))
+def test_a_hole_in_a_hole_may_touch_any_of_its_walls(walls: int) -> None:
+    square: list[Vertex] = [(1, 1), (7, 1), (7, 7), (1, 7)]
+    left, low, right, high = (walls >> k & 1 for k in range(4))
+    inner: list[Vertex] = [(1 + left, 4), (4, 1 + low), (7 - right, 4), (4, 7 - high)]
+    assert refusal(square, inner) == "hole 1 is inside hole 0"
+    assert refusal(inner, square) == "hole 0 is inside hole 1"
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_hole_that_leaves_another_through_two_points(turns: int) -> None:
+    """It comes out in a notch: is in the bounds of the other, or goes on through the mouth."""
+    notched = turned([(1, 1), (7, 1), (4, 4), (7, 7), (1, 7)], turns, 8)
+    in_bounds = turned([(2, 4), (5, 3), (6, 4), (5, 5)], turns, 8)
+    assert refusal(notched, in_bounds) == "hole 1 is inside hole 0"
+    assert refusal(in_bounds, notched) == "hole 0 is inside hole 1"
+    for first in (1, 2):
+        beyond = turned([(first, 4), (5, 3), (8, 4), (5, 5)], turns, 8)
+        for holes in ((notched, beyond), (beyond, notched)):
+            assert refusal(*holes).startswith(
+                "the interior falls apart: hole 0 and hole 1 touch at ("
+            )
+
+
+def test_where_rings_touch_is_told_in_their_own_coordinates() -> None:
+    half = Fraction(1, 2)
+    assert refusal([(4, 4), (half, 0), (4, 1), (9 - half, 0)]) in {
+        f"the interior falls apart: the exterior and hole 0 touch at ({x},0) "
+        "and are joined elsewhere, too"
+        for x in ("1/2", "17/2")
+    }
+    assert refusal([(4, 4), (9, half), (8, 4), (9, 9 - half)]) in {
+        f"the interior falls apart: the exterior and hole 0 touch at (9,{y}) "
+        "and are joined elsewhere, too"
+        for y in ("1/2", "17/2")
+    }
+
+
+def test_rings_that_touch_are_told_in_order() -> None:
+    """The first of eight holes and the last one."""
+    tiny: list[list[Vertex]] = [[(k, 7), (k + 1, 7), (k + 1, 8)] for k in range(1, 7)]
+    first: list[Vertex] = [(1, 1), (5, 1), (3, 3)]
+    last: list[Vertex] = [(5, 1), (6, 3), (3, 3), (5, 2)]
+    assert refusal(first, *tiny, last).startswith(
+        "the interior falls apart: hole 0 and hole 7 touch at ("
+    )
 
 
 def test_refusals_of_the_exterior_and_of_numbers() -> None:

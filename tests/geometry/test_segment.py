@@ -4,7 +4,8 @@ from fractions import Fraction
 from itertools import combinations
 from random import Random
 
-from exactsweep.geometry.segment import Segment, choose_cover, make_segment
+from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.segment import Segment, choose_cover, find_offset, make_segment
 
 X_AXIS = (1, 0)
 
@@ -33,6 +34,23 @@ def test_a_cover_has_as_few_pieces_as_there_can_be() -> None:
             assert len(found) == len(choices[0])
             assert tuple(ends[k] for k in sorted(found)) in choices
     assert 100 < some < 300
+
+
+def test_of_pieces_that_reach_equally_far_the_first_is_taken() -> None:
+    whole = Segment(X_AXIS, 0, 0, 3)
+    ends = [(0, 3, 4), (-1, 3, 7), (-1, 2, 5), (1, 3, 6)]
+    pieces = [(Segment(X_AXIS, 0, low, high), k) for low, high, k in ends]
+    assert choose_cover(whole, pieces) == choose_cover(whole, pieces[::-1]) == [7]
+    assert choose_cover(whole, pieces[2:]) == [5, 6]
+
+
+def test_lines_are_named_by_ints_where_they_can_be() -> None:
+    half = Fraction(1, 2)
+    points: list[Vertex] = [(half, Fraction(2)), (4 * half, half), (3, 1)]
+    for point, offset in zip(points, (2, half, 1), strict=True):
+        found = find_offset(X_AXIS, point)
+        assert found == offset
+        assert type(found) is type(offset)
 
 
 def test_segments_share_a_piece_of_positive_length() -> None:

@@ -56,7 +56,7 @@ def test_what_is_covered_does_not_matter(
     found = []
     for stretches in (whole, left):
         cut_at_crossings(stretches)
-        free = find_free_positions(stretches, overlap.at)
+        free = find_free_positions(stretches, overlap.at, 1)
         found.append((sorted(free.around), sorted(free.within), free.fits))
     assert found[0] == found[1]
 
@@ -103,3 +103,5 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
         stretch = Stretch((dx, dy, sign * c), begin, end, True, True)
         (left,) = cover.uncovered(stretch)
         assert (left.low, left.high) == (stretch.low, stretch.high)
+    for column, row in [(-1, 2), (len(cover.columns), 2), (2, -1), (2, 40)]:
+        assert not cover._covers(column, row, row)

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
@@ -130,6 +130,20 @@ def test_cm_walk_gives_the_mm_envelope(pair: tuple[Polygon, Polygon]) -> None:
     assert list(partial) == list(whole)
 
 
+SPELLINGS: list[tuple[Rational, int]] = [(1, 1), (1, 7), (Fraction(1, 1000), 1)]
+
+
+def spell(chain: Chain, unit: Rational, times: int) -> Envelope:
+    """A chain in other units, its breaks not in lowest terms."""
+    envelope = Envelope.of([(unit * x, unit * y) for x, y in chain])
+    envelope.breaks[:] = [(times * n, times * d) for n, d in envelope.breaks]
+    return envelope
+
+
+def measure(envelope: Envelope, unit: Rational) -> Chain:
+    return [(Fraction(x) / unit, Fraction(y) / unit) for x, y in envelope]
+
+
 VALLEY: Chain = [(0, 2), (2, 0), (4, 2)]
 
 
@@ -222,9 +236,35 @@ VALLEY: Chain = [(0, 2), (2, 0), (4, 2)]
         ),
     ],
 )
-def test_partial_trajectory_and_piece(partial: Chain, piece: Chain, expected: Chain) -> None:
-    assert list(lower_envelope_cm(Envelope.of(partial), Envelope.of(piece))) == expected
-    assert list(lower_envelope_mm([Envelope.of(partial), Envelope.of(piece)])) == expected
+@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
+def test_partial_trajectory_and_piece(
+    partial: Chain, piece: Chain, expected: Chain, unit: Rational, times: int
+) -> None:
+    first, second = spell(partial, unit, times), spell(piece, unit, times)
+    assert measure(lower_envelope_mm([first, second]), unit) == expected
+    assert measure(lower_envelope_mm([second, first]), unit) == expected
+    assert measure(lower_envelope_cm(first, second), unit) == expected
+
+
+@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
+@pytest.mark.parametrize(
+    ("piece", "expected"),
+    [
+        ([(1, 4), (3, 1), (5, 0)], [(0, 0), (Fraction(11, 4), Fraction(11, 8)), (3, 1), (5, 0)]),
+        ([(0, 4), (2, 1), (4, 0), (5, 0)], [(0, 0), (2, 1), (4, 0), (5, 0)]),
+        ([(1, 4), (2, 3), (4, 3)], [(0, 0), (10, 5)]),
+        ([(1, 5), (6, 3), (8, 4)], [(0, 0), (10, 5)]),
+        ([(6, 5), (10, 0)], [(0, 0), (Fraction(50, 7), Fraction(25, 7)), (10, 0)]),
+        ([(6, 5), (10, 5)], [(0, 0), (10, 5)]),
+        ([(6, 5), (8, 3), (10, 6)], [(0, 0), (10, 5)]),
+    ],
+)
+def test_of_the_partial_trajectory_nothing_is_left_beyond_a_piece_that_ends_first(
+    piece: Chain, expected: Chain, unit: Rational, times: int
+) -> None:
+    """If it ends below; what is above it all, or ends above, changes nothing."""
+    partial = spell([(0, 0), (10, 5)], unit, times)
+    assert measure(lower_envelope_cm(partial, spell(piece, unit, times)), unit) == expected
 
 
 @pytest.mark.parametrize(
@@ -249,8 +289,13 @@ def test_partial_trajectory_and_piece(partial: Chain, piece: Chain, expected: Ch
         ([[(0, 3), (6, 3)], [(2, 1), (4, 2)]], [(0, 3), (2, 3), (2, 1), (4, 2), (4, 3), (6, 3)]),
     ],
 )
-def test_envelopes_of_any_chains(chains: list[Chain], expected: Chain) -> None:
-    assert list(lower_envelope_mm([Envelope.of(chain) for chain in chains])) == expected
+@pytest.mark.parametrize(("unit", "times"), SPELLINGS)
+def test_envelopes_of_any_chains(
+    chains: list[Chain], expected: Chain, unit: Rational, times: int
+) -> None:
+    spelled = [spell(chain, unit, times) for chain in chains]
+    assert measure(lower_envelope_mm(spelled), unit) == expected
+    assert measure(lower_envelope_mm(spelled[::-1]), unit) == expected
 
 
 def test_a_gap_of_the_partial_envelope_counts_as_infinitely_high() -> None:

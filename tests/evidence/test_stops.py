@@ -1,0 +1,54 @@
+"""What stops G at a contact: every pair of corners on a small grid, every way to go."""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+
+from exactsweep import Polygon
+from exactsweep.check import classify
+from exactsweep.evidence.contact import Contact
+from exactsweep.evidence.steps import blocks
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.point import Vertex
+
+COMPASS: list[Vertex] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)]
+WAYS: list[Vertex] = [*COMPASS, (2, 1), (-1, 2), (-2, -1), (1, -2)]
+
+
+def corner(forward: int, back: int) -> list[Vertex]:
+    """A polygon with its first vertex at the origin, its edges there in two of eight directions."""
+    size = (back - forward) % 8
+    return [(0, 0), *(COMPASS[(forward + k) % 8] for k in range(size + 1))]
+
+
+def overlaps(d: list[Vertex], g: list[Vertex], t: Vertex) -> bool:
+    fixed, moved = (Polygon([(100 * x, 100 * y) for x, y in ring]) for ring in (d, g))
+    return classify(fixed, moved, t).verdict == "OVERLAP"
+
+
+@pytest.mark.parametrize("forward", [0, 1])
+def test_two_corners_let_each_other_pass_as_the_definition_says(forward: int) -> None:
+    """Convex and reflex ones, whose edges run along each other, or not."""
+    tried = 0
+    for d_size, g_first, g_size in product(range(1, 8), range(8), range(1, 8)):
+        if 4 in (d_size, g_size) or d_size + g_size > 8:
+            continue
+        d, g = corner(forward, forward + d_size), corner(g_first, g_first + g_size)
+        if overlaps(d, g, (0, 0)):
+            continue
+        for way in WAYS:
+            stopped = blocks(Contact("VV", 0, 0), way, Outline([g]), Outline([d]))
+            assert stopped == overlaps(d, g, way), (d, g, way)
+            tried += 1
+    assert tried > 500
+
+
+@pytest.mark.parametrize("size", [1, Fraction(1, 9)])
+def test_a_corner_on_an_edge_lets_g_pass_along_and_away(size: Fraction | int) -> None:
+    """A corner of the one on the left edge of the other, which runs straight down."""
+    square = Outline([[(0, 0), (size, 0), (size, size), (0, size)]])
+    for way in WAYS:
+        on_directrix = blocks(Contact("VE", 2, 3), way, square, square)
+        on_generatrix = blocks(Contact("EV", 3, 2), way, square, square)
+        assert (on_directrix, on_generatrix) == (way[0] > 0, way[0] < 0)

@@ -1,0 +1,94 @@
+"""Into the frame of a pair and back; points on the lattice are pairs of ints there."""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+
+from exactsweep import Point, Polygon
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.lattice import lcm_within, read_columns, reduce_lattice, to_lattice
+from exactsweep.geometry.point import ORIGIN, Vertex
+
+HALF = Fraction(1, 2)
+SHIFT = Point(Fraction(1, 3), Fraction(-2))
+TRIANGLE = Polygon([(0, 0), (2, HALF), (1, 3)])
+
+
+@pytest.mark.parametrize("direction", [(1, 0), (0, 1), (2, -1), (1, 3)])
+@pytest.mark.parametrize("scale", [2, 4, 6])
+def test_what_enters_a_frame_leaves_it_where_it_was(direction: Vector, scale: int) -> None:
+    frame = Frame(direction, scale)
+    p, q = direction
+    entered = frame.enter(TRIANGLE)
+    assert entered == [
+        (scale * (p * x + q * y), scale * (p * y - q * x)) for x, y in TRIANGLE.vertices
+    ]
+    assert {type(c) for vertex in entered for c in vertex} == {int}
+    for shift in (ORIGIN, SHIFT, Point(Fraction(0), HALF), Point(HALF, Fraction(0))):
+        left = frame.leave(entered, shift)
+        assert left == [Point(x + shift.x, y + shift.y) for x, y in TRIANGLE.vertices]
+        assert {type(c) for point in left for c in point} == {Fraction}
+        assert [frame.enter_point(point, shift) for point in left] == entered
+    on_lattice = frame.enter_point(Point(HALF, Fraction(7, 2)), ORIGIN)
+    assert {*map(type, on_lattice)} == {int}
+    off = Point(Fraction(1, 7), Fraction(2, 77))
+    x, y = frame.enter_point(off, SHIFT)
+    assert (x, y) == (
+        scale * (p * (off.x - SHIFT.x) + q * (off.y - SHIFT.y)),
+        scale * (p * (off.y - SHIFT.y) - q * (off.x - SHIFT.x)),
+    )
+    crossings: list[Vertex] = [(x, y), (5, y), (x, 5), (5, -3)]
+    for (u, v), place in zip(crossings, frame.leave(crossings, ORIGIN), strict=True):
+        square = scale * (p * p + q * q)
+        assert place == ((p * u - q * v) / Fraction(square), (q * u + p * v) / Fraction(square))
+
+
+def test_a_lattice_is_of_pairs_of_ints_however_it_is_read() -> None:
+    corners = [(0, 0), (3, 0), (0, 2)]
+    for rows in (
+        corners,
+        [[*pair] for pair in corners],
+        [Point(*map(Fraction, pair)) for pair in corners],
+    ):
+        scale, points = Polygon(rows).lattice()
+        assert (scale, points) == (1, ((0, 0), (3, 0), (0, 2)))
+        assert isinstance(points, tuple)
+    mixed = [(0, 0), [3, 0], Point(Fraction(0), Fraction(2))]
+    assert read_columns(mixed) == (1, [(0, 0), (3, 0), (0, 2)])
+    assert read_columns([(0, HALF), (3, 0)]) == (2, [(0, 1), (6, 0)])
+    for other in ([(0, 0), "12"], [(0, 0), (1, 2, 3)], [(0, 0), (0, "x")], [], [(0, 0), {1, 2}]):
+        assert read_columns(other) is None
+
+
+def test_a_lattice_is_reduced_by_what_all_have_in_common() -> None:
+    assert reduce_lattice(12, ((6, 3), (9, 15))) == (4, ((2, 1), (3, 5)))
+    assert reduce_lattice(4, ((2, 8), (6, 3))) == (4, ((2, 8), (6, 3)))
+    assert reduce_lattice(4, ((-4, 8), (0, 12))) == (1, ((-1, 2), (0, 3)))
+    assert reduce_lattice(1, ((4, 8), (6, 2))) == (1, ((4, 8), (6, 2)))
+    assert reduce_lattice(5, ((0, 5), (0, 3))) == (5, ((0, 5), (0, 3)))
+
+
+def test_the_longest_scale_has_8192_bits() -> None:
+    assert lcm_within([2**8191, 2]) == 2**8191
+    assert lcm_within([2**8192 - 1]) == 2**8192 - 1
+    assert lcm_within([2**8192]) is None
+    assert lcm_within([]) == 1
+    for bits, scale in ((8191, 2**8191), (8192, 1)):
+        unit = Fraction(1, 2**bits)
+        assert to_lattice([unit, Fraction(1)], [Fraction(0), unit])[0] == scale
+
+
+def test_points_are_put_on_their_common_lattice() -> None:
+    values = [Fraction(n, d) for n, d in product((-3, 0, 2), (1, 2, 9))]
+    for x, y in product(values, repeat=2):
+        scale, points = to_lattice([x, HALF], [y, Fraction(1, 3)])
+        assert scale % 6 == 0
+        assert all(type(c) is int for point in points for c in point)
+        assert [(Fraction(u, scale), Fraction(v, scale)) for u, v in points] == [
+            (x, y),
+            (HALF, Fraction(1, 3)),
+        ]
+        assert scale in (6, 18)
+    assert to_lattice([Fraction(2)], [Fraction(3)]) == (1, [(2, 3)])
