@@ -127,10 +127,11 @@ def test_a_diagonal_is_found_among_vertices_far_away() -> None:
 
 
 @pytest.mark.parametrize("upright", [False, True])
-def test_segments_of_one_line_far_apart_meet_the_squares_near_them(upright: bool) -> None:
-    """Of forty squares above (0, 1000), ten apart, the first and the last."""
-    corners = [(10 * k + dx, 1000 + dy) for k in range(40) for dx, dy in SQUARE]
-    ends = [(0, 1001), (4, 1001), (390, 1001), (394, 1001)]
+@pytest.mark.parametrize("y", [1000, -1000])
+def test_segments_of_one_line_far_apart_meet_the_squares_near_them(y: int, upright: bool) -> None:
+    """Of forty squares in a row, ten apart, the first and the last, which is first."""
+    corners = [(10 * k + dx, y + dy) for k in reversed(range(40)) for dx, dy in SQUARE]
+    ends = [(x, y + 1) for x in (0, 4, 390, 394)]
     if upright:
         corners, ends = ([(-y, x) for x, y in points] for points in (corners, ends))
     sets = OpenSets([tuple(corners[k : k + 4]) for k in range(0, 160, 4)])
