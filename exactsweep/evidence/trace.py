@@ -123,20 +123,25 @@ class Tracer:
     def closing_range(self, edge: Edge) -> tuple[Vertex, Vertex] | None:
         """Where one edge of G covers a straight bottom chain, G being on an edge of the trajectory.
 
-        Returns the two ends of that piece, which may be equal, or None if there is none.
+        Returns the two ends of that piece, which are equal only if there is no longer one; None if
+        there is none.
         """
         whole = make_segment(edge)
         u = whole.direction
+        closed_in: Vertex | None = None
         for _, _, own in self._g_edges.get(u, ()):
             low, high = whole.high - own.high, whole.low - own.low
             paths = self._lines.get((u, whole.offset - own.offset), [])
+            # The trajectory may touch the range in an end, and come back into it.
             nearest = bisect_left(paths, low, key=_high)
-            for path, k, _, _ in paths[nearest : nearest + 1]:
+            for path, k, _, _ in paths[nearest : nearest + 2]:
                 first, last = max(low, path.low), min(high, path.high)
                 if first <= last:
                     p, q = self._path.edge(k)
-                    return _at(p, q, first, u), _at(p, q, last, u)
-        return None
+                    if first < last:
+                        return _at(p, q, first, u), _at(p, q, last, u)
+                    closed_in = closed_in or _at(p, q, first, u)
+        return closed_in and (closed_in, closed_in)
 
     def covering_position(self, chain: Sequence[Vertex]) -> Vertex | None:
         """A translation on the trajectory at which G's boundary covers a chain, if there is one.

@@ -384,7 +384,7 @@ def test_of_each_chain_one_edge_is_looked_at(monkeypatch: pytest.MonkeyPatch) ->
 def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
     s = sweep(UNIT, [(0, 0), (3, 0), (0, 3)])
     # Along the lower side and back; nowhere; with a stop on the way; no position at all.
-    loops = [[(-1, -1), ("3", "-1")], [(3, 0)], [(-1, -1), (-1, -1), (3, -1)], []]
+    loops: list[Any] = [[(-1, -1), ("3", "-1")], [(3, 0)], [(-1, -1), (-1, -1), (3, -1)], []]
     below = (("EE", 2, 0),)
     assert [list(found) for found in s.contacts_along(loops)] == [
         [below, below],
@@ -393,4 +393,4 @@ def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
         [],
     ]
     with pytest.raises(PolygonError, match=r"^position is not a pair of numbers$"):
-        s.contacts_along([[1, 2]])  # type: ignore[arg-type]
+        s.contacts_along([[1, 2]])  # type: ignore[list-item]

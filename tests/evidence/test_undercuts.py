@@ -319,6 +319,7 @@ def test_a_straight_chain_is_covered_along_a_piece_of_the_trajectory() -> None:
         (9, 10, (2, 4)),
         (10, 12, (4, 4)),
         (11, 13, (7, 8)),
+        (11, 12, (7, 8)),  # and in (4, -1)
         (12, 17, (9, 9)),
         (7, 12, (4, 4)),
         (7, 13, None),
