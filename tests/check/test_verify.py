@@ -4,6 +4,7 @@ import json
 import random
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import pytest
 from families import random_pair
@@ -208,3 +209,22 @@ def test_place_that_is_reached_is_outside_the_inner_loop() -> None:
     filled = Polygon([(0, 0), (4, 0), (4, 3), (0, 3)]).vertices
     certificate = certificate_of(g, d, (true.trajectory, filled, true.outer))
     assert verify(certificate).reason.startswith("inner")
+
+
+def test_a_trajectory_into_a_notch_that_only_the_tip_fits_into_is_refused() -> None:
+    """All else is as it is for that trajectory: contacts, loops, what draws them, and the area."""
+    g = Polygon([(-3, -2), (3, -2), (3, -1), ("1/8", -1), (0, 0), ("-1/8", -1), (-3, -1)])
+    d = Polygon([(0, 0), (2, 0), (3, 3), (4, 0), (6, 0), (6, 4), (0, 4)])
+    true = sweep(g, d)
+    # The shoulders of G stop it at a height of 1; the tip goes on to (3, 3).
+    assert {("7/3", "1"), ("11/3", "1")} < {(str(x), str(y)) for x, y in true.trajectory.vertices}
+    mended: list[Any] = [p for p in true.trajectory.vertices if not (2 < p.x < 4 and p.y == 1)]
+    after = next(k for k, p in enumerate(mended) if p == (4, 0))
+    trajectory = Polygon([*mended[:after], (3, 3), *mended[after:]])
+    # What I(G) leaves of its inside: above the shoulders, and above the tip.
+    inner = Polygon([(0, 2), ("8/3", 2), (3, 3), ("10/3", 2), (6, 2), (6, 4), (0, 4)])
+    assert inner.area < d.area
+    loops = trajectory.vertices, inner.vertices, true.outer.vertices
+    found = verify(certificate_of(g, d, loops))
+    assert found.reason == "trajectory: G overlaps D at vertex 4 or beside it"
+    assert found.witness == Point(Fraction(3), Fraction(3))
