@@ -142,7 +142,7 @@ def _rank_diagonals(
     """How many angles each leaves wide, here and there, and the square of its length."""
     for q in ends:
         way = subtract(q, p)
-        if q == p or not wide.surrounds(way):
+        if not wide.surrounds(way):  # nor any that is none, to p itself
             continue
         back = (-way[0], -way[1])
         if opposite := next((cone for cone in cones[q] if cone.surrounds(back)), None):
