@@ -14,7 +14,7 @@ from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
-from exactsweep.procedures.cover import Cover, find_points_in
+from exactsweep.procedures.cover import Cover, _stack, find_points_in
 from exactsweep.procedures.crossings import cut_at_crossings
 from exactsweep.procedures.free_positions import find_free_positions
 
@@ -105,3 +105,9 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
         assert (left.low, left.high) == (stretch.low, stretch.high)
     for column, row in [(-1, 2), (len(cover.columns), 2), (2, -1), (2, 40)]:
         assert not cover._covers(column, row, row)
+
+
+@pytest.mark.parametrize("length", range(1, 40))
+def test_bits_are_moved_by_every_place(length: int) -> None:
+    assert _stack({1: 0b1}, length) == 2**length - 1
+    assert _stack({1: 0b1001}, length) == (2**length - 1) | (2**length - 1) << 3
