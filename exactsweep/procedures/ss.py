@@ -15,10 +15,10 @@ from typing import NamedTuple
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.contact_lines import find_contact_stretches
+from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import find_free_positions
+from exactsweep.procedures.free_positions import Free, find_free_positions
 from exactsweep.procedures.leeway import find_leeway, frame_outside
 
 
@@ -70,9 +70,7 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
     """
     moving = _turn(generatrix)
     stretches = find_contact_stretches(directrix, moving)
-    stretches = leave_out_covered(stretches, directrix, moving)
-    cut_at_crossings(stretches)
-    free = find_free_positions(stretches, Overlap(directrix, generatrix).at, scale)
+    free = _find_free(stretches, directrix, moving, Overlap(directrix, generatrix), scale)
     (exterior,) = free.around
     return NoFitSS(exterior, sorted(free.within), free.fits)
 
@@ -101,10 +99,8 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
     outside, moving = [ring[::-1] for ring in container], _turn(part)
     near = find_contact_stretches(outside, moving, leeway)
     stretches = [piece for stretch in near if (piece := stretch.within(leeway))]
-    stretches = leave_out_covered(stretches, frame_outside(container), moving)
-    cut_at_crossings(stretches)
     overlap = Overlap(outside, part, unbounded=True)
-    free = find_free_positions(stretches, overlap.at, scale)
+    free = _find_free(stretches, frame_outside(container), moving, overlap, scale)
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
         inside[_find_holder(loop, free.within)].append(loop)
@@ -114,6 +110,15 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
 def _turn(shape: Rings) -> Rings:
     """I(G): a shape turned by half a turn."""
     return [inverse(ring) for ring in shape]
+
+
+def _find_free(
+    stretches: list[Stretch], solid: Rings, moving: Rings, overlap: Overlap, scale: int
+) -> Free:
+    """What contact segments bound: a solid, which is bounded, covers some of them with H."""
+    stretches = leave_out_covered(stretches, solid, moving)
+    cut_at_crossings(stretches)
+    return find_free_positions(stretches, overlap.at, scale)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:

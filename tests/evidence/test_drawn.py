@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import product
 
 import pytest
+from many_contacts import FORK, ROOF, STAIRS, STEPS, TABLE
 
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
@@ -13,12 +14,6 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import Edge
 from exactsweep.geometry.segment import Segment, choose_cover, make_segment
 
-FORK = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
-TABLE = [(0, 3), (0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (4, 0), (4, 1), (5, 1), (5, 0), (6, 0)]
-TABLE += [(6, 3)]
-ROOF = [(0, 0), (2, 3), (4, 0), (5, 2), (6, 0), (6, 4), (3, 6), (0, 4)]
-STAIRS = [(0, 2), (0, 0), (1, 0), (1, -1), (2, -1), (2, -3), (3, -3), (3, 2)]
-STEPS = [(0, -5), (3, -5), (3, -3), (2, -3), (2, -1), (1, -1), (1, 0), (0, 0)]
 TEETH = [(0, 0), (1, 2), (2, 0), (4, 3), (5, 1), (8, 4), (9, 0), (9, 6), (0, 6)]
 PLOUGH = [(0, 0), (4, -2), (5, 1), (3, 2), (2, 1), (1, 2)]
 PAIRS = [(FORK, TABLE), (FORK, ROOF), (ROOF, TABLE), (STEPS, STAIRS), (TEETH, ROOF), (ROOF, TEETH)]

@@ -8,6 +8,7 @@ import pytest
 import strategies as own
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from many_contacts import FORK, ROOF, STAIRS, STEPS, TABLE
 
 from exactsweep import Point, Polygon, Region, Sweep, sweep
 from exactsweep.check import classify
@@ -53,13 +54,6 @@ def any_sweeps() -> st.SearchStrategy[Sweep]:
     return sweeps() | turned_sweeps()
 
 
-# Two teeth at once, slots, walls, slanted edges; stairs, along which walls are touched in turn.
-FORK = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
-TABLE = [(0, 3), (0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (4, 0), (4, 1), (5, 1), (5, 0), (6, 0)]
-TABLE += [(6, 3)]
-ROOF = [(0, 0), (2, 3), (4, 0), (5, 2), (6, 0), (6, 4), (3, 6), (0, 4)]
-STAIRS = [(0, 2), (0, 0), (1, 0), (1, -1), (2, -1), (2, -3), (3, -3), (3, 2)]
-STEPS = [(0, -5), (3, -5), (3, -3), (2, -3), (2, -1), (1, -1), (1, 0), (0, 0)]
 PAIRS = [(FORK, TABLE), (FORK, ROOF), (ROOF, TABLE[::-1]), (FORK[::-1], TABLE), (STEPS, STAIRS)]
 
 

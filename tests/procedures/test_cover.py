@@ -1,28 +1,22 @@
 """Squares known to be overlapped: they are, and leaving out what lies in them changes nothing."""
 
 from fractions import Fraction
-from itertools import product
 
 import pytest
+from covered import find_free, list_corners, rings
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from polyominoes import Cells, polyominoes, region
+from polyominoes import Cells, polyominoes
 
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.point import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import Cover, _stack, find_points_in
-from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import find_free_positions
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
-
-
-def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]:
-    return [list(ring) for ring in region(cells, matrix).lattice()[1]]
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
@@ -33,13 +27,7 @@ def test_each_corner_of_a_square_that_is_covered_is_overlapped(
     stationary, orbiting = rings(d, matrix), rings(g, matrix)
     cover = Cover(stationary, [inverse(ring) for ring in orbiting], columns)
     overlap = Overlap(stationary, orbiting)
-    side = cover.side
-    for k, bits in enumerate(cover.columns):
-        for row in range(bits.bit_length()):
-            if bits >> row & 1:
-                for i, j in product((0, 1), (0, 1)):
-                    x, y = (cover.left + k + i) * side, (cover.low + row + j) * side
-                    assert overlap.at(Point(Fraction(x), Fraction(y)))
+    assert all(map(overlap.at, list_corners(cover)))
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
@@ -53,12 +41,7 @@ def test_what_is_covered_does_not_matter(
     whole = find_contact_stretches(stationary, moving)
     cover = Cover(stationary, moving, columns)
     left = [piece for stretch in whole for piece in cover.uncovered(stretch)]
-    found = []
-    for stretches in (whole, left):
-        cut_at_crossings(stretches)
-        free = find_free_positions(stretches, overlap.at, 1)
-        found.append((sorted(free.around), sorted(free.within), free.fits))
-    assert found[0] == found[1]
+    assert find_free(whole, overlap) == find_free(left, overlap)
 
 
 def test_a_large_square_is_covered_but_for_its_border() -> None:

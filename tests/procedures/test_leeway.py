@@ -5,28 +5,24 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
+from covered import find_free, list_corners, rings
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from polyominoes import Cells, polyominoes, region
+from polyominoes import Cells, polyominoes
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.geometry.point import Rational, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import Cover
 from exactsweep.procedures.crossings import cut_at_crossings
-from exactsweep.procedures.free_positions import find_free_positions
 from exactsweep.procedures.leeway import Leeway, find_leeway, frame_outside
 
 MATRICES = st.sampled_from([(1, 0, 0, 1), (7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
 SMALL = st.integers(-6, 6)
 HALVES = st.integers(-12, 12).map(lambda n: Fraction(n, 2))
-
-
-def rings(cells: Cells, matrix: tuple[int, int, int, int]) -> list[list[Vertex]]:
-    return [list(ring) for ring in region(cells, matrix).lattice()[1]]
 
 
 def place(stretch: Stretch, at: Rational) -> tuple[Fraction, Fraction]:
@@ -141,12 +137,7 @@ def test_what_is_beyond_or_covered_does_not_matter(
     near = find_contact_stretches(outside, moving, leeway)
     clipped = [kept for stretch in near if (kept := stretch.within(leeway)) is not None]
     left = [piece for stretch in clipped for piece in cover.uncovered(stretch)]
-    found = []
-    for chosen in (whole, left):
-        cut_at_crossings(chosen)
-        free = find_free_positions(chosen, overlap.at, 1)
-        found.append((sorted(free.around), sorted(free.within), free.fits))
-    assert found[0] == found[1]
+    assert find_free(whole, overlap) == find_free(left, overlap)
 
 
 def test_each_corner_of_a_square_that_is_covered_is_outside() -> None:
@@ -159,17 +150,7 @@ def test_each_corner_of_a_square_that_is_covered_is_outside() -> None:
     part: Rings = [[(-6, 0), (-3, -5), (3, -5), (6, 0), (3, 5), (-3, 5)]]
     cover = Cover(frame_outside(container), [inverse(ring) for ring in part], 40)
     overlap = Overlap([ring[::-1] for ring in container], part, unbounded=True)
-    corners = [
-        Point(
-            Fraction((cover.left + k + i) * cover.side),
-            Fraction((cover.low + row + j) * cover.side),
-        )
-        for k, bits in enumerate(cover.columns)
-        for row in range(bits.bit_length())
-        if bits >> row & 1
-        for i in (0, 1)
-        for j in (0, 1)
-    ]
+    corners = list(list_corners(cover))
     assert len(corners) > 400
     assert all(map(overlap.at, corners))
 
