@@ -7,12 +7,16 @@ loop; one with the union on both sides is part of an exact fit; on both sides fr
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from math import ceil, floor
 from typing import NamedTuple
 
+from exactsweep.check.columns import BoxColumns, Rectangle
 from exactsweep.check.cone import by_turn, cross, divide, subtract
+from exactsweep.check.size import Budget
 from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.geometry.point import Edge, Rational, Vertex
@@ -45,20 +49,24 @@ def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
     return canonicalize_ring(points).points
 
 
-def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets) -> Boundary:
+def assemble(
+    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Budget
+) -> Boundary:
     """Assemble loops and fits.
 
     Args:
         pieces: of lines, those on one line apart from each other.
         points: single points; those that are on a piece are left out.
         sets: the open sets, which all pieces and points are free of.
+        budget: what it may take.
 
     Returns:
         Boundary. Loops are simple and may touch in vertices.
 
-    Cost: O(p**2) for p pieces, and the number of sets for each edge.
+    Cost: O(p**2) for p pieces at worst, and the number of sets near each edge.
     """
-    cuts = _find_cuts(pieces)
+    boxes = [_find_box(piece) for piece in pieces]
+    cuts = _find_cuts(pieces, boxes, sets.bits, budget)
     ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
     slits: list[list[Edge]] = []
     for piece, at in zip(pieces, cuts, strict=True):
@@ -75,7 +83,12 @@ def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSe
                 slits[-1].append((p, q))
     on_loops = set(ahead)
     fits = [fit for edges in slits for fit in _join(edges, on_loops)]
-    fits += [(p, p) for p in points if not any(_is_on(p, piece) for piece in pieces)]
+    columns = BoxColumns(boxes)
+    for p in points:
+        near = columns.near(floor(p[0]), ceil(p[0]))
+        budget.take(1 + len(near) // 2)
+        if not any(_is_on(p, pieces[k]) for k in near):
+            fits.append((p, p))
     return Boundary(_walk_loops(ahead), fits)
 
 
@@ -84,20 +97,43 @@ def _is_on(p: Vertex, piece: LinePiece) -> bool:
     return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
 
 
-def _find_cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
+def _find_box(piece: LinePiece) -> Rectangle:
+    """The box around a piece, rounded outwards."""
+    (ax, ay), (bx, by) = piece.ends
+    return floor(ax), ceil(bx), floor(min(ay, by)), ceil(max(ay, by))
+
+
+def _find_cuts(
+    pieces: Sequence[LinePiece], boxes: Sequence[Rectangle], bits: int, budget: Budget
+) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
-    order = sorted(range(len(pieces)), key=lambda k: pieces[k].ends[0])
+    # Along the axis on which fewer of them are beside each other.
+    axis = min((0, 1), key=lambda axis: _count_overlaps(boxes, axis))
+    budget.take(_count_overlaps(boxes, axis) // 4)
+    start, end, low, high = 2 * axis, 2 * axis + 1, 2 - 2 * axis, 3 - 2 * axis
     active: list[int] = []
-    for k in order:
-        start = pieces[k].ends[0][0]
-        active = [j for j in active if pieces[j].ends[1][0] >= start]
-        for j in active:
-            if (p := _find_common_point(pieces[j], pieces[k])) is not None:
+    for k in sorted(range(len(pieces)), key=lambda k: boxes[k][start]):
+        one, box = pieces[k], boxes[k]
+        active = [j for j in active if boxes[j][end] >= box[start]]
+        beside = [j for j in active if boxes[j][low] <= box[high] and boxes[j][high] >= box[low]]
+        budget.take(4 * len(beside), 2 * bits)
+        for j in beside:
+            if (p := _find_common_point(pieces[j], one)) is not None:
                 for i in (j, k):
                     cuts[i][p[pieces[i].line.axis]] = p
         active.append(k)
     return cuts
+
+
+def _count_overlaps(boxes: Sequence[Rectangle], axis: int) -> int:
+    """How many pairs of boxes have a coordinate in common.
+
+    Of those that start before another does, the ones that do not end before that.
+    """
+    ends = sorted(box[2 * axis + 1] for box in boxes)
+    starts = sorted(box[2 * axis] for box in boxes)
+    return sum(k - bisect_left(ends, start) for k, start in enumerate(starts))
 
 
 def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
@@ -127,16 +163,20 @@ def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
     """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
     loops = []
     left = {(p, q) for p, ends in ahead.items() for q in ends}
-    while left:
-        p, q = start = min(left)
-        walk = [p]
+    for start in sorted(left):
+        if start not in left:
+            continue
+        p, q = start
+        walk, places = [p], {p: 0}
         while True:
             left.discard((p, q))
-            if q in walk:
-                k = walk.index(q)
+            if (k := places.get(q)) is not None:
                 loops.append(_make_loop(walk[k:]))
+                for gone in walk[k + 1 :]:
+                    del places[gone]
                 del walk[k + 1 :]
             else:
+                places[q] = len(walk)
                 walk.append(q)
             p, q = q, _choose_next(p, q, ahead[q])
             if (p, q) == start:

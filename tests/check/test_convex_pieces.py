@@ -11,8 +11,9 @@ from strategies import simple_polygons
 
 from exactsweep import Polygon
 from exactsweep.check.arrangement import WalkedLoop
-from exactsweep.check.convex import cut_to_convex
+from exactsweep.check.convex import ScaledRing, cut_to_convex
 from exactsweep.check.shape import bring_to_integers
+from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
 
@@ -23,7 +24,7 @@ STEPS = grid("##.", ".##").exterior
 def _check_pieces(*rings: Polygon) -> int:
     """That pieces are convex, make up the shape, and do not overlap, for their areas add up."""
     _, (shape,) = bring_to_integers([rings])
-    pieces = cut_to_convex(shape)
+    pieces = cut_to_convex(shape, UNLIMITED)
     for piece in pieces:
         assert min(find_turns(piece)) > 0
         assert len({*piece}) == len(piece)
@@ -88,14 +89,14 @@ SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 )
 def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, points: Any) -> None:
     """The border is not in it, and an end on the border is left as a point."""
-    found, single = OpenSets([SQUARE]).uncovered(segments)
+    found, single = OpenSets([ScaledRing(1, SQUARE)], UNLIMITED).uncovered(segments)
     assert [piece.ends for piece in found] == pieces
     assert single == {*points}
 
 
 def test_points_beside_a_line_are_in_the_union_or_not() -> None:
     """Near (4, 2), right of the square; and up along a border nothing is inside."""
-    sets = OpenSets([SQUARE])
+    sets = OpenSets([ScaledRing(1, SQUARE)], UNLIMITED)
     upwards, level = LatticeLine(0, 1, -4), LatticeLine(1, 0, 0)
     assert sets.is_beside(upwards, 2, 1)
     assert not sets.is_beside(upwards, 2, -1)
@@ -134,7 +135,7 @@ def test_segments_of_one_line_far_apart_meet_the_squares_near_them(y: int, uprig
     ends = [(x, y + 1) for x in (0, 4, 390, 394)]
     if upright:
         corners, ends = ([(-y, x) for x, y in points] for points in (corners, ends))
-    sets = OpenSets([tuple(corners[k : k + 4]) for k in range(0, 160, 4)])
+    sets = OpenSets([ScaledRing(1, tuple(corners[k : k + 4])) for k in range(0, 160, 4)], UNLIMITED)
     pieces, points = sets.uncovered([(ends[2], ends[3]), (ends[0], ends[1])])
     assert pieces == []
     assert points == {*ends}
