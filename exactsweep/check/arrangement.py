@@ -85,7 +85,7 @@ def assemble(
     fits = [fit for edges in slits for fit in _join(edges, on_loops)]
     columns = BoxColumns(boxes)
     for p in points:
-        near = columns.near(floor(p[0]), ceil(p[0]))
+        near = list(columns.near(floor(p[0]), ceil(p[0])))
         budget.take(1 + len(near) // 2)
         if not any(_is_on(p, pieces[k]) for k in near):
             fits.append((p, p))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from exactsweep.geometry.point import Rational, Vertex
 
@@ -39,32 +39,26 @@ class BoxColumns:
         self._width = width // (len(boxes) + 1) + 1
         self._wide: list[int] = []  # found by whatever range
         self._found: dict[int, list[int]] = defaultdict(list)
-        for k, (left, right, _, _) in enumerate(boxes):
-            first, last = self._find(left), self._find(right)
+        self._first = [self._find(box[0]) for box in boxes]
+        for k, box in enumerate(boxes):
+            first, last = self._first[k], self._find(box[1])
             if last - first > _MANY:
                 self._wide.append(k)
             else:
                 for column in range(first, last + 1):
                     self._found[column].append(k)
-        self._all = range(len(boxes))
 
     def _find(self, x: Rational) -> int:
         return int((x - self._left) // self._width)
 
-    def count_near(self, left: Rational, right: Rational) -> int:
-        """How many numbers `near` has, or more, without listing them."""
+    def near(self, left: Rational, right: Rational) -> Iterator[int]:
+        """The numbers of all boxes that meet a range of x, and of others: first the wide ones."""
         first, last = self._find(left), self._find(right)
         if last - first > _MANY:
-            return len(self._all)
-        columns = range(first, last + 1)
-        return len(self._wide) + sum(len(self._found.get(column, ())) for column in columns)
-
-    def near(self, left: Rational, right: Rational) -> Sequence[int]:
-        """The numbers of all boxes that meet a range of x, and of others, in ascending order."""
-        first, last = self._find(left), self._find(right)
-        if last - first > _MANY:
-            return self._all
-        near: Iterable[int] = self._found.get(first, ())
-        if first != last:
-            near = {k for column in range(first, last + 1) for k in self._found.get(column, ())}
-        return sorted([*self._wide, *near])
+            yield from range(len(self._first))
+            return
+        yield from self._wide
+        for column in range(first, last + 1):
+            for k in self._found.get(column, ()):
+                if column == first or column == self._first[k]:
+                    yield k

@@ -2,7 +2,7 @@
 
 What is known to take too long is refused before it is begun. For polygons of any shape that is each
 edge with each other one. The rest depends on how many pieces meet, and is taken from the same
-budget as it comes: in bulk what is near each line, then one by one what meets it.
+budget as it comes.
 """
 
 from __future__ import annotations

@@ -125,16 +125,13 @@ class OpenSets:
         # forgotten with it, for all of it would take the memory of all edges times all sets.
         lines = sorted(by_line, key=lambda line: line[:2])
         spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
-        frames = {line: _frame(line, spans[line]) for line in lines}
-        near = (self._columns.count_near(*frame[:2]) for frame in frames.values())
-        self._budget.take(sum(2 + count // 8 for count in near))
         pieces, points = [], set()
         way = None
         for line in lines:
             if line[:2] != way:
                 way = line[:2]
                 heights: dict[int, _Heights] = {}
-            self._leave_on(line, spans[line], frames[line], heights)
+            self._leave_on(line, spans[line], heights)
             for span in spans[line]:
                 start, end = (divide(*ratio) for ratio in span)
                 if start == end:
@@ -147,13 +144,14 @@ class OpenSets:
         self,
         line: LatticeLine,
         spans: list[_Remnant],
-        frame: tuple[int, int, int, int],
         heights: dict[int, _Heights],
     ) -> None:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis, (n, d) = line.axis, line.c.as_integer_ratio()
         bits = max(c.bit_length() for c in (line.dx, line.dy, n, d))
+        looked, frame = 0, _frame(line, spans)
         for k in self._columns.near(frame[0], frame[1]):
+            looked += 1
             ring, scale, box, length = self._sets[k]
             if box[0] >= frame[1] or box[1] <= frame[0]:
                 continue
@@ -170,8 +168,9 @@ class OpenSets:
             shadow = _find_shadow(ring, scale, [d * value - level for value in values], axis)
             if _cut_away(spans, shadow):
                 if not spans:
-                    return
+                    break
                 frame = _frame(line, spans)
+        self._budget.take(2 + looked // 8)
 
     def holds(self, point: Vertex) -> bool:
         """Whether a point is in the union."""
@@ -194,9 +193,9 @@ class OpenSets:
         px, py = int(x * w), int(y * w)
         left, bottom = floor(x), floor(y)
         right, top = ceil(x), ceil(y)
-        near = self._columns.near(left, right)
-        self._budget.take(1 + len(near) // 8)
-        for k in near:
+        is_held, looked = False, 0
+        for k in self._columns.near(left, right):
+            looked += 1
             ring, scale, box, length = self._sets[k]
             if box[0] > left or box[1] < right or box[2] > bottom or box[3] < top:
                 continue
@@ -208,8 +207,10 @@ class OpenSets:
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
                     break
             else:
-                return True
-        return False
+                is_held = True
+                break
+        self._budget.take(1 + looked // 8)
+        return is_held
 
 
 def _to_ratios(span: Interval) -> _Remnant:
