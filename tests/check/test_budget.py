@@ -48,6 +48,13 @@ def fan(n: int) -> Points:
     return [(round(r * cos(angle)), round(r * sin(angle))) for r, angle in ends]
 
 
+def star(n: int) -> Points:
+    """Spikes of random lengths, most of which are hidden from each other."""
+    random = Random(7)
+    ends = [(random.uniform(300, 999), pi * k / n) for k in range(2 * n)]
+    return [(round(r * cos(angle)), round(r * sin(angle))) for r, angle in ends]
+
+
 def tuft(n: int) -> Points:
     """Spikes upwards that cross each other's columns."""
     spikes = [
@@ -189,16 +196,10 @@ def seen(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 def test_the_common_lattice_of_crossings_is_not_used(seen: list[int]) -> None:
     """Of the edges of a trajectory each is taken by itself, with its own two crossings."""
-    random = Random(7)
-    ways = [(cos(pi * k / 9), sin(pi * k / 9)) for k in range(18)]
-    stars = []
-    for _ in range(2):
-        radii = [random.uniform(300, 999) for _ in ways]
-        stars.append([(round(r * x), round(r * y)) for r, (x, y) in zip(radii, ways, strict=True)])
-    s = sweep(*stars)
+    s = sweep(star(9), [(-y, x) for x, y in star(8)])
     denominators = [lcm(x.denominator, y.denominator) for x, y in s.trajectory.vertices]
     assert verify(s.certificate()).proved
-    assert lcm(*denominators).bit_length() > 150
+    assert lcm(*denominators).bit_length() > 110
     assert len(seen) == 2
     assert max(seen) <= 2 * max(d.bit_length() for d in denominators) + 12
 
@@ -216,7 +217,7 @@ def test_unrelated_denominators_are_no_common_lattice(seen: list[int]) -> None:
     assert 0 < max(seen) < 8 * 660
 
 
-@pytest.mark.parametrize("shape", [behind_a_wall(60), fan(60), needles(60)])
+@pytest.mark.parametrize("shape", [behind_a_wall(60), fan(60), needles(60), star(60)])
 def test_a_diagonal_takes_time_by_walls(shape: Points, monkeypatch: pytest.MonkeyPatch) -> None:
     """Four are tried, and three rays, with at most twice as many walls as there are edges."""
     ledger = Ledger(monkeypatch)
