@@ -7,14 +7,13 @@ loop; one with the union on both sides is part of an exact fit; on both sides fr
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from math import ceil, floor
 from typing import NamedTuple
 
-from exactsweep.check.columns import BoxColumns, Rectangle
+from exactsweep.check.boxes import BoxTree, Rectangle
 from exactsweep.check.cone import by_turn, cross, divide, subtract
 from exactsweep.check.size import Budget
 from exactsweep.check.uncovered import LinePiece, OpenSets
@@ -63,10 +62,11 @@ def assemble(
     Returns:
         Boundary. Loops are simple and may touch in vertices.
 
-    Cost: O(p**2) for p pieces at worst, and the number of sets near each edge.
+    Cost: O(p**2) for p pieces at worst, and the number of sets near each edge; by those that meet.
     """
-    boxes = [_find_box(piece) for piece in pieces]
-    cuts = _find_cuts(pieces, boxes, sets.bits, budget)
+    boxes = list(map(_find_box, pieces))
+    tree = BoxTree(boxes, budget)
+    cuts = _find_cuts(pieces, boxes, tree, 2 * sets.bits, budget)
     ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
     slits: list[list[Edge]] = []
     for piece, at in zip(pieces, cuts, strict=True):
@@ -83,12 +83,10 @@ def assemble(
                 slits[-1].append((p, q))
     on_loops = set(ahead)
     fits = [fit for edges in slits for fit in _join(edges, on_loops)]
-    columns = BoxColumns(boxes)
-    for p in points:
-        near = list(columns.near(floor(p[0]), ceil(p[0])))
-        budget.take(1 + len(near) // 2)
-        if not any(_is_on(p, pieces[k]) for k in near):
-            fits.append((p, p))
+    for x, y in points:
+        near = tree.near((floor(x), ceil(x), floor(y), ceil(y)))
+        if not any(_is_on((x, y), pieces[k]) for k in near):
+            fits.append(((x, y), (x, y)))
     return Boundary(_walk_loops(ahead), fits)
 
 
@@ -104,36 +102,23 @@ def _find_box(piece: LinePiece) -> Rectangle:
 
 
 def _find_cuts(
-    pieces: Sequence[LinePiece], boxes: Sequence[Rectangle], bits: int, budget: Budget
+    pieces: Sequence[LinePiece],
+    boxes: Sequence[Rectangle],
+    tree: BoxTree,
+    bits: int,
+    budget: Budget,
 ) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
-    # Along the axis on which fewer of them are beside each other.
-    axis = min((0, 1), key=lambda axis: _count_overlaps(boxes, axis))
-    budget.take(_count_overlaps(boxes, axis) // 4)
-    start, end, low, high = 2 * axis, 2 * axis + 1, 2 - 2 * axis, 3 - 2 * axis
-    active: list[int] = []
-    for k in sorted(range(len(pieces)), key=lambda k: boxes[k][start]):
-        one, box = pieces[k], boxes[k]
-        active = [j for j in active if boxes[j][end] >= box[start]]
-        beside = [j for j in active if boxes[j][low] <= box[high] and boxes[j][high] >= box[low]]
-        budget.take(4 * len(beside), 2 * bits)
-        for j in beside:
-            if (p := _find_common_point(pieces[j], one)) is not None:
+    for k, box in enumerate(boxes):
+        for j in tree.near(box):
+            if j >= k:
+                break
+            budget.take(4, bits)
+            if (p := _find_common_point(pieces[j], pieces[k])) is not None:
                 for i in (j, k):
                     cuts[i][p[pieces[i].line.axis]] = p
-        active.append(k)
     return cuts
-
-
-def _count_overlaps(boxes: Sequence[Rectangle], axis: int) -> int:
-    """How many pairs of boxes have a coordinate in common.
-
-    Of those that start before another does, the ones that do not end before that.
-    """
-    ends = sorted(box[2 * axis + 1] for box in boxes)
-    starts = sorted(box[2 * axis] for box in boxes)
-    return sum(k - bisect_left(ends, start) for k, start in enumerate(starts))
 
 
 def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from exactsweep.check.boxes import Rectangle, find_box, meet
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.claim import ClaimedShape
-from exactsweep.check.columns import Rectangle, find_box, meet
 from exactsweep.check.cone import cross, subtract
 from exactsweep.check.location import locate
 from exactsweep.check.meeting import split_where_touching

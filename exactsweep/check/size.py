@@ -46,10 +46,13 @@ class Budget:
 
     Args:
         most: how many steps, or None for any number.
+
+    Attributes:
+        left: how many of them are left.
     """
 
     def __init__(self, most: int | None = None) -> None:
-        self._most = self._left = most
+        self._most = self.left = most
 
     def take(self, steps: int, bits: int = 0) -> None:
         """Take steps on numbers of so many bits.
@@ -57,10 +60,10 @@ class Budget:
         Raises:
             CertificateError: that is more than is left.
         """
-        if self._left is None:
+        if self.left is None:
             return
-        self._left -= steps * _weight(bits)
-        if self._left < 0:
+        self.left -= steps * _weight(bits)
+        if self.left < 0:
             raise CertificateError(
                 f"too large: to check it would take more than {self._most} steps"
             )

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import ceil, floor, lcm
 from typing import NamedTuple, TypeVar
 
-from exactsweep.check.columns import BoxColumns, Rectangle, find_box
+from exactsweep.check.boxes import BoxTree, Rectangle, find_box
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
 from exactsweep.check.convex import ScaledRing
 from exactsweep.check.shape import list_edges
@@ -99,7 +99,7 @@ class OpenSets:
     def __init__(self, rings: Iterable[ScaledRing], budget: Budget) -> None:
         # Large sets first: few of them cover most of what is covered.
         self._sets = sorted(map(_open, dict.fromkeys(rings)), key=_measure_width, reverse=True)
-        self._columns = BoxColumns([known.box for known in self._sets])
+        self._tree = BoxTree([known.box for known in self._sets], budget)
         self._budget = budget
         self.bits = max((known.bits for known in self._sets), default=0)
 
@@ -149,9 +149,9 @@ class OpenSets:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis, (n, d) = line.axis, line.c.as_integer_ratio()
         bits = max(c.bit_length() for c in (line.dx, line.dy, n, d))
-        looked, frame = 0, _frame(line, spans)
-        for k in self._columns.near(frame[0], frame[1]):
-            looked += 1
+        self._budget.take(2)
+        frame = _frame(line, spans)
+        for k in self._tree.near(frame):
             ring, scale, box, length = self._sets[k]
             if box[0] >= frame[1] or box[1] <= frame[0]:
                 continue
@@ -170,7 +170,6 @@ class OpenSets:
                 if not spans:
                     break
                 frame = _frame(line, spans)
-        self._budget.take(2 + looked // 8)
 
     def holds(self, point: Vertex) -> bool:
         """Whether a point is in the union."""
@@ -193,12 +192,9 @@ class OpenSets:
         px, py = int(x * w), int(y * w)
         left, bottom = floor(x), floor(y)
         right, top = ceil(x), ceil(y)
-        is_held, looked = False, 0
-        for k in self._columns.near(left, right):
-            looked += 1
-            ring, scale, box, length = self._sets[k]
-            if box[0] > left or box[1] < right or box[2] > bottom or box[3] < top:
-                continue
+        # Boxes that meet this one, which is turned inside out, hold the point.
+        for k in self._tree.near((right, left, top, bottom)):
+            ring, scale, _, length = self._sets[k]
             self._budget.take(1 + len(ring) // 8, length + w.bit_length())
             qx, qy = px * scale, py * scale
             for (ax, ay), (bx, by) in list_edges([ring]):
@@ -207,10 +203,8 @@ class OpenSets:
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
                     break
             else:
-                is_held = True
-                break
-        self._budget.take(1 + looked // 8)
-        return is_held
+                return True
+        return False
 
 
 def _to_ratios(span: Interval) -> _Remnant:

@@ -15,8 +15,8 @@ from shape_certificates import HEAD, no_fit_certificate, outline
 from exactsweep import Polygon, sweep
 from exactsweep.check import (
     arrangement,
+    boxes,
     claimed_shape,
-    columns,
     contact_segments,
     convex,
     uncovered,
@@ -110,12 +110,8 @@ class Ledger:
         self.watch(contact_segments, "find_common_direction", "_check_size", lambda *_: 1)
         self.watch(claimed_shape, "cross", "_check_size", lambda *_: 0.3)
         self.watch(convex, "_merge", "_assemble_boundary", lambda *_: 8)
-        near, take = columns.BoxColumns.near, Budget.take
-
-        def count_near(boxes: columns.BoxColumns, *ends: Any) -> Any:
-            for k in near(boxes, *ends):
-                self.work[sys._getframe(1).f_code.co_name] += 0.12
-                yield k
+        self.watch(boxes, "meet", "near", lambda *_: 0.15)
+        take = Budget.take
 
         def count_steps(budget: Budget, steps: int, bits: int = 0) -> None:
             # The one of them that takes steps by a function of its own is `_find_diagonal`.
@@ -123,7 +119,6 @@ class Ledger:
             self.steps[diagonals if caller == "<lambda>" else caller] += steps
             take(budget, steps, bits)
 
-        monkeypatch.setattr(columns.BoxColumns, "near", count_near)
         monkeypatch.setattr(Budget, "take", count_steps)
 
     def watch(self, module: Any, name: str, payer: str, cost: Callable[..., float]) -> None:
@@ -155,7 +150,7 @@ def claim(d: Points, g: Points) -> dict[str, Any]:
 def test_there_are_no_fewer_steps_than_work(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     ledger = Ledger(monkeypatch)
     assert verify(claim(*HOSTILE[name])).reason.startswith("exterior: at the witness")
-    assert {*ledger.work} >= {"_leave_on", "_holds_near", "_check_size", "_assemble_boundary"}
+    assert {*ledger.work} >= {"_leave_on", "near", "_check_size", "_assemble_boundary"}
     assert not {payer: work for payer, work in ledger.work.items() if work > ledger.steps[payer]}
 
 
