@@ -33,7 +33,7 @@ from typing import NamedTuple, cast
 
 from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import measure_width, require_convex, split_by_slope
+from exactsweep.procedures.chain import KeptChain, measure_width, require_convex, split_by_slope
 from exactsweep.procedures.envelope import Break, Envelope, Piece
 
 Box = tuple[Rational, Rational, Rational]
@@ -279,6 +279,11 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
+    kept = chain if type(chain) is KeptChain else None
+    # Looked up once: another thread may sweep the polygon with another unit meanwhile.
+    before = None if kept is None else kept.parts
+    if before is not None and before[0] == unit:
+        return before[1]
     found = split_by_slope(chain, unit)
     parts: list[ConvexPart] = []
     # What joins two parts is a vertex, or a wall, of which the lower end has to be turned about.
@@ -291,6 +296,8 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
             rises, falls = start > end, start < end
         steepest: Slope = inf if rises else slopes[-1]
         parts.append(ConvexPart(points, None, None, flattest, steepest, slopes, edges))
+    if kept is not None:
+        kept.parts = unit, parts
     return parts
 
 
