@@ -31,8 +31,8 @@ from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.procedures.chain import inverse, split
-from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once, split_polygon
 from exactsweep.words import write_vector
 
 
@@ -71,7 +71,8 @@ class Swept:
 
     @made_once
     def _halves(self) -> tuple[LowerSweep, LowerSweep]:
-        (g_bottom, g_top), (d_bottom, d_top) = map(split, self._polygons)
+        g_bottom, g_top = split_polygon(self.generatrix, self._frame)
+        d_bottom, d_top = split_polygon(self.directrix, self._frame)
         return (
             LowerSweep(self.kind, g_top, g_bottom, d_bottom),
             LowerSweep(self.kind, inverse(g_bottom), inverse(g_top), inverse(d_top)),

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from itertools import chain as link
 from itertools import pairwise
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.number import divide_exactly, negate
@@ -31,6 +31,27 @@ class ChainError(ExactSweepError):
     """A sequence of points that is not an X-monotone chain."""
 
 
+class KeptChain(list[Vertex]):
+    """A chain of a polygon that is swept again and again: what was found about it is kept with it.
+
+    It must not change. Who asks for it by `inverse`, `measure_width` or `split_chain` of
+    `convex_part` gets what was found the first time.
+
+    Attributes:
+        inverted: its inverse; None before somebody asks.
+        width: as `measure_width` has it; -1 before somebody asks.
+        parts: what it was split into last, after the unit of the slopes.
+    """
+
+    __slots__ = ("inverted", "parts", "width")
+
+    def __init__(self, chain: Sequence[Vertex]) -> None:
+        super().__init__(chain)
+        self.inverted: KeptChain | None = None
+        self.width: Rational | None = -1
+        self.parts: tuple[Rational | None, list[Any]] | None = None
+
+
 def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     """Mirror a chain about the origin, in the same order (Definition 5.1).
 
@@ -40,9 +61,15 @@ def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    return [
+    kept = chain if type(chain) is KeptChain else None
+    if kept is not None and kept.inverted is not None:
+        return kept.inverted
+    inverted = [
         (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in chain
     ]
+    if kept is not None:
+        inverted = kept.inverted = KeptChain(inverted)
+    return inverted
 
 
 def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
@@ -74,10 +101,16 @@ def measure_width(chain: Sequence[Vertex]) -> Rational | None:
     >>> measure_width([(0, 0), (2, 1), (3, 0)])
     3
     """
+    kept = chain if type(chain) is KeptChain else None
+    if kept is not None and kept.width != -1:
+        return kept.width
     kinds = set(map(type, link.from_iterable(chain)))
+    width: Rational | None = None
     if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
-        return chain[-1][0] - chain[0][0]
-    return None
+        width = chain[-1][0] - chain[0][0]
+    if kept is not None:
+        kept.width = width
+    return width
 
 
 def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[SlopedPart]:

@@ -33,7 +33,7 @@ from typing import NamedTuple, cast
 
 from exactsweep.geometry.number import divide_exactly
 from exactsweep.geometry.point import Rational, Vertex
-from exactsweep.procedures.chain import measure_width, require_convex, split_by_slope
+from exactsweep.procedures.chain import KeptChain, measure_width, require_convex, split_by_slope
 from exactsweep.procedures.envelope import Break, Envelope, Piece
 
 Box = tuple[Rational, Rational, Rational]
@@ -70,7 +70,7 @@ class ConvexPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box."""
-        return (*self.x_range, min(map(_height, self.points)))
+        return (*self.x_range, self.points[bisect_left(self.slopes, 0)][1])
 
     @property
     def x_range(self) -> tuple[Rational, Rational]:
@@ -102,30 +102,35 @@ class ConvexPart(NamedTuple):
         if left is not None and i == 0 < last_i:
             n, d = left
             breaks = [(n + ox * d, d)]
-        cuts_right = right is not None and i < last_i == len(edges)
-        merged: list[Vertex] = []
-        while i < last_i and j < last_j:  # (1)
-            turn = slopes[i] - chain_slopes[j]
-            if turn < 0:
-                merged.append(edges[i])
-                i += 1
-            elif turn > 0:
-                merged.append(others[j])
+        if right is not None and not i < last_i == len(edges):
+            right = None
+        pieces: list[Piece] = []
+        while True:
+            if i < last_i:
+                dx, dy = edges[i]
+                turn = slopes[i] - chain_slopes[j] if j < last_j else -1
+                if turn < 0:
+                    i += 1
+                elif turn > 0:
+                    dx, dy = others[j]
+                    j += 1
+                else:
+                    along, rise = others[j]
+                    dx += along
+                    dy += rise
+                    i += 1
+                    j += 1
+            elif j < last_j:
+                dx, dy = others[j]
                 j += 1
             else:
-                (dx, dy), (along, rise) = edges[i], others[j]
-                merged.append((dx + along, dy + rise))
-                i += 1
-                j += 1
-        merged += edges[i:last_i] or others[j:last_j]
-        pieces: list[Piece] = []
-        for dx, dy in merged:
+                break
             pieces.append((dx, dy, y * dx - x * dy, (x, y), source))
             x += dx
             y += dy
             breaks.append((x, 1))
-        if cuts_right:
-            n, d = cast(Break, right)
+        if right is not None:
+            n, d = right
             breaks[-1] = n + (x - points[-1][0]) * d, d
         return Envelope(breaks, pieces)
 
@@ -150,12 +155,10 @@ class CrossingPart(NamedTuple):
     @property
     def box(self) -> Box:
         """Its box. A convex part is lowest at an end or at a vertex, all of which are breaks."""
-        edges, breaks = self.edges, self.breaks
-        lows = [
-            (dy * n + c * d) // (dx * d)
-            for (dx, dy, c, _, _), (n, d) in zip((*edges, edges[-1]), breaks, strict=True)
-        ]
-        return (*self.x_range, min(lows))
+        k = bisect_left(self.slopes, 0)
+        dx, dy, c, _, _ = self.edges[k and k - 1]
+        n, d = self.breaks[k]
+        return (*self.x_range, (dy * n + c * d) // (dx * d))
 
     @property
     def x_range(self) -> tuple[Rational, Rational]:
@@ -182,20 +185,21 @@ class CrossingPart(NamedTuple):
         found: list[Break] = [(n + points[at][0] * d, d)]
         for k in range(first, last + 1):
             # About vertex k, G turns up to the slope of edge k, in the end up to its own last edge.
-            stop = bisect_left(chain_slopes, slopes[k], at, end) if k < last else end
-            if stop > at:
+            slope: Slope = slopes[k] if k < last else inf
+            if at < end and chain_slopes[at] < slope:
                 n, d = breaks[k]
                 dx, dy, c, _, _ = own[k] if k < len(own) else own[-1]
                 x, y, w = n * dx, dy * n + c * d, dx * d
-                for (ex, ey), (px, py) in zip(others[at:stop], points[at:stop], strict=True):
+                while at < end and chain_slopes[at] < slope:
+                    (ex, ey), (px, py) = others[at], points[at]
                     c = (py * w + y) * ex - (px * w + x) * ey
                     pieces.append((ex * w, ey * w, c, None, source))
                     found.append((n + (px + ex) * d, d))
-                at = stop
+                    at += 1
             if k < last:
                 dx, dy, c, _, _ = own[k]
                 px, py = points[at]
-                if at < end and chain_slopes[at] == slopes[k]:
+                if at < end and chain_slopes[at] == slope:
                     at += 1
                 pieces.append((dx, dy, c + py * dx - px * dy, None, source))
                 n, d = breaks[k + 1]
@@ -246,13 +250,20 @@ def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
     return low
 
 
-def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> Rational | None:
+def measure_unit(*directrices: Sequence[Vertex] | Envelope) -> int | None:
     """The unit in which the slopes of chains or envelopes are ints, for `split_parts`.
+
+    A power of two, so that it is mostly the same for a chain with whatever it is swept with.
 
     None if there are others than ints. Cost: O(n).
     """
-    widths = [d.widest if isinstance(d, Envelope) else measure_width(d) for d in directrices]
-    return None if None in widths else max(cast("list[Rational]", widths)) ** 2
+    widest = 0
+    for chain in directrices:
+        width = chain.widest if isinstance(chain, Envelope) else measure_width(chain)
+        if width is None:
+            return None
+        widest = max(widest, int(width))
+    return 1 << 2 * widest.bit_length()
 
 
 def take_whole(chain: Sequence[Vertex], unit: Rational | None) -> ConvexPart:
@@ -268,6 +279,11 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
 
     Raises ChainError when it is not X-monotone. Cost: O(m).
     """
+    kept = chain if type(chain) is KeptChain else None
+    # Looked up once: another thread may sweep the polygon with another unit meanwhile.
+    before = None if kept is None else kept.parts
+    if before is not None and before[0] == unit:
+        return before[1]
     found = split_by_slope(chain, unit)
     parts: list[ConvexPart] = []
     # What joins two parts is a vertex, or a wall, of which the lower end has to be turned about.
@@ -280,6 +296,8 @@ def split_chain(chain: Sequence[Vertex], unit: Rational | None) -> list[ConvexPa
             rises, falls = start > end, start < end
         steepest: Slope = inf if rises else slopes[-1]
         parts.append(ConvexPart(points, None, None, flattest, steepest, slopes, edges))
+    if kept is not None:
+        kept.parts = unit, parts
     return parts
 
 

@@ -100,23 +100,13 @@ class Envelope:
         n, d = at
         return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d >= n * b[1]) - 1
 
-    def edge_after(self, at: Break) -> int:
-        """The number of the piece that holds just right of a break. Cost: O(log n)."""
-        n, d = at
-        return bisect_left(self.breaks, True, key=lambda b: b[0] * d > n * b[1]) - 1
+    def edge_after(self, at: Break, first: int = 0) -> int:
+        """The number of the piece, from the first, that holds just right of a break.
 
-    def take(self, chain: Envelope, first: int, last: int, end: Break) -> None:
-        """Append pieces first to last of a chain, cut at the break `end`.
-
-        The break lies on the last piece or where it starts. Cost: O(pieces appended).
+        Cost: O(log n).
         """
-        (n, d), (m, e) = chain.breaks[last], end
-        if n * e >= m * d:
-            last -= 1
-        if last >= first:
-            self.pieces += chain.pieces[first : last + 1]
-            self.breaks += chain.breaks[first + 1 : last + 1]
-            self.breaks.append(end)
+        n, d = at
+        return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d > n * b[1]) - 1
 
     def take_all(self, chain: Envelope) -> None:
         """Append a chain that starts where this one ends, or right of that. Cost: O(its size)."""
@@ -133,22 +123,30 @@ class Envelope:
             self.pieces.append(GAP)
             self.breaks.append(end)
 
-    def replace_end(self, kept: int, at: Break, chain: Envelope, first: int) -> None:
-        """Keep some pieces, up to a break; from there on it is a chain from its piece `first` on.
-
-        Cost: O(pieces left out and appended).
-        """
-        self.pieces[kept:] = chain.pieces[first:]
-        self.breaks[kept:] = chain.breaks[first:]
-        self.breaks[kept] = at
-
-    def take_between(self, chain: Envelope, start: Break, end: Break) -> None:
+    def take_between(self, chain: Envelope, start: Break, end: Break, first: int = 0) -> int:
         """Append what a chain has between two breaks, if the second is right of the first.
 
-        Cost: O(log n + pieces appended).
+        Args:
+            chain: it reaches as far as the breaks do.
+            start: a break.
+            end: a break.
+            first: a piece of the chain that begins at the first break, or left of it.
+
+        Returns the number of the last piece taken, or `first`.
+        Cost: O(log n + pieces taken).
         """
-        if precedes(start, end):
-            self.take(chain, chain.edge_after(start), chain.edge_before(end), end)
+        if not precedes(start, end):
+            return first
+        begin = last = chain.edge_after(start, first)
+        breaks = chain.breaks
+        (n, d), (m, e) = end, breaks[last + 1]
+        while m * d < n * e:
+            last += 1
+            m, e = breaks[last + 1]
+        self.pieces += chain.pieces[begin : last + 1]
+        self.breaks += breaks[begin + 1 : last + 1]
+        self.breaks.append(end)
+        return last
 
     def keep(self, spans: Sequence[Span]) -> Envelope | None:
         """What it has over some x-ranges, given from left to right, and gaps between them.
@@ -159,18 +157,21 @@ class Envelope:
         kept: Envelope | None = None
         first, last = self.breaks[0], self.breaks[-1]
         begin = bisect_left(spans, True, key=lambda span: precedes(first, span[1]))
+        at = 0
         for k in range(begin, len(spans)):
             start, end = spans[k]
             if not precedes(start, last):
                 break
-            if precedes(start, first):
-                start = first
             if precedes(last, end):
                 end = last
-            if kept is None:
+            if kept is not None:
+                kept.take_gap(start)
+            else:
+                # Only the first one may begin left of it.
+                if precedes(start, first):
+                    start = first
                 kept = Envelope([start], [])
-            kept.take_gap(start)
-            kept.take_between(self, start, end)
+            at = kept.take_between(self, start, end, at)
         return kept
 
     def restrict(self, start: Rational, end: Rational) -> Envelope:
@@ -217,6 +218,8 @@ def find_point(piece: Piece, at: Break) -> Vertex:
         return start
     if not dx:
         raise ChainError("the envelope has a gap: its chains do not overlap in x")
+    if d == 1:
+        return n, ratio(dy * n + c, dx)
     return ratio(n, d), ratio(dy * n + c * d, dx * d)
 
 

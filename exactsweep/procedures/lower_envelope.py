@@ -50,28 +50,15 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
         >>> print(lower_envelope_cm(e, Envelope.of([(2, 0), (4, -2), (6, 0)])))
         (0, 0) (2, -2) (3, -1) (4, -2) (6, 0)
     """
-    piece_breaks = piece.breaks
-    (first, first_d), end = partial.breaks[0], partial.breaks[-1]
-    (start, start_d), (last, last_d) = piece_breaks[0], piece_breaks[-1]
-    n, d = end
+    (first, first_d), (n, d) = partial.breaks[0], partial.breaks[-1]
+    (start, start_d), (last, last_d) = piece.breaks[0], piece.breaks[-1]
     over = n * start_d - start * d
     if start * first_d < first * start_d or over < 0:
         raise ChainError("the piece does not start over the partial trajectory")
-    i, j = len(partial.pieces) - 1, 0
-    if last * d < n * last_d:
-        end = piece_breaks[-1]
-        _take_over(partial, partial.edge_before(end), piece, len(piece.pieces) - 1, end)
-        return partial
-    if over > 0:
-        m, e = piece_breaks[1]
-        if m * d < n * e:
-            j = piece.edge_before(end, 1)
-            m, e = piece_breaks[j + 1]
-        if _take_over(partial, i, piece, j, end):
-            return partial
-        if m * d <= n * e:
-            j += 1
-    partial.replace_end(i + 1, end, piece, j)
+    if over:
+        join(partial, piece, ends_first=last * d < n * last_d)
+    else:
+        partial.take_all(piece)
     return partial
 
 
@@ -96,50 +83,67 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
 # Each round ends the walk or takes one from i, from j or from both.
 
 
-def _take_over(partial: Envelope, i: int, piece: Envelope, j: int, end: Break) -> bool:
-    """Let the piece take over, both being on their edges i and j just left of `end`.
+def join(partial: Envelope, piece: Envelope, *, ends_first: bool = False) -> None:
+    """Let a piece that starts over the partial trajectory take over, where it becomes lower.
 
-    Returns whether it did: not if (1) does not hold at the end.
+    Arguments and cost as of `lower_envelope_cm`.
     """
-    breaks, piece_breaks = partial.breaks, piece.breaks
-    edges, piece_edges = partial.pieces, piece.pieces
+    breaks, edges = partial.breaks, partial.pieces
+    piece_breaks, piece_edges = piece.breaks, piece.pieces
+    if ends_first:
+        n, d = end = piece_breaks[-1]
+        i, j = partial.edge_before(end), len(piece_edges) - 1
+    else:
+        n, d = end = breaks[-1]
+        i, j = len(edges) - 1, 0
+        m, e = piece_breaks[1]
+        while m * d < n * e:
+            j += 1
+            m, e = piece_breaks[j + 1]
     adx, ady, ac, _, _ = edges[i]
     bdx, bdy, bc, _, _ = piece_edges[j]
     u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-    if u * end[0] + v * end[1] <= 0:
-        return False
-    while True:
-        n, d = at = breaks[i]
-        m, e = others = piece_breaks[j]
-        order = m * d - n * e
-        if order > 0:
-            n, d = at = others
-        above = u * n + v * d
-        if above < 0:  # (2)
-            i, at = i + 1, find_crossing(u, v)
-            break
-        if order > 0:
-            if above == 0 or j == 0:  # (3), (4)
-                i += 1
+    if u * n + v * d <= 0:
+        if ends_first:
+            return
+        i, at = i + 1, end
+        m, e = piece_breaks[j + 1]
+        if m * d <= n * e:
+            j += 1
+    else:
+        while True:
+            n, d = at = breaks[i]
+            m, e = others = piece_breaks[j]
+            order = m * d - n * e
+            if order > 0:
+                n, d = at = others
+            above = u * n + v * d
+            if above < 0:  # (2)
+                i, at = i + 1, find_crossing(u, v)
                 break
-        else:
-            if above == 0 or i == 0:  # (3), (5)
-                break
-            i -= 1  # (6)
-            adx, ady, ac, _, _ = edges[i]
-            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-            if u * n + v * d <= 0:
-                i += 1
-                break
-        if order >= 0:  # (7)
-            if j == 0:
-                i += 1
-                break
-            j -= 1
-            bdx, bdy, bc, _, _ = piece_edges[j]
-            u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
-    partial.replace_end(i, at, piece, j)
-    return True
+            if order > 0:
+                if above == 0 or j == 0:  # (3), (4)
+                    i += 1
+                    break
+            else:
+                if above == 0 or i == 0:  # (3), (5)
+                    break
+                i -= 1  # (6)
+                adx, ady, ac, _, _ = edges[i]
+                u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+                if u * n + v * d <= 0:
+                    i += 1
+                    break
+            if order >= 0:  # (7)
+                if j == 0:
+                    i += 1
+                    break
+                j -= 1
+                bdx, bdy, bc, _, _ = piece_edges[j]
+                u, v = ady * bdx - bdy * adx, ac * bdx - bc * adx
+    edges[i:] = piece_edges[j:]
+    breaks[i:] = piece_breaks[j:]
+    breaks[i] = at
 
 
 def lower_envelope_mm(envelopes: Sequence[Envelope]) -> Envelope:
@@ -193,14 +197,14 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
     """
     a_breaks, b_breaks = first.breaks, second.breaks
     on_first = not precedes(b_breaks[0], a_breaks[0])
-    left, right = (first, second) if on_first else (second, first)
-    merged = Envelope([left.breaks[0]], [])
-    n, d = right.breaks[0]
-    if not precedes((n, d), left.breaks[-1]):
-        merged.take_all(left)
-        merged.take_all(right)
+    own, other = (first, second) if on_first else (second, first)
+    merged = Envelope([own.breaks[0]], [])
+    n, d = other.breaks[0]
+    if not precedes((n, d), own.breaks[-1]):
+        merged.take_all(own)
+        merged.take_all(other)
         return merged
-    start = left.edge_after((n, d))
+    start = own.edge_after((n, d))
     i, j = (start, 0) if on_first else (0, start)
     a_pieces, b_pieces = first.pieces, second.pieces
     size_a, size_b = len(a_pieces), len(b_pieces)
@@ -221,12 +225,15 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
             if not on_first:
                 s, e = -s, -e
             if s > 0 or s == 0 < e:  # (3)
-                mine, others = a_breaks[i], b_breaks[j]
-                changes.append((others if precedes(mine, others) else mine, i, j))
+                mine, others, k, m = a_breaks[i], b_breaks[j], i, j
+                if not on_first:
+                    mine, others, k, m = others, mine, j, i
+                changes.append((others, k, m) if precedes(mine, others) else (mine, k - 1, m))
                 on_first = not on_first
                 e = -e
             if e > 0:  # (4)
-                changes.append((find_crossing(u, v), i, j))
+                at = find_crossing(u, v)
+                changes.append((at, i, j) if on_first else (at, j, i))
                 on_first = not on_first
         if order <= 0:
             i += 1
@@ -243,11 +250,15 @@ def merge(first: Envelope, second: Envelope) -> Envelope:
             b_n, b_d = b_breaks[j + 1]
     # What has ended cannot be own any more.
     if on_first == (i == size_a):
-        changes.append(((n, d), i, j))
-    own, other, since = left, right, 0
-    for at, i, j in changes:
-        last, following = (i, j) if own is first else (j, i)
-        merged.take(own, since, last, at)
+        changes.append(((n, d), i - 1, j) if on_first else ((n, d), j - 1, i))
+    breaks, pieces = merged.breaks, merged.pieces
+    since = 0
+    for at, last, following in changes:
+        if last >= since:
+            pieces += own.pieces[since : last + 1]
+            breaks += own.breaks[since + 1 : last + 1]
+            breaks.append(at)
         own, other, since = other, own, following
-    merged.take(own, since, len(own.pieces), own.breaks[-1])
+    pieces += own.pieces[since:]
+    breaks += own.breaks[since + 1 :]
     return merged

@@ -5,8 +5,11 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any, Literal, Self, TypeVar, overload
 
+from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.point import Vertex
+from exactsweep.geometry.polygon import Polygon
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
+from exactsweep.procedures.chain import KeptChain, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
@@ -15,6 +18,9 @@ from exactsweep.procedures.mm_inner import inner_mm
 Kind = Literal["CC", "CM", "MM", "SS"]
 """The classes of the paper; and "SS", of polygons of any shape, which has no lower sweep."""
 
+
+KEPT_VERTICES = 1000
+"""Polygons of more vertices do not keep their chains: there the sweep takes far longer."""
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -90,3 +96,33 @@ class LowerSweep:
         if self.kind == "CM":
             return list(sweep_outer_cm(self.top, self.bottom, self.directrix))
         return list(outer_mm(self.bottom, self.trajectory))
+
+
+def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
+    """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
+
+    Who nests sweeps each part around many others. So a polygon of up to 1000 vertices keeps its
+    chains in the last frame, and these what was found about them: see `KeptChain`.
+
+    Args:
+        polygon: monotone to the direction of the frame.
+        frame: of a pair of which it is one.
+
+    Returns:
+        (bottom, left to right; top, right to left), which must not be changed.
+
+    Cost: O(n) the first time.
+
+    >>> square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> split_polygon(square, Frame((1, 0), 2))
+    ([(0, 0), (2, 0)], [(2, 2), (0, 2)])
+    """
+    kept = polygon._chains
+    if kept is not None and kept[0] == frame:
+        bottom, top = kept[1]
+        return bottom, top
+    bottom, top = split(frame.enter(polygon))
+    if len(polygon) <= KEPT_VERTICES:
+        bottom, top = KeptChain(bottom), KeptChain(top)
+        polygon._chains = frame, (bottom, top)
+    return bottom, top

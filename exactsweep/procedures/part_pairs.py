@@ -18,7 +18,7 @@ from typing import NamedTuple, cast
 from exactsweep.geometry.point import Rational
 from exactsweep.procedures.convex_part import Box, ConvexPart, CrossingPart
 from exactsweep.procedures.envelope import Break, Envelope, Span
-from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
+from exactsweep.procedures.lower_envelope import join, lower_envelope_mm, merge
 
 STRIPS_PER_EDGE = 2
 STRIPS_PER_CHAIN = 4
@@ -75,9 +75,9 @@ class Ceiling:
         self.tops = tops = [cast("Rational | float", -inf)] * (count + 1)
         # First and last strip of each window; no strip is in two of them.
         self.windows: list[tuple[int, int]] = []
-        strips = [self._strip(at) for at in breaks]
+        strips = self._find_strips(breaks)
         for left, right in [((self.start, 1), (end, 1))] if gaps is None else gaps:
-            first, last = self._strip(left), self._strip(right)
+            first, last = self._find_strips((left, right))
             begin, stop = envelope.edge_after(left), envelope.edge_before(right)
             if begin < 0:
                 self._open(first, min(strips[0], last))
@@ -85,13 +85,13 @@ class Ceiling:
                 self._open(max(first, strips[-1]), last)
             for k in range(max(begin, 0), min(stop + 1, len(pieces))):
                 dx, dy, c, _, _ = pieces[k]
-                top: Rational | float = inf
-                if dx:
-                    (n, d), (m, e) = breaks[k], breaks[k + 1]
-                    top = -min(-(dy * n + c * d) // (dx * d), -(dy * m + c * e) // (dx * e))
-                for strip in range(strips[k], strips[k + 1] + 1):
+                n, d = breaks[k + 1] if dy > 0 else breaks[k]
+                top: Rational | float = -(-(dy * n + c * d) // (dx * d)) if dx else inf
+                strip, end_strip = strips[k], strips[k + 1]
+                while strip <= end_strip:
                     if top > tops[strip]:
                         tops[strip] = top
+                    strip += 1
             if self.windows and first <= self.windows[-1][1]:
                 first = self.windows.pop()[0]
             self.windows.append((first, last))
@@ -100,10 +100,10 @@ class Ceiling:
         """Take some strips for unbounded."""
         self.tops[first : last + 1] = [inf] * (last + 1 - first)
 
-    def _strip(self, at: Break) -> int:
-        """The strip in which a break lies."""
-        n, d = at
-        return int((n // d - self.start) // self.width)
+    def _find_strips(self, breaks: Iterable[Break]) -> list[int]:
+        """The strips in which breaks lie."""
+        start, width = self.start, self.width
+        return [(n // d - start) // width for n, d in breaks]
 
     def find_reaching(self, part: Box, boxes: Boxes, numbers: Sequence[int]) -> list[int]:
         """Which boxes give a sum with that of a part that comes below the ceiling.
@@ -118,17 +118,19 @@ class Ceiling:
         left, right, low = part
         left, right = left - self.start, right - self.start
         width, tops = self.width, self.tops
+        both, twice, each = left + right, 2 * width, boxes.boxes
         reached: list[int] = []
         done = 0
         for first_strip, last_strip in self.windows:
             begin = max(done, bisect_left(boxes.rights, first_strip * width - right))
             done = bisect_right(boxes.lefts, (last_strip + 1) * width - left, begin)
             for k in numbers[bisect_left(numbers, begin) : bisect_left(numbers, done)]:
-                first, last, least = boxes.boxes[k]
+                first, last, least = each[k]
                 least += low
-                start, end = (left + first) // width, (right + last) // width
                 # Most are decided by the strip in the middle.
-                if least < tops[(start + end) // 2] or least < max(tops[start : end + 1]):
+                if least < tops[(both + first + last) // twice] or least < max(
+                    tops[(left + first) // width : (right + last) // width + 1]
+                ):
                     reached.append(k)
         return reached
 
@@ -188,24 +190,32 @@ def sweep_pairs(
     """
     exchanged = len(parts) < len(chains)
     rows, columns = (parts, chains) if exchanged else (chains, parts)
-    asked: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
+    count = len(parts)
+    facing: Sequence[Sequence[int]] = [range(len(columns))] * len(rows)
+    few = len(rows) * len(columns) <= FEW_PAIRS
     if gaps is not None:
-        asked = keep_over(gaps, rows, columns)
-    facing = asked if len(rows) * len(columns) <= FEW_PAIRS else find_facing(asked, rows, columns)
+        facing = keep_over(gaps, rows, columns)
+    if not few:
+        facing = find_facing(facing, rows, columns)
+        few = sum(map(len, facing)) <= FEW_PAIRS
 
     def sweep_row(i: int, numbers: Iterable[int]) -> Iterable[Envelope]:
         """The runs of one row, with some of the columns."""
         runs: list[Envelope] = []
+        run: Envelope | None = None
         for k in numbers:
             chain, part = (k, i) if exchanged else (i, k)
-            piece = parts[part].sweep(chains[chain], chain * len(parts) + part)
-            if piece is not None and not (runs and add_to_run(runs[-1], piece)):
-                runs.append(piece)
+            piece = parts[part].sweep(chains[chain], chain * count + part)
+            if piece is not None and not (run is not None and add_to_run(run, piece)):
+                run = piece
+                runs.append(run)
         return runs if gaps is None else filter(None, [run.keep(gaps) for run in runs])
 
-    if sum(map(len, facing)) <= FEW_PAIRS:
-        found = (run for i, numbers in enumerate(facing) for run in sweep_row(i, numbers))
-        return lower_envelope_mm(list(found))
+    if few:
+        found: list[Envelope] = []
+        for i, numbers in enumerate(facing):
+            found += sweep_row(i, numbers)
+        return lower_envelope_mm(found)
 
     row_boxes, boxes = Boxes.of(rows).boxes, Boxes.of(columns)
     span = row_boxes[0][0] + boxes.lefts[0], row_boxes[-1][1] + boxes.rights[-1]
@@ -216,21 +226,27 @@ def sweep_pairs(
         runs: list[Envelope] = []
         ceiling = None
         if envelope is not None:
-            runs.append(envelope)
             ceiling = Ceiling(envelope, span, len(rows) + len(columns), gaps)
         for i, numbers in batch.items():
             if ceiling is not None:
                 numbers = ceiling.find_reaching(row_boxes[i], boxes, numbers)
             runs += sweep_row(i, numbers)
-        return lower_envelope_mm(runs) if runs else None
+        if not runs:
+            return envelope
+        found = lower_envelope_mm(runs)
+        return merge(envelope, found) if envelope is not None else found
 
     envelope: Envelope | None = None
     order = sorted(range(len(rows)), key=lambda i: row_boxes[i][2])
     if guess is not None:
-        guessed = {(k, i) if exchanged else (i, k) for i, k in guess()}
-        likely = {i: [k for k in facing[i] if (i, k) in guessed] for i in order}
-        envelope = sweep_batch(envelope, likely)
-        facing = [[k for k in facing[i] if (i, k) not in guessed] for i in range(len(rows))]
+        guessed: list[set[int]] = [set() for _ in rows]
+        for chain, part in guess():
+            i, k = (part, chain) if exchanged else (chain, part)
+            guessed[i].add(k)
+        envelope = sweep_batch(
+            envelope, {i: sorted(guessed[i].intersection(facing[i])) for i in order}
+        )
+        facing = [sorted(set(facing[i]) - guessed[i]) for i in range(len(rows))]
     batch: dict[int, Sequence[int]] = {}
     size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
     for i in order:
@@ -249,11 +265,13 @@ def find_facing(asked: Sequence[Sequence[int]], rows: Parts, columns: Parts) -> 
 
     Cost: O(columns asked about).
     """
-    ends = [[(part.flattest, part.steepest) for part in parts] for parts in (rows, columns)]
-    return [
-        [k for k in numbers if ends[1][k][0] <= steepest and flattest <= ends[1][k][1]]
-        for (flattest, steepest), numbers in zip(ends[0], asked, strict=True)
-    ]
+    ends = [(k, columns[k].flattest, columns[k].steepest) for k in range(len(columns))]
+    found = []
+    for i, numbers in enumerate(asked):
+        flattest, steepest = rows[i].flattest, rows[i].steepest
+        some = ends if len(numbers) == len(ends) else [ends[k] for k in numbers]
+        found.append([k for k, first, last in some if first <= steepest and flattest <= last])
+    return found
 
 
 def keep_over(gaps: Sequence[Span], rows: Parts, columns: Parts) -> list[list[int]]:
@@ -282,12 +300,12 @@ def add_to_run(run: Envelope, piece: Envelope) -> bool:
 
     Returns whether it did. Cost: as for `lower_envelope_cm`.
     """
-    (end, end_d), (start, start_d) = run.breaks[-1], piece.breaks[0]
-    if end * start_d <= start * end_d:
+    (n, d), (start, start_d) = run.breaks[-1], piece.breaks[0]
+    if n * start_d <= start * d:
         run.take_all(piece)
         return True
     (first, first_d), (last, last_d) = run.breaks[0], piece.breaks[-1]
-    if start * first_d >= first * start_d and last * end_d >= end * last_d:
-        lower_envelope_cm(run, piece)
+    if start * first_d >= first * start_d and last * d >= n * last_d:
+        join(run, piece)
         return True
     return False

@@ -1,0 +1,170 @@
+"""What polygons keep of their chains changes no answer, and is found once."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from collections import Counter
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import strategies as own
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from exactsweep import Polygon, sweep
+from exactsweep.geometry.frame import Frame
+from exactsweep.procedures import chain, convex_part, lower_sweep
+from exactsweep.procedures.chain import KeptChain, find_convex_parts, inverse, measure_width
+from exactsweep.procedures.convex_part import measure_unit, split_chain
+from exactsweep.procedures.lower_sweep import KEPT_VERTICES, split_polygon
+
+SCALES = [Fraction(1), Fraction(1, 3), Fraction(1, 7), Fraction(1000), Fraction(10**9 + 7, 2)]
+NOTCH = Polygon([(0, 0), (6, 0), (6, 3), (4, 3), (3, 1), (2, 3), (0, 3)])
+BARGE = Polygon([(0, 2), (1, 0), (2, 1), (3, 0), (4, 2), (2, 3)])
+
+
+def list_loops(generatrix: Polygon, directrix: Polygon) -> list[tuple[Any, ...]]:
+    s = sweep(generatrix, directrix)
+    return [s.direction, *(loop.vertices for loop in (s.trajectory, s.inner, s.outer))]
+
+
+def forget(polygon: Polygon) -> Polygon:
+    """The same polygon, never swept."""
+    return Polygon(list(polygon.vertices))
+
+
+@given(
+    st.lists(
+        st.builds(
+            Polygon.scaled, own.monotone_polygons() | own.convex_polygons(), st.sampled_from(SCALES)
+        ),
+        min_size=2,
+        max_size=4,
+    ),
+    st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=2, max_size=6),
+)
+@example([NOTCH, BARGE, NOTCH.scaled(Fraction(1, 3))], [(0, 1), (1, 0), (2, 1), (1, 1), (1, 2)])
+@example([NOTCH, BARGE.scaled(1000)], [(0, 0), (1, 0), (0, 1), (0, 0)])
+@example([Polygon([(y, x) for x, y in NOTCH.vertices]), BARGE], [(0, 0), (1, 0), (0, 1)])
+def test_who_was_swept_before_makes_no_difference(
+    polygons: list[Polygon], pairs: list[tuple[int, int]]
+) -> None:
+    for i, j in pairs:
+        g, d = polygons[i % len(polygons)], polygons[j % len(polygons)]
+        assert list_loops(g, d) == list_loops(forget(g), forget(d))
+
+
+def test_the_answer_is_that_of_the_same_direction_and_lattice() -> None:
+    """Kept in one frame, asked for in others."""
+    diamond = Polygon([(0, 0), (2, -1), (4, 0), (2, 1)])
+    for direction in ((1, 0), (0, 1), (1, 1), (2, 1), (1, 0)):
+        for other in (diamond, diamond.scaled(Fraction(1, 5)), diamond):
+            again, fresh = (
+                sweep(g, d, direction=direction)
+                for g, d in ((diamond, other), (forget(diamond), forget(other)))
+            )
+            assert (again.trajectory, again.outer) == (fresh.trajectory, fresh.outer)
+    kept = split_polygon(diamond, Frame((1, 0), 1))
+    assert kept == ([(0, 0), (2, -1), (4, 0)], [(4, 0), (2, 1), (0, 0)])
+    assert (
+        split_polygon(diamond, Frame((0, 1), 1)) != kept != split_polygon(diamond, Frame((1, 0), 2))
+    )
+
+
+@pytest.fixture
+def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """How often chains are split into convex parts, and polygons into chains."""
+    calls: Counter[str] = Counter()
+
+    def watch(module: Any, name: str) -> None:
+        right = getattr(module, name)
+
+        def counting(*arguments: Any) -> Any:
+            calls[name] += 1
+            return right(*arguments)
+
+        monkeypatch.setattr(module, name, counting)
+
+    watch(convex_part, "split_by_slope")
+    watch(lower_sweep, "split")
+    return calls
+
+
+def test_a_polygon_is_split_once_for_many_others(counted: Counter[str]) -> None:
+    one = forget(NOTCH)
+    others = [Polygon([(0, 0), (5, 0), (5, 4), (3, k), (2, 4), (0, 4)]) for k in (1, 2, 3)]
+    for other in others:
+        assert sweep(one, other).trajectory
+    # Both chains of each of the four.
+    assert counted == {"split": 4, "split_by_slope": 8}
+    for _ in range(2):
+        for other in others:
+            assert sweep(one, other).trajectory
+            assert sweep(other, one).trajectory
+        # The inverse of the top chain serves either way; of who moves, that of the inverse of the
+        # bottom chain is a chain of its own.
+        assert counted == {"split": 4, "split_by_slope": 12}
+
+
+def test_partners_of_like_width_share_the_unit_and_others_do_not() -> None:
+    narrow, wide = [(0, 0), (4, 1), (5, 0)], [(0, 0), (7, 1)]
+    assert measure_unit(narrow) == measure_unit(narrow, wide) == 1 << 6
+    assert measure_unit(wide, [(0, 0), (8, 0)]) == 1 << 8
+    kept = KeptChain(narrow)
+    parts = split_chain(kept, 1 << 6)
+    assert split_chain(kept, 1 << 6) is parts == split_chain(narrow, 1 << 6)
+    assert split_chain(kept, 1 << 8) == split_chain(narrow, 1 << 8) != parts
+    assert split_chain(kept, None) == split_chain(narrow, None)
+    assert find_convex_parts(kept) is not find_convex_parts(kept)
+
+
+def test_what_another_thread_keeps_meanwhile_is_not_taken() -> None:
+    kept = KeptChain([(0, 0), (4, 1), (5, 0)])
+
+    class Interrupting(int):
+        """A unit; while it is compared, the chain is split with another one."""
+
+        def __eq__(self, other: object) -> bool:
+            kept.parts = 1 << 8, split_chain(list(kept), 1 << 8)
+            return int(self) == other
+
+        __hash__ = int.__hash__
+
+    kept.parts = Interrupting(1 << 6), split_chain(list(kept), 1 << 6)
+    assert split_chain(kept, 1 << 6) == split_chain(list(kept), 1 << 6)
+
+
+@given(own.monotone_polygons())
+def test_a_kept_chain_is_the_chain(polygon: Polygon) -> None:
+    for plain in chain.split(polygon.vertices):
+        kept = KeptChain(plain)
+        for _ in range(2):
+            assert (kept, inverse(kept)) == (plain, inverse(plain))
+            assert measure_width(kept) == measure_width(plain)
+            assert inverse(inverse(kept)) == plain
+        assert inverse(kept) is inverse(kept)
+        for again in (copy.deepcopy(kept), pickle.loads(pickle.dumps(kept))):
+            assert again == kept
+            assert (again.inverted, again.width) == (kept.inverted, kept.width)
+
+
+def test_only_polygons_of_few_vertices_keep_their_chains() -> None:
+    """A large one takes its time anyway, and would keep three times its size."""
+    for count in (KEPT_VERTICES, KEPT_VERTICES + 1):
+        teeth = [(k, -(k % 2)) for k in range(count - 1)]
+        polygon = Polygon([*teeth, (0, count)])
+        assert len(polygon) == count
+        frame = Frame((1, 0), 1)
+        again = split_polygon(polygon, frame)[0] is split_polygon(polygon, frame)[0]
+        assert again == (count == KEPT_VERTICES)
+
+
+def test_a_copy_of_a_swept_polygon_is_the_polygon() -> None:
+    polygon = forget(NOTCH)
+    before = list_loops(BARGE, polygon)
+    for twin in (copy.copy(polygon), copy.deepcopy(polygon), pickle.loads(pickle.dumps(polygon))):
+        assert (twin, list_loops(BARGE, twin)) == (polygon, before)
+    assert list_loops(BARGE, Polygon(polygon)) == before
+    assert list_loops(BARGE, polygon.translated((0, 1))) != before
