@@ -1,4 +1,4 @@
-"""Open convex pieces of a shape, and their sums.
+"""Open convex pieces of a shape.
 
 A shape is cut along diagonals, each from a vertex to a vertex through the interior, until no angle
 of any face is wider than half a turn. Then every face is convex: a hole in a face would have a
@@ -16,9 +16,6 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import pairwise
-from math import lcm
-from typing import NamedTuple
 
 from exactsweep.check.cone import Cone, cross, dot, reduce_way, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
@@ -61,73 +58,6 @@ def cut_to_convex(shape: LatticeShape, budget: Budget) -> list[LatticeRing]:
             for a, b in ((p, q), (q, p)):
                 _split(cones[a], subtract(b, a))
     return _faces(cones)
-
-
-class ScaledRing(NamedTuple):
-    """A convex ring on a lattice of its own: ints, which stand for themselves over a scale."""
-
-    scale: int
-    points: tuple[tuple[int, int], ...]
-
-
-def add_each(
-    first: Iterable[Sequence[Vertex]], second: Iterable[Sequence[Vertex]]
-) -> Iterator[ScaledRing]:
-    """Add each of some convex rings to each of others, by merging their edges by direction.
-
-    Rings are counter-clockwise. One of two vertices is a segment.
-
-    >>> [ring.points for ring in add_each([[(0, 0), (1, 0), (0, 1)]], [[(0, 0), (2, 0)]])]
-    [((0, 0), (3, 0), (2, 1), (0, 1))]
-    """
-    others = list(map(_list_ways, second))
-    for one in map(_list_ways, first):
-        for other in others:
-            scale = lcm(one.scale, other.scale)
-            yield ScaledRing(scale, _merge(_stretch(one, scale), _stretch(other, scale)))
-
-
-class _Ways(NamedTuple):
-    """A convex ring times a scale: its lowest vertex, of several the left one, and its edges."""
-
-    scale: int
-    lowest: tuple[int, int]
-    ways: list[tuple[int, int]]
-
-
-def _list_ways(ring: Sequence[Vertex]) -> _Ways:
-    scale = lcm(*(c.denominator for p in ring for c in p))
-    points = [(int(x * scale), int(y * scale)) for x, y in ring]
-    k = min(range(len(points)), key=lambda i: (points[i][1], points[i][0]))
-    around = points[k:] + points[: k + 1]
-    return _Ways(scale, points[k], [(c - a, d - b) for (a, b), (c, d) in pairwise(around)])
-
-
-def _stretch(ring: _Ways, scale: int) -> _Ways:
-    """The same ring times another scale, a multiple of its own."""
-    factor = scale // ring.scale
-    if factor == 1:
-        return ring
-    x, y = ring.lowest
-    return _Ways(scale, (x * factor, y * factor), [(v * factor, w * factor) for v, w in ring.ways])
-
-
-def _merge(one: _Ways, other: _Ways) -> tuple[tuple[int, int], ...]:
-    """The sum of two rings of one scale."""
-    x, y = one.lowest[0] + other.lowest[0], one.lowest[1] + other.lowest[1]
-    ways, others = one.ways, other.ways
-    found = [(x, y)]
-    i = j = 0
-    while i < len(ways) or j < len(others):
-        turn = 1 if j == len(others) else -1 if i == len(ways) else cross(ways[i], others[j])
-        if turn >= 0:
-            x, y = x + ways[i][0], y + ways[i][1]
-            i += 1
-        if turn <= 0:
-            x, y = x + others[j][0], y + others[j][1]
-            j += 1
-        found.append((x, y))
-    return tuple(found[:-1])
 
 
 def _faces(cones: dict[Vertex, list[Cone]]) -> list[LatticeRing]:

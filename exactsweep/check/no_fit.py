@@ -35,7 +35,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonicalize
 from exactsweep.check.contact_segments import find_contacts_of_curve, find_contacts_of_shapes
-from exactsweep.check.convex import add_each, cut_to_convex
+from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.location import locate
 from exactsweep.check.shape import (
     LatticeRing,
@@ -46,15 +46,12 @@ from exactsweep.check.shape import (
     scale_shape,
     to_points,
 )
-from exactsweep.check.size import UNLIMITED, Budget, measure_bits
+from exactsweep.check.size import UNLIMITED, Budget
 from exactsweep.check.uncovered import OpenSets
 from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
-
-# Steps to add two convex pieces, and to sort their sum in.
-_SUM = 12
 
 
 class ReferenceNoFit(NamedTuple):
@@ -205,8 +202,7 @@ def find_swept(
     d, g, (curve,) = (scale_shape(shape, scale) for shape in (*shapes, (trajectory,)))
     pieces = cut_to_convex(g, budget)
     edges = list_edges([curve])
-    budget.take(_SUM * len(edges) * len(pieces), measure_bits(p for edge in edges for p in edge))
-    sets = OpenSets(add_each(edges, pieces), budget)
+    sets = OpenSets(edges, pieces, budget)
     left, _ = sets.uncovered(find_contacts_of_curve(curve, g))
     loops = assemble(left, (), sets, budget).loops
     (outer,) = (loop for loop in loops if not loop.is_hole)
@@ -229,9 +225,7 @@ def _assemble_boundary(
         budget: what it may take.
     """
     inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g, budget)]
-    bits = measure_bits(p for piece in (*pieces, *inverses) for p in piece)
-    budget.take(_SUM * len(pieces) * len(inverses), bits)
-    sets = OpenSets(add_each(pieces, inverses), budget)
+    sets = OpenSets(pieces, inverses, budget)
     segments, points = find_contacts_of_shapes(boundary, g)
     left, more = sets.uncovered(segments)
     single = more | {p for p in points if not sets.holds(p)}

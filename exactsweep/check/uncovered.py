@@ -9,9 +9,9 @@ from fractions import Fraction
 from math import ceil, floor, lcm
 from typing import NamedTuple, TypeVar
 
-from exactsweep.check.boxes import BoxTree, Rectangle, find_box
+from exactsweep.check.boxes import BoxTree
 from exactsweep.check.cone import cross, divide, reduce_way, subtract
-from exactsweep.check.convex import ScaledRing
+from exactsweep.check.convex_sums import ConvexSums
 from exactsweep.check.shape import list_edges
 from exactsweep.check.size import Budget
 from exactsweep.geometry.point import Edge, Rational, Vertex
@@ -68,15 +68,6 @@ class LinePiece(NamedTuple):
         return self.line.at(self.low), self.line.at(self.high)
 
 
-class _OpenSet(NamedTuple):
-    """The interior of a convex ring."""
-
-    ring: tuple[tuple[int, int], ...]  # times the scale
-    scale: int
-    box: Rectangle  # of ints, rounded outwards
-    bits: int  # of the longest coordinate
-
-
 class _Heights(NamedTuple):
     """How far the vertices of a ring are to the left of a direction, on its lattice."""
 
@@ -86,22 +77,28 @@ class _Heights(NamedTuple):
 
 
 class OpenSets:
-    """The union of the interiors of convex rings.
+    """The union of the interiors of the sums of convex rings, each with each.
 
     Args:
-        rings: counter-clockwise, each on a lattice of its own.
+        first: rings, counter-clockwise; one of two vertices is a segment, one of one a point.
+        second: likewise.
         budget: what all that is asked may take.
 
     Attributes:
-        bits: of the longest coordinate.
+        bits: of the longest coordinate, or more.
     """
 
-    def __init__(self, rings: Iterable[ScaledRing], budget: Budget) -> None:
+    def __init__(
+        self,
+        first: Iterable[Sequence[Vertex]],
+        second: Iterable[Sequence[Vertex]],
+        budget: Budget,
+    ) -> None:
         # Large sets first: few of them cover most of what is covered.
-        self._sets = sorted(map(_open, dict.fromkeys(rings)), key=_measure_width, reverse=True)
-        self._tree = BoxTree([known.box for known in self._sets], budget)
+        self._sums = ConvexSums(first, second, budget)
+        self._tree = BoxTree(self._sums.boxes, budget)
         self._budget = budget
-        self.bits = max((known.bits for known in self._sets), default=0)
+        self.bits = self._sums.bits
 
     def uncovered(self, segments: Iterable[Edge]) -> tuple[list[LinePiece], set[Vertex]]:
         """Take the union away from segments.
@@ -152,11 +149,12 @@ class OpenSets:
         self._budget.take(2)
         frame = _frame(line, spans)
         for k in self._tree.near(frame):
-            ring, scale, box, length = self._sets[k]
+            box = self._sums.boxes[k]
             if box[0] >= frame[1] or box[1] <= frame[0]:
                 continue
             if box[2] >= frame[3] or box[3] <= frame[2]:
                 continue
+            ring, scale, length = self._sums.ring(k)
             if k not in heights:
                 self._budget.take(1 + len(ring) // 4, length + bits)
                 heights[k] = _measure_heights(ring, line)
@@ -194,7 +192,7 @@ class OpenSets:
         right, top = ceil(x), ceil(y)
         # Boxes that meet this one, which is turned inside out, hold the point.
         for k in self._tree.near((right, left, top, bottom)):
-            ring, scale, _, length = self._sets[k]
+            ring, scale, length = self._sums.ring(k)
             self._budget.take(1 + len(ring) // 8, length + w.bit_length())
             qx, qy = px * scale, py * scale
             for (ax, ay), (bx, by) in list_edges([ring]):
@@ -209,19 +207,6 @@ class OpenSets:
 
 def _to_ratios(span: Interval) -> _Remnant:
     return span[0].as_integer_ratio(), span[1].as_integer_ratio()
-
-
-def _open(ring: ScaledRing) -> _OpenSet:
-    scale, points = ring
-    ends = find_box(points)
-    left, right, bottom, top = ends
-    box = left // scale, -(-right // scale), bottom // scale, -(-top // scale)
-    return _OpenSet(points, scale, box, max(int(n).bit_length() for n in (*ends, scale)))
-
-
-def _measure_width(known: _OpenSet) -> Rational:
-    left, right, bottom, top = known.box
-    return right - left + top - bottom
 
 
 def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:

@@ -14,7 +14,7 @@ from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
 from exactsweep.formats import show_path
-from exactsweep.formats.polygons import measure_file
+from exactsweep.formats.exact_json import measure_file
 from exactsweep.formats.size import FAULT
 from exactsweep.geometry.number import quote
 from exactsweep.words import count

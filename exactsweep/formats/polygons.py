@@ -4,7 +4,6 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Unpack
 
 from exactsweep.formats.candidate import (
@@ -23,7 +22,7 @@ from exactsweep.formats.files import DXF_SIGN, read_text, show_path
 from exactsweep.formats.geojson import read_geojson
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.reading import Options, Reading
-from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text, weigh
+from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.polygon import Polygon
@@ -324,22 +323,6 @@ def measure_written(text: str) -> int:
         return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
     vertices = count_vertices if first in "[{" else _count_vertices
     return measure_text(text, vertices(text))
-
-
-def measure_file(path: str) -> int:
-    """Count the bytes that a file of JSON, a document a line, counts for where it is read.
-
-    Returns:
-        As `measure_written` of its text, of which no more than a line is held.
-
-    Cost: linear.
-    """
-    vertices = numbers = 0
-    with Path(path).open(encoding="utf-8") as lines:
-        for line in lines:
-            vertices += count_vertices(line)
-            numbers += line.count(",")
-    return weigh(Path(path).stat().st_size, vertices, numbers)
 
 
 def _read_json(text: str) -> Sequence[Candidate]:

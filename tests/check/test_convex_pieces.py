@@ -11,7 +11,7 @@ from strategies import simple_polygons
 
 from exactsweep import Polygon
 from exactsweep.check.arrangement import WalkedLoop
-from exactsweep.check.convex import ScaledRing, cut_to_convex
+from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
@@ -68,6 +68,7 @@ def test_one_diagonal_serves_two_wide_angles() -> None:
     assert _check_pieces(grid("#..", "##.", "###").exterior) == 3
 
 
+ORIGIN = [(0, 0)]
 SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 
 
@@ -89,14 +90,14 @@ SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 )
 def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, points: Any) -> None:
     """The border is not in it, and an end on the border is left as a point."""
-    found, single = OpenSets([ScaledRing(1, SQUARE)], UNLIMITED).uncovered(segments)
+    found, single = OpenSets([SQUARE], [ORIGIN], UNLIMITED).uncovered(segments)
     assert [piece.ends for piece in found] == pieces
     assert single == {*points}
 
 
 def test_points_beside_a_line_are_in_the_union_or_not() -> None:
     """Near (4, 2), right of the square; and up along a border nothing is inside."""
-    sets = OpenSets([ScaledRing(1, SQUARE)], UNLIMITED)
+    sets = OpenSets([SQUARE], [ORIGIN], UNLIMITED)
     upwards, level = LatticeLine(0, 1, -4), LatticeLine(1, 0, 0)
     assert sets.is_beside(upwards, 2, 1)
     assert not sets.is_beside(upwards, 2, -1)
@@ -135,7 +136,7 @@ def test_segments_of_one_line_far_apart_meet_the_squares_near_them(y: int, uprig
     ends = [(x, y + 1) for x in (0, 4, 390, 394)]
     if upright:
         corners, ends = ([(-y, x) for x, y in points] for points in (corners, ends))
-    sets = OpenSets([ScaledRing(1, tuple(corners[k : k + 4])) for k in range(0, 160, 4)], UNLIMITED)
+    sets = OpenSets([corners[k : k + 4] for k in range(0, 160, 4)], [ORIGIN], UNLIMITED)
     pieces, points = sets.uncovered([(ends[2], ends[3]), (ends[0], ends[1])])
     assert pieces == []
     assert points == {*ends}
