@@ -39,6 +39,9 @@ from exactsweep.check.size import Budget, measure_size
 from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 
+# Steps to see that a loop is simple at a vertex, and where its edge is.
+_VERTEX = 100
+
 
 def prove_claim(claim: ShapeClaim, max_steps: int) -> None:
     """Prove a claim by steps 1 to 6.
@@ -111,11 +114,12 @@ def _prove_sweep(c: SweepClaim, budget: Budget) -> None:
 def _check_size(
     d: ClaimedShape, g: ClaimedShape, parts: Sequence[LoopOrFit], budget: Budget
 ) -> None:
-    """Refuse at once what would take too long in any case: each edge of D with each of G."""
+    """Refuse at once what would take too long in any case: all loops, and all pairs of edges."""
     rings = [d.exterior, *d.holes, g.exterior, *g.holes]
     loops = [_nodes(points) for points in (*rings, *(part.points for part in parts))]
     m, n = (len(s.exterior) + sum(map(len, s.holes)) for s in (d, g))
-    budget.take(measure_size(loops, 3 * m * n + m * m + n * n))
+    listed = sum(map(len, loops))
+    budget.take(measure_size(loops, _VERTEX * listed + 3 * m * n + m * m + n * n))
 
 
 def _nodes(points: Iterable[Point]) -> list[Node]:

@@ -16,7 +16,7 @@ from exactsweep.check.cone import cross
 from exactsweep.check.size import Budget
 from exactsweep.geometry.point import Rational, Vertex
 
-_SUM = 8  # steps to put a sum into its place
+_SUM = 20  # steps to put a sum into its place, where it takes memory, too
 _KEPT = 2**15  # rings that are not made again
 
 

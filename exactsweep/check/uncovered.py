@@ -16,6 +16,9 @@ from exactsweep.check.shape import list_edges
 from exactsweep.check.size import Budget
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
+# Steps to put a segment on its line, and to begin with it.
+_SEGMENT = 16
+
 _Coordinate = TypeVar("_Coordinate", Fraction, Rational)
 
 Interval = tuple[Rational, Rational]
@@ -115,6 +118,7 @@ class OpenSets:
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
+            self._budget.take(_SEGMENT)
             line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
@@ -146,7 +150,6 @@ class OpenSets:
         """Take the union away from closed intervals on a line, the large sets first."""
         axis, (n, d) = line.axis, line.c.as_integer_ratio()
         bits = max(c.bit_length() for c in (line.dx, line.dy, n, d))
-        self._budget.take(2)
         frame = _frame(line, spans)
         for k in self._tree.near(frame):
             box = self._sums.boxes[k]

@@ -176,7 +176,7 @@ def test_the_work_on_a_claim_counts_in_steps() -> None:
     """With m = 8, n = 4, 18 points of rings and fits and one area; but that is not all."""
     plate = Region(_box(0, 3), [_box(1, 2)])
     certificate = sweep(UNIT, plate).certificate()
-    least = 3 * 8 * 4 + 64 + 16 + 18 + 1
+    least = 3 * 8 * 4 + 64 + 16 + 101 * 18 + 1
     assert verify(certificate, max_steps=10 * least).proved
     assert verify(certificate, max_steps=least).reason.startswith("too large: ")
 

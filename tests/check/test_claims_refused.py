@@ -119,6 +119,6 @@ def test_work_on_all_pairs_of_edges_is_told_before_it_is_begun(
         written["exterior"][1:1] = write([middle])
         certificate[name] = written
     m, n = m + 1, n + 1
-    steps = 3 * m * n + m * m + n * n + m + n + 3 + 1
+    steps = 3 * m * n + m * m + n * n + 101 * (m + n + 3) + 1
     assert _refuse(certificate, max_steps=steps - 1).startswith("too large")
     assert _refuse(certificate, max_steps=steps) == "begun"
