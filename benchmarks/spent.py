@@ -103,6 +103,9 @@ def tabulate() -> Iterator[Table]:
         steps = [("classes and direction", count(partial(sweep, generatrix, directrix)))]
         steps += [(step.name, count(partial(step.run, swept))) for step in STEPS]
         steps.append(("all", sum((found for _, found in steps), Counter())))
+        again = sweep(generatrix, directrix)
+        runs = [count(partial(step.run, again)) for step in STEPS]
+        steps.append(("all, of polygons swept before", sum(runs, steps[0][1])))
         for name, found in steps:
             table.add_row(name, *(f"{found[what]:,}" for what in COUNTED))
         yield table

@@ -48,6 +48,7 @@ class Polygon(PointSet):
     """
 
     __slots__ = (
+        "__weakref__",
         "_chains",
         "_convex",
         "_edge_index",
@@ -71,7 +72,7 @@ class Polygon(PointSet):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
             self._convex, self._monotone = vertices._convex, vertices._monotone
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
-            self._chains = vertices._chains
+            self._chains = None
             return
         scale, points = _read(vertices)
         ring = canonicalize_ring(points)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import deque
 from functools import cached_property
 from typing import Any, Literal, Self, TypeVar, overload
+from weakref import ref
 
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.point import Vertex
@@ -19,8 +21,13 @@ Kind = Literal["CC", "CM", "MM", "SS"]
 """The classes of the paper; and "SS", of polygons of any shape, which has no lower sweep."""
 
 
-KEPT_VERTICES = 1000
+KEPT_VERTICES = 256
 """Polygons of more vertices do not keep their chains: there the sweep takes far longer."""
+KEPT_POLYGONS = 512
+"""So many polygons keep their chains, those split last: up to 1 kB for each vertex."""
+
+_keeping: deque[ref[Polygon]] = deque()
+"""Who keeps chains, or did so, oldest first."""
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -101,8 +108,9 @@ class LowerSweep:
 def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
     """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
 
-    Who nests sweeps each part around many others. So a polygon of up to 1000 vertices keeps its
-    chains in the last frame, and these what was found about them: see `KeptChain`.
+    Who nests sweeps each part around many others. So a polygon of few vertices keeps its chains in
+    the last frame, and these what was found about them (see `KeptChain`), until as many others as
+    may keep theirs have been split.
 
     Args:
         polygon: monotone to the direction of the frame.
@@ -125,4 +133,9 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
     if len(polygon) <= KEPT_VERTICES:
         bottom, top = KeptChain(bottom), KeptChain(top)
         polygon._chains = frame, (bottom, top)
+        _keeping.append(ref(polygon))
+        if len(_keeping) > KEPT_POLYGONS:
+            oldest = _keeping.popleft()()
+            if oldest is not None:
+                oldest._chains = None
     return bottom, top

@@ -243,10 +243,9 @@ def sweep_pairs(
         for chain, part in guess():
             i, k = (part, chain) if exchanged else (chain, part)
             guessed[i].add(k)
-        envelope = sweep_batch(
-            envelope, {i: sorted(guessed[i].intersection(facing[i])) for i in order}
-        )
-        facing = [sorted(set(facing[i]) - guessed[i]) for i in range(len(rows))]
+        likely = {i: [k for k in facing[i] if k in guessed[i]] for i in order}
+        envelope = sweep_batch(envelope, likely)
+        facing = [[k for k in facing[i] if k not in guessed[i]] for i in range(len(rows))]
     batch: dict[int, Sequence[int]] = {}
     size, pairs = max(len(rows) + len(columns), FEW_PAIRS), 0
     for i in order:

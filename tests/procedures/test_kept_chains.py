@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import copy
 import pickle
-from collections import Counter
+from collections import Counter, deque
 from fractions import Fraction
 from typing import Any
+from weakref import ref
 
 import pytest
 import strategies as own
@@ -150,15 +151,42 @@ def test_a_kept_chain_is_the_chain(polygon: Polygon) -> None:
             assert (again.inverted, again.width) == (kept.inverted, kept.width)
 
 
+def keeps(polygon: Polygon) -> bool:
+    """Whether a polygon that was split before is not split again."""
+    frame = Frame((1, 0), 1)
+    return (
+        polygon._chains is not None
+        and split_polygon(polygon, frame)[0] is split_polygon(polygon, frame)[0]
+    )
+
+
 def test_only_polygons_of_few_vertices_keep_their_chains() -> None:
-    """A large one takes its time anyway, and would keep three times its size."""
+    """A large one takes its time anyway, and would keep four times its size."""
     for count in (KEPT_VERTICES, KEPT_VERTICES + 1):
         teeth = [(k, -(k % 2)) for k in range(count - 1)]
         polygon = Polygon([*teeth, (0, count)])
         assert len(polygon) == count
-        frame = Frame((1, 0), 1)
-        again = split_polygon(polygon, frame)[0] is split_polygon(polygon, frame)[0]
-        assert again == (count == KEPT_VERTICES)
+        split_polygon(polygon, Frame((1, 0), 1))
+        assert keeps(polygon) == (count == KEPT_VERTICES)
+
+
+def test_only_the_polygons_split_last_keep_their_chains(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So that a list of parts takes no more memory than these."""
+    monkeypatch.setattr(lower_sweep, "KEPT_POLYGONS", 3)
+    monkeypatch.setattr(lower_sweep, "_keeping", deque())
+    frame = Frame((1, 0), 1)
+    polygons = [forget(NOTCH) for _ in range(5)]
+    for polygon in polygons:
+        split_polygon(polygon, frame)
+    assert [keeps(polygon) for polygon in polygons] == [False, False, True, True, True]
+    # Those that are gone take a place until it is their turn, and nothing else.
+    gone, last = ref(polygons[3]), polygons[4]
+    del polygons[3:], polygon
+    assert gone() is None
+    split_polygon(polygons[0], frame)
+    split_polygon(polygons[1], frame)
+    assert [keeps(polygon) for polygon in polygons] == [True, True, False]
+    assert keeps(last)
 
 
 def test_a_copy_of_a_swept_polygon_is_the_polygon() -> None:
