@@ -87,6 +87,8 @@ def assemble(
         near = tree.near((floor(x), ceil(x), floor(y), ceil(y)))
         if not any(_is_on((x, y), pieces[k]) for k in near):
             fits.append(((x, y), (x, y)))
+    # At a vertex through which many loops pass, all of them are sorted for each.
+    budget.take(sum(4 * len(ends) ** 2 for ends in ahead.values() if len(ends) > 1))
     return Boundary(_walk_loops(ahead), fits)
 
 

@@ -109,6 +109,7 @@ def _find_diagonal(
     """
     k = bisect_left(order, p)
     near = order[max(k - _NEAR, 0) : k + _NEAR + 1]
+    take(2 * len(near))
     for _, _, q in sorted(_rank_diagonals(p, wide, near, cones))[:_FEW]:
         take(1 + len(walls) // 8)
         if not _is_blocked(p, q, walls):

@@ -153,6 +153,9 @@ def find_inner_fit(
     solids = [(_box_around(c[0]), outside[0]), *((ring,) for ring in outside[1:])]
     pieces = [piece for solid in solids for piece in cut_to_convex(solid, budget)]
     found = _assemble_boundary(pieces, outside, g, budget)
+    # Where each hole lies.
+    holes = sum(not loop.is_hole for loop in found.loops)
+    budget.take(holes * sum(len(loop.points) for loop in found.loops) // 8)
     return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
 
 
