@@ -17,7 +17,7 @@ from exactsweep.check.size import Budget
 from exactsweep.geometry.point import Rational, Vertex
 
 _SUM = 20  # steps to put a sum into its place, where it takes memory, too
-_KEPT = 2**15  # rings that are not made again
+_KEPT = 2**16  # rings that are not made again
 
 
 class ScaledRing(NamedTuple):
@@ -91,11 +91,13 @@ class ConvexSums:
         ordered = sorted(found.values(), key=lambda entry: _measure_width(entry[0]), reverse=True)
         self.boxes = [box for box, _, _ in ordered]
         self._pairs = [(one, other) for _, one, other in ordered]
+        self._budget = budget
         self.ring = lru_cache(_KEPT)(self._make_ring)
 
     def _make_ring(self, k: int) -> ScaledRing:
         """Sum k, made by merging edges by direction."""
         one, other = self._pairs[k]
+        self._budget.take(2 * (len(one.ways) + len(other.ways)), self.bits)
         scale = lcm(one.scale, other.scale)
         points = _merge(_stretch(one, scale), _stretch(other, scale))
         bits = max(c.bit_length() for point in points for c in point)
