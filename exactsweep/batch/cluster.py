@@ -9,7 +9,8 @@ from typing import Any
 
 from exactsweep.batch.error import BatchError
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.formats.error import require_imports
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.error import require_imports
 from exactsweep.geometry.number import quote
 
 LOCAL = "local"
@@ -100,7 +101,7 @@ class _RecordsOfCluster:
 
 
 def _dask() -> Any:
-    with require_imports("distributed", "distributed", "a scheduler"):
+    with require_imports("distributed", "distributed", "a scheduler", FormatError):
         import distributed
     return distributed
 

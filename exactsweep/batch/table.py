@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.batch.record import COLUMNS, Quantities
-from exactsweep.formats.error import require_imports
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.error import require_imports
 
 _ROWS = 1024
 _NAMES = ("error", "id", "generatrix", "directrix")
@@ -18,7 +19,7 @@ _NAMES = ("error", "id", "generatrix", "directrix")
 
 def require_pyarrow() -> None:
     """Refuse to begin what could not be finished."""
-    with require_imports("pyarrow", "parquet", "Parquet"):
+    with require_imports("pyarrow", "parquet", "Parquet", FormatError):
         import pyarrow.parquet  # noqa: F401
 
 

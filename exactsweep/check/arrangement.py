@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from math import ceil, floor
 from typing import NamedTuple
 
+from exactsweep.check.boxes import BoxTree, Rectangle
 from exactsweep.check.cone import by_turn, cross, divide, subtract
+from exactsweep.check.size import Budget
 from exactsweep.check.uncovered import LinePiece, OpenSets
 from exactsweep.geometry.canonical import canonicalize_ring, find_doubled_area
 from exactsweep.geometry.point import Edge, Rational, Vertex
@@ -45,20 +48,25 @@ def canonicalize(points: Sequence[Vertex]) -> tuple[Vertex, ...]:
     return canonicalize_ring(points).points
 
 
-def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets) -> Boundary:
+def assemble(
+    pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSets, budget: Budget
+) -> Boundary:
     """Assemble loops and fits.
 
     Args:
         pieces: of lines, those on one line apart from each other.
         points: single points; those that are on a piece are left out.
         sets: the open sets, which all pieces and points are free of.
+        budget: what it may take.
 
     Returns:
         Boundary. Loops are simple and may touch in vertices.
 
-    Cost: O(p**2) for p pieces, and the number of sets for each edge.
+    Cost: O(p**2) for p pieces at worst, and the number of sets near each edge; by those that meet.
     """
-    cuts = _find_cuts(pieces)
+    boxes = list(map(_find_box, pieces))
+    tree = BoxTree(boxes, budget)
+    cuts = _find_cuts(pieces, boxes, tree, 2 * sets.bits, budget)
     ahead: dict[Vertex, list[Vertex]] = defaultdict(list)
     slits: list[list[Edge]] = []
     for piece, at in zip(pieces, cuts, strict=True):
@@ -75,7 +83,12 @@ def assemble(pieces: Sequence[LinePiece], points: Iterable[Vertex], sets: OpenSe
                 slits[-1].append((p, q))
     on_loops = set(ahead)
     fits = [fit for edges in slits for fit in _join(edges, on_loops)]
-    fits += [(p, p) for p in points if not any(_is_on(p, piece) for piece in pieces)]
+    for x, y in points:
+        near = tree.near((floor(x), ceil(x), floor(y), ceil(y)))
+        if not any(_is_on((x, y), pieces[k]) for k in near):
+            fits.append(((x, y), (x, y)))
+    # At a vertex through which many loops pass, all of them are sorted for each.
+    budget.take(sum(4 * len(ends) ** 2 for ends in ahead.values() if len(ends) > 1))
     return Boundary(_walk_loops(ahead), fits)
 
 
@@ -84,19 +97,29 @@ def _is_on(p: Vertex, piece: LinePiece) -> bool:
     return dx * p[1] - dy * p[0] == c and piece.low <= p[piece.line.axis] <= piece.high
 
 
-def _find_cuts(pieces: Sequence[LinePiece]) -> list[dict[Rational, Vertex]]:
+def _find_box(piece: LinePiece) -> Rectangle:
+    """The box around a piece, rounded outwards."""
+    (ax, ay), (bx, by) = piece.ends
+    return floor(ax), ceil(bx), floor(min(ay, by)), ceil(max(ay, by))
+
+
+def _find_cuts(
+    pieces: Sequence[LinePiece],
+    boxes: Sequence[Rectangle],
+    tree: BoxTree,
+    bits: int,
+    budget: Budget,
+) -> list[dict[Rational, Vertex]]:
     """On each piece its ends and where others meet it, each by its coordinate on the line."""
     cuts = [{piece.low: piece.ends[0], piece.high: piece.ends[1]} for piece in pieces]
-    order = sorted(range(len(pieces)), key=lambda k: pieces[k].ends[0])
-    active: list[int] = []
-    for k in order:
-        start = pieces[k].ends[0][0]
-        active = [j for j in active if pieces[j].ends[1][0] >= start]
-        for j in active:
+    for k, box in enumerate(boxes):
+        for j in tree.near(box):
+            if j >= k:
+                break
+            budget.take(4, bits)
             if (p := _find_common_point(pieces[j], pieces[k])) is not None:
                 for i in (j, k):
                     cuts[i][p[pieces[i].line.axis]] = p
-        active.append(k)
     return cuts
 
 
@@ -127,16 +150,20 @@ def _walk_loops(ahead: dict[Vertex, list[Vertex]]) -> list[WalkedLoop]:
     """Walk along what is free, keeping it on the left; cut the walk where it comes again."""
     loops = []
     left = {(p, q) for p, ends in ahead.items() for q in ends}
-    while left:
-        p, q = start = min(left)
-        walk = [p]
+    for start in sorted(left):
+        if start not in left:
+            continue
+        p, q = start
+        walk, places = [p], {p: 0}
         while True:
             left.discard((p, q))
-            if q in walk:
-                k = walk.index(q)
+            if (k := places.get(q)) is not None:
                 loops.append(_make_loop(walk[k:]))
+                for gone in walk[k + 1 :]:
+                    del places[gone]
                 del walk[k + 1 :]
             else:
+                places[q] = len(walk)
                 walk.append(q)
             p, q = q, _choose_next(p, q, ahead[q])
             if (p, q) == start:

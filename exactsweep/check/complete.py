@@ -33,10 +33,14 @@ from exactsweep.check.claimed_shape import check_loop, check_shape
 from exactsweep.check.classify import classify
 from exactsweep.check.difference import LoopOrFit, compare
 from exactsweep.check.monotone import has_shared_direction
-from exactsweep.check.no_fit import reference_inner_fit, reference_no_fit, reference_swept
-from exactsweep.check.size import check_size
-from exactsweep.geometry.canonical import find_turns
+from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
+from exactsweep.check.shape import list_rings
+from exactsweep.check.size import Budget, measure_size
 from exactsweep.geometry.point import Fit, Loop, Point
+from exactsweep.geometry.polygon import Polygon
+
+# Steps to see that a loop is simple at a vertex, and where its edge is.
+_VERTEX = 100
 
 
 def prove_claim(claim: ShapeClaim, max_steps: int) -> None:
@@ -47,57 +51,60 @@ def prove_claim(claim: ShapeClaim, max_steps: int) -> None:
 
     Cost: that of `reference_no_fit`, `reference_inner_fit` and `reference_swept`.
     """
+    budget = Budget(max_steps)
     if isinstance(claim, NoFitClaim):
-        _prove_no_fit(claim, max_steps)
+        _prove_no_fit(claim, budget)
     elif isinstance(claim, InnerFitClaim):
-        _prove_inner_fit(claim, max_steps)
+        _prove_inner_fit(claim, budget)
     else:
-        _prove_sweep(claim, max_steps)
+        _prove_sweep(claim, budget)
 
 
-def _prove_no_fit(c: NoFitClaim, max_steps: int) -> None:
+def _prove_no_fit(c: NoFitClaim, budget: Budget) -> None:
     claimed = _parts_of_no_fit(c.exterior, c.holes, c.exact_fits)
-    _check_size(c.directrix, c.generatrix, claimed, max_steps)
+    _check_size(c.directrix, c.generatrix, claimed, budget)
     check_shape(c.directrix, "directrix")
     check_shape(c.generatrix, "generatrix")
     _check_loops(claimed)
-    true = _parts_of_no_fit(*reference_no_fit(c.directrix, c.generatrix))
+    true = _parts_of_no_fit(*find_no_fit(list_rings(c.directrix), list_rings(c.generatrix), budget))
 
     def say(t: Point) -> str:
         verdict = classify(c.directrix, c.generatrix, t).verdict
         return "G overlaps D" if verdict == "OVERLAP" else "G does not touch D"
 
-    compare(claimed, true, say)
+    compare(claimed, true, say, budget)
 
 
-def _prove_inner_fit(c: InnerFitClaim, max_steps: int) -> None:
+def _prove_inner_fit(c: InnerFitClaim, budget: Budget) -> None:
     claimed = _parts_of_inner_fit(c.regions, c.exact_fits)
-    _check_size(c.container, c.part, claimed, max_steps)
+    _check_size(c.container, c.part, claimed, budget)
     check_shape(c.container, "container")
     check_shape(c.part, "part")
     _check_loops(claimed)
-    found = reference_inner_fit(c.container, c.part)
+    found = find_inner_fit(list_rings(c.container), list_rings(c.part), budget)
     regions = [ClaimedShape(*region) for region in found.regions]
     compare(
         claimed,
         _parts_of_inner_fit(regions, found.exact_fits),
         lambda _: "the part is not inside the container, or does not touch it",
+        budget,
     )
     for k, (region, right) in enumerate(zip(c.regions, regions, strict=True)):
         if region != right:
             raise CertificateError(f"regions[{k}]: not sorted, or a hole is in the wrong region")
 
 
-def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
+def _prove_sweep(c: SweepClaim, budget: Budget) -> None:
     d, g = c.no_fit.directrix, c.no_fit.generatrix
     claimed = _parts_of_sweep(c.outer, c.inner, c.unswept)
-    _check_size(ClaimedShape(c.no_fit.exterior, ()), g, claimed, max_steps)
-    _prove_no_fit(c.no_fit, max_steps)
+    _check_size(ClaimedShape(c.no_fit.exterior, ()), g, claimed, budget)
+    _prove_no_fit(c.no_fit, budget)
     if not d.holes and not g.holes and has_shared_direction([d.exterior, g.exterior]):
         raise CertificateError("kind: there is a shared direction, so it is not SS")
     _check_loops(claimed)
-    true = _parts_of_sweep(*reference_swept(d, g, c.no_fit.exterior))
-    compare(claimed, true, lambda _: "it is not on the boundary of the area swept")
+    exterior = Polygon(c.no_fit.exterior)
+    true = _parts_of_sweep(*find_swept(list_rings(d), list_rings(g), exterior, budget))
+    compare(claimed, true, lambda _: "it is not on the boundary of the area swept", budget)
     check_area(c.area, _nodes(c.outer), [*map(_nodes, (c.inner, *c.unswept))])
 
 
@@ -105,19 +112,14 @@ def _prove_sweep(c: SweepClaim, max_steps: int) -> None:
 
 
 def _check_size(
-    d: ClaimedShape, g: ClaimedShape, parts: Sequence[LoopOrFit], max_steps: int
+    d: ClaimedShape, g: ClaimedShape, parts: Sequence[LoopOrFit], budget: Budget
 ) -> None:
-    """Refuse what would take too long: pairs of pieces on all contact segments, at a guess."""
+    """Refuse at once what would take too long in any case: all loops, and all pairs of edges."""
     rings = [d.exterior, *d.holes, g.exterior, *g.holes]
     loops = [_nodes(points) for points in (*rings, *(part.points for part in parts))]
-    sizes, pieces = [], []
-    for shape in (d, g):
-        around = (shape.exterior, *shape.holes)
-        sizes.append(sum(map(len, around)))
-        concave = sum(turn < 0 for turn in find_turns(shape.exterior))
-        pieces.append(1 + concave + sum(map(len, shape.holes)))
-    (m, n), (p, q) = sizes, pieces
-    check_size(loops, 2 * m * n * (1 + p * q // 16) + m * m + n * n, max_steps)
+    m, n = (len(s.exterior) + sum(map(len, s.holes)) for s in (d, g))
+    listed = sum(map(len, loops))
+    budget.take(measure_size(loops, _VERTEX * listed + 3 * m * n + m * m + n * n))
 
 
 def _nodes(points: Iterable[Point]) -> list[Node]:

@@ -2,15 +2,15 @@
 
 Left out are segments along which the two overlap beside the contact itself: the cones there have a
 direction in common. Where two vertices meet, the position is an end of a segment that is left in:
-of two convex angles without a common direction, one lies beyond a side of the other. But where
-rings touch there are several angles at a vertex. So such positions are points of their own: two
-links of a chain may hold each other by such vertices and nothing else.
+of two angles without a common direction, one lies beyond a side of the other. But where rings touch
+there are several angles at a vertex. Such positions are points of their own: two links of a chain
+may hold each other by such vertices and nothing else.
 """
 
 from __future__ import annotations
 
-from exactsweep.check.cone import Cone, find_common_direction, subtract
-from exactsweep.check.meeting import find_cones_of, split_where_touching
+from exactsweep.check.cone import Cone, find_common_direction, reduce_way, subtract
+from exactsweep.check.meeting import Cones, find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
 from exactsweep.geometry.point import Edge, Vertex
 
@@ -28,23 +28,25 @@ def find_contacts_of_shapes(d: LatticeShape, g: LatticeShape) -> tuple[list[Edge
     Cost: O(mn) for m and n edges.
     """
     d, g = split_where_touching(d), split_where_touching(g)
-    d_cones, g_cones = find_cones_of(d), find_cones_of(g)
+    d_cones, g_cones = _find_angles(d), _find_angles(g)
     segments = []
+    convex = _leave_out_wide(d_cones)
     for a, b in list_edges(g):
-        wall = [_half_plane(subtract(b, a))]
-        for v, cones in d_cones.items():
+        wall = [_half_plane(reduce_way(subtract(b, a)))]
+        for v, cones in convex.items():
             if not find_common_direction(cones, wall):
                 segments.append((subtract(v, a), subtract(v, b)))
+    convex = _leave_out_wide(g_cones)
     for a, b in list_edges(d):
-        wall = [_half_plane(subtract(b, a))]
-        for v, cones in g_cones.items():
+        wall = [_half_plane(reduce_way(subtract(b, a)))]
+        for v, cones in convex.items():
             if not find_common_direction(cones, wall):
                 segments.append((subtract(a, v), subtract(b, v)))
     points = {
         subtract(v, w)
         for v, cones in d_cones.items()
         for w, others in g_cones.items()
-        if not find_common_direction(cones, others)
+        if (len(cones) > 1 or len(others) > 1) and not find_common_direction(cones, others)
     }
     return segments, points
 
@@ -63,19 +65,31 @@ def find_contacts_of_curve(curve: LatticeRing, g: LatticeShape) -> list[Edge]:
     """
     g = split_where_touching(g)
     segments = []
-    ways = [subtract(b, a) for a, b in list_edges([curve])]
+    ways = [reduce_way(subtract(b, a)) for a, b in list_edges([curve])]
     for a, b in list_edges(g):
-        x, y = subtract(b, a)
-        inverse = _half_plane((-x, -y))
+        inverse = _half_plane(_back(reduce_way(subtract(b, a))))
         for k, (vx, vy) in enumerate(curve):
             if not any(map(inverse.surrounds, (_back(ways[k - 1]), ways[k]))):
                 segments.append(((vx + a[0], vy + a[1]), (vx + b[0], vy + b[1])))
-    for w, cones in find_cones_of(g).items():
+    for w, cones in _find_angles(g).items():
         inverses = [Cone(_back(cone.start), _back(cone.end)) for cone in cones]
         for (a, b), way in zip(list_edges([curve]), ways, strict=True):
             if not any(c.surrounds(along) for c in inverses for along in (way, _back(way))):
                 segments.append(((a[0] + w[0], a[1] + w[1]), (b[0] + w[0], b[1] + w[1])))
     return segments
+
+
+def _find_angles(shape: LatticeShape) -> dict[Vertex, Cones]:
+    """The cones of a shape, in short ints."""
+    return {
+        p: [Cone(reduce_way(cone.start), reduce_way(cone.end)) for cone in cones]
+        for p, cones in find_cones_of(shape).items()
+    }
+
+
+def _leave_out_wide(angles: dict[Vertex, Cones]) -> dict[Vertex, Cones]:
+    """Vertices without a wide angle, which has a direction in common with every half-plane."""
+    return {p: cones for p, cones in angles.items() if not any(cone.is_wide for cone in cones)}
 
 
 def _half_plane(way: Vertex) -> Cone:

@@ -5,6 +5,7 @@ Steps 3 to 5 of `complete`.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
@@ -12,6 +13,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.check.certificate import CertificateError
+from exactsweep.check.size import Budget
+from exactsweep.check.uncovered import unite
 from exactsweep.geometry.point import Fit, Loop, Point
 
 
@@ -30,7 +33,10 @@ class LoopOrFit(NamedTuple):
 
 
 def compare(
-    claimed: Sequence[LoopOrFit], true: Sequence[LoopOrFit], say: Callable[[Point], str]
+    claimed: Sequence[LoopOrFit],
+    true: Sequence[LoopOrFit],
+    say: Callable[[Point], str],
+    budget: Budget,
 ) -> None:
     """Check that parts are those that they should be, in the same order.
 
@@ -38,14 +44,16 @@ def compare(
         claimed: the parts of a certificate.
         true: those of the answer.
         say: what is wrong with a point of a claimed part that is on no true one.
+        budget: what it may take.
 
     Raises:
         CertificateError: the witness is a point of just one of the two, or a point of a part
             that is none, although it runs along others.
 
-    Cost: O(k log k) for k edges, unless many of them share a line.
+    Cost: O(k log k) for k edges, and O(k) for each single point that just one of the two has.
     """
     known, listed = _Segments(true), _Segments(claimed)
+    budget.take(4 * (known.count_searches(claimed) + listed.count_searches(true)))
     for part in claimed:
         if (t := known.first_outside(part)) is not None:
             raise CertificateError(f"{part.name}: at the witness {say(t)}", t)
@@ -73,16 +81,15 @@ class _Segments:
     """The segments of some parts, by the lines that they are on."""
 
     def __init__(self, parts: Iterable[LoopOrFit]) -> None:
-        self._spans: dict[_SlopeForm, list[tuple[Fraction, Fraction]]] = defaultdict(list)
+        spans_of: dict[_SlopeForm, list[_Reach]] = defaultdict(list)
         self._points = set()
         for a, b in (segment for part in parts for segment in part.segments):
             if a == b:
                 self._points.add(a)
             else:
                 line = _line_through(a, b)
-                self._spans[line].append(_span(a, b, line))
-        for spans in self._spans.values():
-            spans.sort()
+                spans_of[line].append(_span(a, b, line))
+        self._spans = {line: unite(spans) for line, spans in spans_of.items()}
 
     def first_outside(self, part: LoopOrFit) -> Point | None:
         """A point of a part that is on none of the segments."""
@@ -93,13 +100,21 @@ class _Segments:
                 continue
             line = _line_through(a, b)
             low, high = _span(a, b, line)
-            for start, end in (*self._spans.get(line, ()), (high, high)):
-                if low < start:
-                    return _at((low + min(start, high)) / 2, line)
-                low = max(low, end)
-                if low >= high:
-                    break
+            spans = self._spans.get(line, [])
+            # The first that ends beyond the lower end: the one before ends at it, or below.
+            k = bisect_right(spans, low, key=_end)
+            start, end = spans[k] if k < len(spans) else (high, high)
+            if low < start:
+                return _at((low + min(start, high)) / 2, line)
+            if end < high:
+                after = spans[k + 1][0] if k + 1 < len(spans) else high
+                return _at((end + min(after, high)) / 2, line)
         return None
+
+    def count_searches(self, parts: Iterable[LoopOrFit]) -> int:
+        """How many lines are looked at for the single points of parts that are not listed."""
+        points = {a for part in parts for a, b in part.segments if a == b}
+        return len(points - self._points) * len(self._spans)
 
     def _holds(self, p: Point) -> bool:
         return p in self._points or any(
@@ -108,6 +123,8 @@ class _Segments:
             for line, spans in self._spans.items()
         )
 
+
+_Reach = tuple[Fraction, Fraction]
 
 # Slope and height at x = 0, or None and x.
 _SlopeForm = tuple[Fraction | None, Fraction]
@@ -120,7 +137,11 @@ def _line_through(a: Point, b: Point) -> _SlopeForm:
     return slope, a.y - slope * a.x
 
 
-def _span(a: Point, b: Point, line: _SlopeForm) -> tuple[Fraction, Fraction]:
+def _end(span: _Reach) -> Fraction:
+    return span[1]
+
+
+def _span(a: Point, b: Point, line: _SlopeForm) -> _Reach:
     low, high = sorted((a.y, b.y) if line[0] is None else (a.x, b.x))
     return low, high
 

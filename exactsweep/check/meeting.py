@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -106,17 +106,19 @@ def find_rays(ring: Sequence[Vertex], k: int) -> tuple[Ray, Ray]:
 def split_where_touching(shape: LatticeShape) -> LatticeShape:
     """Make vertices of rings that lie inside edges of others vertices of those, too.
 
-    Cost: O(n) for one ring, O(n**2) for several.
+    Cost: O(n) for one ring, O(n**2) at worst for several.
     """
     if len(shape) == 1:
         return shape
-    corners = {p for ring in shape for p in ring}
+    corners = sorted({p for ring in shape for p in ring})
     rings = []
     for ring in shape:
         points: list[Vertex] = []
         for a, b in list_edges([ring]):
             way = subtract(b, a)
-            inside = [p for p in corners if p not in (a, b) and is_between(p, a, b)]
+            low, high = min(a, b), max(a, b)
+            between = corners[bisect_right(corners, low) : bisect_left(corners, high)]
+            inside = [p for p in between if is_between(p, a, b)]
             points += [a, *sorted(inside, key=lambda p: dot(subtract(p, a), way))]
         rings.append(tuple(points))
     return tuple(rings)

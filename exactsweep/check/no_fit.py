@@ -35,15 +35,18 @@ from typing import Any, NamedTuple
 
 from exactsweep.check.arrangement import Boundary, WalkedLoop, assemble, canonicalize
 from exactsweep.check.contact_segments import find_contacts_of_curve, find_contacts_of_shapes
-from exactsweep.check.convex import add_convex, cut_to_convex
+from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.location import locate
 from exactsweep.check.shape import (
     LatticeRing,
     LatticeShape,
-    bring_to_integers,
+    find_scale,
+    list_edges,
     list_rings,
+    scale_shape,
     to_points,
 )
+from exactsweep.check.size import UNLIMITED, Budget
 from exactsweep.check.uncovered import OpenSets
 from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_doubled_area
@@ -97,8 +100,17 @@ def reference_no_fit(directrix: Any, generatrix: Any) -> ReferenceNoFit:
     >>> [[tuple(map(str, p)) for p in fit] for fit in found.exact_fits]
     [[('1', '1'), ('1', '1')]]
     """
-    scale, (d, g) = bring_to_integers([list_rings(directrix), list_rings(generatrix)])
-    found = assemble_boundary(cut_to_convex(d), d, g)
+    return find_no_fit(list_rings(directrix), list_rings(generatrix), UNLIMITED)
+
+
+def find_no_fit(
+    directrix: tuple[Polygon, ...], generatrix: tuple[Polygon, ...], budget: Budget
+) -> ReferenceNoFit:
+    """Evaluate `reference_no_fit` within a budget."""
+    shapes = directrix, generatrix
+    scale = find_scale(shapes)
+    d, g = (scale_shape(shape, scale) for shape in shapes)
+    found = _assemble_boundary(cut_to_convex(d, budget), d, g, budget)
     (exterior,) = (loop for loop in found.loops if not loop.is_hole)
     return ReferenceNoFit(
         _vertices(exterior, scale),
@@ -127,11 +139,23 @@ def reference_inner_fit(container: Any, part: Any) -> ReferenceInnerFit:
     >>> reference_inner_fit([(0, 0), (3, 0), (3, 1), (0, 1)], [(0, 0), (1, 0), (1, 1), (0, 1)])[1]
     ((Point(x=Fraction(0, 1), y=Fraction(0, 1)), Point(x=Fraction(2, 1), y=Fraction(0, 1))),)
     """
-    scale, (c, g) = bring_to_integers([list_rings(container), list_rings(part)])
+    return find_inner_fit(list_rings(container), list_rings(part), UNLIMITED)
+
+
+def find_inner_fit(
+    container: tuple[Polygon, ...], part: tuple[Polygon, ...], budget: Budget
+) -> ReferenceInnerFit:
+    """Evaluate `reference_inner_fit` within a budget."""
+    shapes = container, part
+    scale = find_scale(shapes)
+    c, g = (scale_shape(shape, scale) for shape in shapes)
     outside = tuple(ring[::-1] for ring in c)
     solids = [(_box_around(c[0]), outside[0]), *((ring,) for ring in outside[1:])]
-    pieces = [piece for solid in solids for piece in cut_to_convex(solid)]
-    found = assemble_boundary(pieces, outside, g)
+    pieces = [piece for solid in solids for piece in cut_to_convex(solid, budget)]
+    found = _assemble_boundary(pieces, outside, g, budget)
+    # Where each hole lies.
+    holes = sum(not loop.is_hole for loop in found.loops)
+    budget.take(holes * sum(len(loop.points) for loop in found.loops) // 8)
     return ReferenceInnerFit(_regions(found.loops, scale), _fits(found, scale))
 
 
@@ -161,24 +185,39 @@ def reference_swept(
     """
     if exterior is None:
         exterior = reference_no_fit(directrix, generatrix).exterior
-    trajectory = Polygon(exterior)
-    shapes = [list_rings(directrix), list_rings(generatrix), (trajectory,)]
-    scale, (d, g, (curve,)) = bring_to_integers(shapes)
-    edges = zip(curve, (*curve[1:], curve[0]), strict=True)
-    pieces = cut_to_convex(g)
-    sets = OpenSets(add_convex(piece, edge) for edge in edges for piece in pieces)
+    shapes = list_rings(directrix), list_rings(generatrix)
+    return find_swept(*shapes, Polygon(exterior), UNLIMITED)
+
+
+def find_swept(
+    directrix: tuple[Polygon, ...],
+    generatrix: tuple[Polygon, ...],
+    trajectory: Polygon,
+    budget: Budget,
+) -> ReferenceSwept:
+    """Evaluate `reference_swept` within a budget.
+
+    The trajectory need not be on the lattice of the others. Its crossings have denominators of
+    their own, so that a lattice for all of it would be as fine as all of them together are long.
+    """
+    shapes = directrix, generatrix
+    scale = find_scale(shapes)
+    d, g, (curve,) = (scale_shape(shape, scale) for shape in (*shapes, (trajectory,)))
+    pieces = cut_to_convex(g, budget)
+    edges = list_edges([curve])
+    sets = OpenSets(edges, pieces, budget)
     left, _ = sets.uncovered(find_contacts_of_curve(curve, g))
-    loops = assemble(left, (), sets).loops
+    loops = assemble(left, (), sets, budget).loops
     (outer,) = (loop for loop in loops if not loop.is_hole)
     holes = [loop for loop in loops if loop.is_hole]
-    inside = _point_inside(cut_to_convex(d)[0])
+    inside = _point_inside(cut_to_convex(d, budget)[0])
     (inner,) = (loop for loop in holes if locate(inside, loop.points) > 0)
     unswept = sorted(_vertices(loop, scale) for loop in holes if loop is not inner)
     return ReferenceSwept(_vertices(outer, scale), _vertices(inner, scale), tuple(unswept))
 
 
-def assemble_boundary(
-    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape
+def _assemble_boundary(
+    pieces: Sequence[LatticeRing], boundary: LatticeShape, g: LatticeShape, budget: Budget
 ) -> Boundary:
     """Assemble the boundary of the positions at which G overlaps a solid, by steps 1 to 4.
 
@@ -186,13 +225,14 @@ def assemble_boundary(
         pieces: the convex pieces of the solid.
         boundary: its rings, as far as G is to touch them.
         g: the rings of G.
+        budget: what it may take.
     """
-    inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g)]
-    sets = OpenSets(add_convex(a, b) for a in pieces for b in inverses)
+    inverses = [tuple((-x, -y) for x, y in piece) for piece in cut_to_convex(g, budget)]
+    sets = OpenSets(pieces, inverses, budget)
     segments, points = find_contacts_of_shapes(boundary, g)
     left, more = sets.uncovered(segments)
     single = more | {p for p in points if not sets.holds(p)}
-    return assemble(left, single, sets)
+    return assemble(left, single, sets, budget)
 
 
 def _vertices(loop: WalkedLoop, scale: int) -> Loop:

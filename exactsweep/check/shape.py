@@ -6,11 +6,14 @@ The first ring is the exterior, counter-clockwise; the others are holes, clockwi
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from exactsweep.check.cone import divide
+from exactsweep.check.size import find_common_scale
 from exactsweep.geometry.number import divide_exactly
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
 
 LatticeRing = tuple[Vertex, ...]
@@ -51,6 +54,26 @@ def bring_to_one_lattice(
     return scale, brought
 
 
+def find_scale(shapes: Iterable[Iterable[Polygon]]) -> int:
+    """The `find_common_scale` of all vertices of some shapes."""
+    return find_common_scale([p for shape in shapes for polygon in shape for p in polygon.vertices])
+
+
+def scale_shape(polygons: Iterable[Polygon], scale: int) -> LatticeShape:
+    """An exterior and its holes, times a scale."""
+    exterior, *holes = (scale_ring(polygon.vertices, scale) for polygon in polygons)
+    return exterior, *(hole[::-1] for hole in holes)
+
+
+def scale_ring(points: Iterable[Point], scale: int) -> LatticeRing:
+    """Points times a scale: ints where they come out, else Fractions."""
+    return tuple((_times(x, scale), _times(y, scale)) for x, y in points)
+
+
+def _times(c: Fraction, scale: int) -> Rational:
+    return divide(c.numerator * scale, c.denominator)
+
+
 def bring_to_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[LatticeShape]]:
     """Bring shapes to a common integer lattice, however fine."""
     scale, brought = bring_to_one_lattice(shapes)
@@ -65,4 +88,9 @@ def bring_to_integers(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[La
 
 def to_points(ring: Iterable[Vertex], scale: int) -> tuple[Point, ...]:
     """Leave the lattice."""
-    return tuple(Point(divide_exactly(x, scale), divide_exactly(y, scale)) for x, y in ring)
+    return tuple(to_point(p, scale) for p in ring)
+
+
+def to_point(p: Vertex, scale: int) -> Point:
+    """Leave the lattice."""
+    return Point(divide_exactly(p[0], scale), divide_exactly(p[1], scale))

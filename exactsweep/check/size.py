@@ -1,15 +1,20 @@
-"""Certificates too large to be checked: refused before the work begins, not in its midst."""
+"""Certificates too large to be checked.
+
+What is known to take too long is refused before it is begun. For polygons of any shape that is each
+edge with each other one. The rest depends on how many pieces meet, and is taken from the same
+budget as it comes.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import chain
 from math import isqrt, lcm
 from typing import Any
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
-from exactsweep.geometry.point import Point
+from exactsweep.geometry.point import Point, Vertex
 
 _LEVELS = 8
 
@@ -36,19 +41,61 @@ def find_common_scale(points: Collection[Point]) -> int:
     return scale
 
 
+class Budget:
+    """What may still be done, in steps of about a microsecond.
+
+    Args:
+        most: how many steps, or None for any number.
+
+    Attributes:
+        left: how many of them are left.
+    """
+
+    def __init__(self, most: int | None = None) -> None:
+        self._most = self.left = most
+
+    def take(self, steps: int, bits: int = 0) -> None:
+        """Take steps on numbers of so many bits.
+
+        Raises:
+            CertificateError: that is more than is left.
+        """
+        if self.left is None:
+            return
+        self.left -= steps * _weight(bits)
+        if self.left < 0:
+            raise CertificateError(
+                f"too large: to check it would take more than {self._most} steps"
+            )
+
+
+UNLIMITED = Budget()
+
+
+def measure_bits(points: Iterable[Vertex]) -> int:
+    """The bits of the longest coordinate, and 32 times as many for Fractions, which take longer."""
+    ratios = [c.as_integer_ratio() for p in points for c in p]
+    bits = max(max(n.bit_length(), d.bit_length()) for n, d in ratios)
+    return bits if all(d == 1 for _, d in ratios) else 32 * bits
+
+
 def check_size(loops: Collection[Sequence[Node]], steps: int, max_steps: int) -> None:
     """Raise CertificateError if so many steps, and the loops themselves, are more than allowed."""
+    Budget(max_steps).take(measure_size(loops, steps))
+
+
+def measure_size(loops: Collection[Sequence[Node]], steps: int) -> int:
+    """What so many steps on the numbers of loops come to, and the loops themselves."""
     columns = [column for nodes in loops for column in zip(*nodes, strict=True)]
     bits = max(n.bit_length() for column in columns for n in (min(column), max(column)))
     work = (steps + sum(map(len, loops))) * _weight(bits)
     # The area comes over the product of all denominators.
-    work += max(_weight(2 * sum(w.bit_length() for _, _, w in nodes)) for nodes in loops)
-    _allow(work, max_steps)
+    return work + max(_weight(2 * sum(w.bit_length() for _, _, w in nodes)) for nodes in loops)
 
 
 def check_reading(certificate: Any, max_steps: int) -> None:
     """Raise CertificateError if to read its numbers takes more steps than are allowed."""
-    _allow(reading_steps(certificate), max_steps)
+    Budget(max_steps).take(reading_steps(certificate))
 
 
 def reading_steps(certificate: Any) -> int:
@@ -71,11 +118,6 @@ def _strings(item: Any) -> Iterator[str]:
         yield from (entry for entry in level if isinstance(entry, str))
         lists = [entry for entry in level if isinstance(entry, (list, tuple, dict))]
         level = [*chain.from_iterable(e.values() if isinstance(e, dict) else e for e in lists)]
-
-
-def _allow(steps: int, max_steps: int) -> None:
-    if steps > max_steps:
-        raise CertificateError(f"too large: to check it would take more than {max_steps} steps")
 
 
 def _weight(bits: int) -> int:

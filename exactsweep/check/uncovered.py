@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
-from math import ceil, floor, gcd
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import ceil, floor, lcm
+from typing import NamedTuple, TypeVar
 
-from exactsweep.check.columns import BoxColumns, Rectangle
-from exactsweep.check.cone import cross, divide, subtract
-from exactsweep.check.shape import LatticeRing, list_edges
+from exactsweep.check.boxes import BoxTree
+from exactsweep.check.cone import cross, divide, reduce_way, subtract
+from exactsweep.check.convex_sums import ConvexSums
+from exactsweep.check.shape import list_edges
+from exactsweep.check.size import Budget
 from exactsweep.geometry.point import Edge, Rational, Vertex
 
+# Steps to put a segment on its line, and to begin with it.
+_SEGMENT = 16
+
+_Coordinate = TypeVar("_Coordinate", Fraction, Rational)
+
 Interval = tuple[Rational, Rational]
+
+_Unreduced = tuple[int, int]
+"""A number by its numerator and its denominator, which is positive; not reduced: to compare two of
+them so takes a tenth of the time that it takes with Fractions."""
+
+_Remnant = tuple[_Unreduced, _Unreduced]
+"""A closed interval."""
 
 
 class LatticeLine(NamedTuple):
@@ -20,7 +36,7 @@ class LatticeLine(NamedTuple):
 
     dx: int
     dy: int
-    c: int
+    c: Rational
 
     @property
     def axis(self) -> int:
@@ -35,13 +51,11 @@ class LatticeLine(NamedTuple):
 
 
 def find_line(a: Vertex, b: Vertex) -> LatticeLine:
-    """The line through two different points with integer coordinates."""
-    dx, dy = (int(c) for c in subtract(b, a))
-    common = gcd(dx, dy)
+    """The line through two different points."""
+    dx, dy = reduce_way(subtract(b, a))
     if (dx, dy) < (0, 0):
-        common = -common
-    dx, dy = dx // common, dy // common
-    return LatticeLine(dx, dy, int(dx * a[1] - dy * a[0]))
+        dx, dy = -dx, -dy
+    return LatticeLine(dx, dy, divide(dx * a[1] - dy * a[0], 1))
 
 
 class LinePiece(NamedTuple):
@@ -57,32 +71,43 @@ class LinePiece(NamedTuple):
         return self.line.at(self.low), self.line.at(self.high)
 
 
-class _Reach(NamedTuple):
-    """How far an open set reaches to the left of a direction."""
+class _Heights(NamedTuple):
+    """How far the vertices of a ring are to the left of a direction, on its lattice."""
 
-    low: Rational
-    high: Rational
-    values: Sequence[Rational]
+    low: int
+    high: int
+    values: list[int]
 
 
 class OpenSets:
-    """The union of the interiors of convex rings with integer vertices."""
+    """The union of the interiors of the sums of convex rings, each with each.
 
-    def __init__(self, rings: Iterable[LatticeRing]) -> None:
+    Args:
+        first: rings, counter-clockwise; one of two vertices is a segment, one of one a point.
+        second: likewise.
+        budget: what all that is asked may take.
+
+    Attributes:
+        bits: of the longest coordinate, or more.
+    """
+
+    def __init__(
+        self,
+        first: Iterable[Sequence[Vertex]],
+        second: Iterable[Sequence[Vertex]],
+        budget: Budget,
+    ) -> None:
         # Large sets first: few of them cover most of what is covered.
-        boxed = [(_find_bounds(ring), ring) for ring in dict.fromkeys(rings)]
-        boxed.sort(key=lambda pair: _measure_width(pair[0]), reverse=True)
-        self._rings = [ring for _, ring in boxed]
-        self._boxes = [box for box, _ in boxed]
-        self._columns = BoxColumns(self._boxes)
-        # By the direction of a line and the number of the set.
-        self._reaches: dict[tuple[int, int], dict[int, _Reach]] = defaultdict(dict)
+        self._sums = ConvexSums(first, second, budget)
+        self._tree = BoxTree(self._sums.boxes, budget)
+        self._budget = budget
+        self.bits = self._sums.bits
 
     def uncovered(self, segments: Iterable[Edge]) -> tuple[list[LinePiece], set[Vertex]]:
         """Take the union away from segments.
 
         Args:
-            segments: pairs of different points with integer coordinates.
+            segments: pairs of different points.
 
         Returns:
             What is left of all of them together: pieces, of which those on one line are apart from
@@ -93,43 +118,59 @@ class OpenSets:
         """
         by_line: dict[LatticeLine, list[Interval]] = defaultdict(list)
         for a, b in segments:
+            self._budget.take(_SEGMENT)
             line = find_line(a, b)
             low, high = sorted((a[line.axis], b[line.axis]))
             by_line[line].append((low, high))
+        # Lines of one direction after each other: what is known of the sets with regard to it is
+        # forgotten with it, for all of it would take the memory of all edges times all sets.
+        lines = sorted(by_line, key=lambda line: line[:2])
+        spans = {line: [_to_ratios(span) for span in unite(by_line[line])] for line in lines}
         pieces, points = [], set()
-        for line, spans in by_line.items():
-            for low, high in self._left_on(line, _unite(spans)):
-                if low < high:
-                    pieces.append(LinePiece(line, low, high))
+        way = None
+        for line in lines:
+            if line[:2] != way:
+                way = line[:2]
+                heights: dict[int, _Heights] = {}
+            self._leave_on(line, spans[line], heights)
+            for span in spans[line]:
+                start, end = (divide(*ratio) for ratio in span)
+                if start == end:
+                    points.add(line.at(start))
                 else:
-                    points.add(line.at(low))
+                    pieces.append(LinePiece(line, start, end))
         return pieces, points
 
-    def _left_on(self, line: LatticeLine, spans: list[Interval]) -> list[Interval]:
+    def _leave_on(
+        self,
+        line: LatticeLine,
+        spans: list[_Remnant],
+        heights: dict[int, _Heights],
+    ) -> None:
         """Take the union away from closed intervals on a line, the large sets first."""
-        axis = line.axis
-        reaches = self._reaches[line[:2]]
-        ends = line.at(spans[0][0]), line.at(spans[-1][1])
-        # Rounded outwards to ints, which are quicker to compare.
-        bottom, top = floor(min(y for _, y in ends)), ceil(max(y for _, y in ends))
-        first, last = floor(spans[0][0]), ceil(spans[-1][1])
-        for k in self._columns.near(ends[0][0], ends[1][0]):
-            box = self._boxes[k]
-            if box[2 * axis] >= last or box[2 * axis + 1] <= first:
+        axis, (n, d) = line.axis, line.c.as_integer_ratio()
+        bits = max(c.bit_length() for c in (line.dx, line.dy, n, d))
+        frame = _frame(line, spans)
+        for k in self._tree.near(frame):
+            box = self._sums.boxes[k]
+            if box[0] >= frame[1] or box[1] <= frame[0]:
                 continue
-            if box[2] > top or box[3] < bottom:
+            if box[2] >= frame[3] or box[3] <= frame[2]:
                 continue
-            if k not in reaches:
-                reaches[k] = _measure_reach(self._rings[k], line)
-            reach = reaches[k]
-            if not reach.low < line.c < reach.high:
+            ring, scale, length = self._sums.ring(k)
+            if k not in heights:
+                self._budget.take(1 + len(ring) // 4, length + bits)
+                heights[k] = _measure_heights(ring, line)
+            low, high, values = heights[k]
+            level = n * scale
+            if not low * d < level < high * d:
                 continue
-            low, high = _find_shadow(self._rings[k], reach.values, line)
-            spans = [part for span in spans for part in _cut_away(span, low, high)]
-            if not spans:
-                break
-            first, last = floor(spans[0][0]), ceil(spans[-1][1])
-        return spans
+            self._budget.take(3 + len(ring) // 4, length + bits)
+            shadow = _find_shadow(ring, scale, [d * value - level for value in values], axis)
+            if _cut_away(spans, shadow):
+                if not spans:
+                    break
+                frame = _frame(line, spans)
 
     def holds(self, point: Vertex) -> bool:
         """Whether a point is in the union."""
@@ -148,17 +189,18 @@ class OpenSets:
     def _holds_near(self, point: Vertex, way: Vertex | None) -> bool:
         """Whether the union has a point, or points close to it in a direction."""
         # Homogeneous: only ints below.
-        (x, y), w = point, point[0].denominator * point[1].denominator
+        (x, y), w = point, lcm(point[0].denominator, point[1].denominator)
         px, py = int(x * w), int(y * w)
         left, bottom = floor(x), floor(y)
         right, top = ceil(x), ceil(y)
-        for k in self._columns.near(left, right):
-            box = self._boxes[k]
-            if box[0] > left or box[1] < right or box[2] > bottom or box[3] < top:
-                continue
-            for (ax, ay), (bx, by) in list_edges([self._rings[k]]):
+        # Boxes that meet this one, which is turned inside out, hold the point.
+        for k in self._tree.near((right, left, top, bottom)):
+            ring, scale, length = self._sums.ring(k)
+            self._budget.take(1 + len(ring) // 8, length + w.bit_length())
+            qx, qy = px * scale, py * scale
+            for (ax, ay), (bx, by) in list_edges([ring]):
                 dx, dy = bx - ax, by - ay
-                side = dx * (py - ay * w) - dy * (px - ax * w)
+                side = dx * (qy - ay * w) - dy * (qx - ax * w)
                 if side < 0 or (side == 0 and (way is None or cross((dx, dy), way) <= 0)):
                     break
             else:
@@ -166,38 +208,62 @@ class OpenSets:
         return False
 
 
-def _measure_reach(ring: LatticeRing, line: LatticeLine) -> _Reach:
+def _to_ratios(span: Interval) -> _Remnant:
+    return span[0].as_integer_ratio(), span[1].as_integer_ratio()
+
+
+def _measure_heights(ring: Iterable[tuple[int, int]], line: LatticeLine) -> _Heights:
     values = [line.dx * y - line.dy * x for x, y in ring]
-    return _Reach(min(values), max(values), values)
+    return _Heights(min(values), max(values), values)
 
 
-def _find_bounds(ring: LatticeRing) -> Rectangle:
-    xs, ys = zip(*ring, strict=True)
-    return min(xs), max(xs), min(ys), max(ys)
+def _frame(line: LatticeLine, spans: Sequence[_Remnant]) -> tuple[int, int, int, int]:
+    """The box around intervals on a line, rounded outwards."""
+    (n, d), (m, e) = spans[0][0], spans[-1][1]
+    first, last = n // d, -(-m // e)
+    (dx, dy, _), (c, w) = line, line.c.as_integer_ratio()
+    if dx == 0:
+        return -c // w, -(c // w), first, last
+    low, high = sorted(c + dy * w * along for along in (first, last))
+    return first, last, low // (dx * w), -(-high // (dx * w))
 
 
-def _measure_width(box: Rectangle) -> Rational:
-    return box[1] - box[0] + box[3] - box[2]
+def _find_shadow(
+    ring: Sequence[tuple[int, int]], scale: int, heights: Sequence[int], axis: int
+) -> _Remnant:
+    """The open interval in which the inside of a ring, on both sides of a line, meets it.
 
-
-def _find_shadow(ring: LatticeRing, values: Sequence[Rational], line: LatticeLine) -> Interval:
-    """The open interval in which the inside of a ring, on both sides of a line, meets it."""
-    axis = line.axis
-    ends: list[Rational] = []
-    before, p = values[-1] - line.c, ring[-1]
-    for value, q in zip(values, ring, strict=True):
-        after = value - line.c
+    Args:
+        ring: times the scale.
+        scale: of the ring.
+        heights: of its vertices above the line, in any unit.
+        axis: the coordinate that tells points of the line apart.
+    """
+    ends: list[_Unreduced] = []
+    before, p = heights[-1], ring[-1]
+    for after, q in zip(heights, ring, strict=True):
         if after == 0:
-            ends.append(q[axis])
-        elif before and (before > 0) != (after > 0):
-            ends.append(divide(p[axis] * after - q[axis] * before, after - before))
+            ends.append((q[axis], scale))
+        elif before < 0 < after:
+            ends.append((p[axis] * after - q[axis] * before, (after - before) * scale))
+        elif after < 0 < before:
+            ends.append((q[axis] * before - p[axis] * after, (before - after) * scale))
         before, p = after, q
-    return min(ends), max(ends)
+    low = high = ends[0]
+    for end in ends[1:]:
+        low, high = (end if _is_least(end, low) else low), (high if _is_least(end, high) else end)
+    return low, high
 
 
-def _unite(spans: Iterable[Interval]) -> list[Interval]:
+def _is_least(p: _Unreduced, q: _Unreduced) -> bool:
+    return p[0] * q[1] <= q[0] * p[1]
+
+
+def unite(
+    spans: Iterable[tuple[_Coordinate, _Coordinate]],
+) -> list[tuple[_Coordinate, _Coordinate]]:
     """The union of closed intervals."""
-    joined: list[Interval] = []
+    joined: list[tuple[_Coordinate, _Coordinate]] = []
     for low, high in sorted(spans):
         if joined and low <= joined[-1][1]:
             joined[-1] = joined[-1][0], max(high, joined[-1][1])
@@ -206,13 +272,21 @@ def _unite(spans: Iterable[Interval]) -> list[Interval]:
     return joined
 
 
-def _cut_away(span: Interval, low: Rational, high: Rational) -> Iterator[Interval]:
-    """What an open interval leaves of a closed one, which may be a point."""
-    start, end = span
-    if high <= start or end <= low:
-        yield span
-        return
-    if start <= low:
-        yield start, low
-    if high <= end:
-        yield high, end
+def _cut_away(spans: list[_Remnant], shadow: _Remnant) -> bool:
+    """Take an open interval away from closed ones, which may be points.
+
+    Returns:
+        Whether what all of them together reach over has changed.
+    """
+    low, high = shadow
+    i = bisect_left(spans, True, key=lambda span: not _is_least(span[1], low))
+    j = bisect_left(spans, True, lo=i, key=lambda span: _is_least(high, span[0]))
+    if i == j:
+        return False
+    is_last = j == len(spans)
+    (start, _), (_, end) = spans[i], spans[j - 1]
+    left = [(start, low)] if _is_least(start, low) else []
+    if _is_least(high, end):
+        left.append((high, end))
+    spans[i:j] = left
+    return i == 0 or is_last

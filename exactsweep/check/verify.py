@@ -68,7 +68,8 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     Args:
         certificate: as `json.loads` gives it, from any source.
         max_steps: the most work to take on, in steps of about a microsecond. A certificate that
-            asks for more is not proved.
+            asks for more is not proved: it is told before the work is begun or, for polygons of any
+            shape, of which too many pieces meet, once so many steps are taken.
 
     Returns:
         Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
@@ -78,7 +79,7 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     convex corners that have a slope in common, O(m + n) for convex polygons and O(mn) for others;
     k (m + n) steps for k concave corners of the trajectory, k (t + n) for k of the outer loop
     around a trajectory of t edges (of m and t those only that are over G). For polygons of any
-    shape that of `reference_no_fit` and its like.
+    shape that of `reference_no_fit` and its like, by pieces that meet.
     Source: Definitions 1.1 to 1.3, Theorems 2.1 and 2.2, Lemma 5.3 as far as it holds.
 
     >>> verify({"format": "exactsweep certificate"})

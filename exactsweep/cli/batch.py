@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -15,7 +14,8 @@ from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
 from exactsweep.formats import show_path
-from exactsweep.formats.size import FAULT, VERTEX
+from exactsweep.formats.exact_json import measure_file
+from exactsweep.formats.size import FAULT
 from exactsweep.geometry.number import quote
 from exactsweep.words import count
 
@@ -159,9 +159,7 @@ def batch_command(
         text += f"; {summary.resumed} of the records were there already"
     write(f"{text}\n", "-")
     if output.endswith(".jsonl"):
-        # A vertex in a record has 12 bytes at least.
-        vertices = Path(output).stat().st_size // 12
-        say_limit(max(VERTEX * vertices, FAULT * summary.refused), output)
+        say_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
         raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
 from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.error import require_imports
 from exactsweep.geometry.number import quote
 
 if TYPE_CHECKING:
@@ -27,12 +28,8 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 def require_matplotlib() -> None:
     """Raise DrawError where matplotlib is not installed, saying how to get it, or does not load."""
-    try:
+    with require_imports("matplotlib", "plot", "a picture", DrawError):
         import matplotlib  # noqa: F401
-    except ModuleNotFoundError:
-        raise DrawError("pictures need matplotlib: pip install 'exactsweep[plot]'") from None
-    except ImportError as error:  # of a library that it needs, or for want of memory
-        raise DrawError(f"matplotlib cannot be loaded: {' '.join(str(error).split())}") from None
 
 
 @tells_arguments

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from exactsweep.formats.error import FormatError, require_imports
+from exactsweep.formats.error import FormatError
 from exactsweep.geometry.arguments import tells_arguments
+from exactsweep.geometry.error import require_imports
 from exactsweep.geometry.number import abridge, quote
 from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
@@ -73,7 +74,7 @@ def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.P
     shell, *holes = polygon.rings
     rows = _floats(shell, nearest)
     inner = [_floats(hole, nearest, f"hole {k}, ") for k, hole in enumerate(holes)]
-    with require_imports("shapely", "arrays", "a polygon of shapely"):
+    with require_imports("shapely", "arrays", "a polygon of shapely", FormatError):
         import shapely
 
     return shapely.Polygon(rows, inner)
@@ -123,7 +124,7 @@ def to_numpy(polygon: Polygon, dtype: str = "object", *, nearest: bool = False) 
         >>> to_numpy(Polygon([(0, 0), (1, 0), (0, "1/2")]), "float64").tolist()
         [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5]]
     """
-    with require_imports("numpy", "arrays", "an array"):
+    with require_imports("numpy", "arrays", "an array", FormatError):
         import numpy
 
     if dtype == "object":

@@ -27,7 +27,17 @@ def measure_text(text: str, vertices: int) -> int:
         >>> measure_text("POLYGON ((0 0, 1 0, 0 1, 0 0))", 4), measure_text("é", 0)
         (64, 2)
     """
-    return max(_count_bytes(text), VERTEX * vertices, _NUMBER * text.count(","))
+    return weigh(_count_bytes(text), vertices, text.count(","))
+
+
+def weigh(size: int, vertices: int, numbers: int) -> int:
+    """For how much so many bytes count, of which so many vertices or other numbers are read.
+
+    Example:
+        >>> weigh(70, 4, 6)
+        70
+    """
+    return max(size, VERTEX * vertices, _NUMBER * numbers)
 
 
 def require_text(text: str, vertices: int) -> None:

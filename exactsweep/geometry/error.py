@@ -1,5 +1,8 @@
 """The base of all refusals, and how a refusal says what it is about."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class ExactSweepError(ValueError):
     """Whatever this package refuses; the message says what, where and why."""
@@ -30,3 +33,33 @@ class name_refusals:  # noqa: N801
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         if isinstance(error, ExactSweepError):
             raise type(error)(f"{self.name}: {error}") from None
+
+
+@contextmanager
+def require_imports(
+    package: str, extra: str, what: str, refusal: type[ExactSweepError]
+) -> Iterator[None]:
+    """Refuse, if an import inside the `with` block fails, and say what to install.
+
+    Args:
+        package: the library.
+        extra: the extra of exactsweep that has it.
+        what: what it is needed for.
+        refusal: the error to raise.
+
+    Raises:
+        ExactSweepError: the refusal, where the library is not there, or cannot be loaded.
+
+    Example:
+        >>> with require_imports("naps", "bed", "rest", ExactSweepError):
+        ...     import naps
+        Traceback (most recent call last):
+        exactsweep.geometry.error.ExactSweepError: rest needs naps: pip install 'exactsweep[bed]'
+    """
+    try:
+        yield
+    except ModuleNotFoundError:
+        raise refusal(f"{what} needs {package}: pip install 'exactsweep[{extra}]'") from None
+    except ImportError as error:  # of a library that it needs, or for want of memory
+        said = " ".join(str(error).split())
+        raise refusal(f"{what} needs {package}, which cannot be loaded: {said}") from None

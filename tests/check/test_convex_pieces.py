@@ -2,19 +2,24 @@
 
 from fractions import Fraction
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 from cells import Holed, grid
 from hypothesis import example, given, settings
+from hypothesis import strategies as st
 from shapes import shape_pairs
 from strategies import simple_polygons
 
 from exactsweep import Polygon
+from exactsweep.check import convex
 from exactsweep.check.arrangement import WalkedLoop
 from exactsweep.check.convex import cut_to_convex
 from exactsweep.check.shape import bring_to_integers
+from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
+from exactsweep.geometry.point import Vertex
 
 WEDGE = Polygon([(0, -3), (3, 0), (9, 1), (6, 6), (-6, 6), (0, 3), (-2, 1)])
 STEPS = grid("##.", ".##").exterior
@@ -23,8 +28,11 @@ STEPS = grid("##.", ".##").exterior
 def _check_pieces(*rings: Polygon) -> int:
     """That pieces are convex, make up the shape, and do not overlap, for their areas add up."""
     _, (shape,) = bring_to_integers([rings])
-    pieces = cut_to_convex(shape)
-    for piece in pieces:
+    pieces = cut_to_convex(shape, UNLIMITED)
+    with patch.object(convex, "_FEW", 0):  # no vertex tried before those that rays find
+        found = cut_to_convex(shape, UNLIMITED)
+    assert sum(map(find_doubled_area, found)) == sum(map(find_doubled_area, shape))
+    for piece in (*pieces, *found):
         assert min(find_turns(piece)) > 0
         assert len({*piece}) == len(piece)
         assert {*piece} <= {p for ring in shape for p in ring}
@@ -67,6 +75,7 @@ def test_one_diagonal_serves_two_wide_angles() -> None:
     assert _check_pieces(grid("#..", "##.", "###").exterior) == 3
 
 
+ORIGIN = [(0, 0)]
 SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 
 
@@ -88,14 +97,14 @@ SQUARE = ((0, 0), (4, 0), (4, 4), (0, 4))
 )
 def test_what_an_open_square_leaves_of_segments(segments: Any, pieces: Any, points: Any) -> None:
     """The border is not in it, and an end on the border is left as a point."""
-    found, single = OpenSets([SQUARE]).uncovered(segments)
+    found, single = OpenSets([SQUARE], [ORIGIN], UNLIMITED).uncovered(segments)
     assert [piece.ends for piece in found] == pieces
     assert single == {*points}
 
 
 def test_points_beside_a_line_are_in_the_union_or_not() -> None:
     """Near (4, 2), right of the square; and up along a border nothing is inside."""
-    sets = OpenSets([SQUARE])
+    sets = OpenSets([SQUARE], [ORIGIN], UNLIMITED)
     upwards, level = LatticeLine(0, 1, -4), LatticeLine(1, 0, 0)
     assert sets.is_beside(upwards, 2, 1)
     assert not sets.is_beside(upwards, 2, -1)
@@ -134,7 +143,38 @@ def test_segments_of_one_line_far_apart_meet_the_squares_near_them(y: int, uprig
     ends = [(x, y + 1) for x in (0, 4, 390, 394)]
     if upright:
         corners, ends = ([(-y, x) for x, y in points] for points in (corners, ends))
-    sets = OpenSets([tuple(corners[k : k + 4]) for k in range(0, 160, 4)])
+    sets = OpenSets([corners[k : k + 4] for k in range(0, 160, 4)], [ORIGIN], UNLIMITED)
     pieces, points = sets.uncovered([(ends[2], ends[3]), (ends[0], ends[1])])
     assert pieces == []
     assert points == {*ends}
+
+
+COORDINATES = st.fractions(-5, 5, max_denominator=9)
+SEGMENTS = st.tuples(*[st.tuples(COORDINATES, COORDINATES)] * 2).filter(
+    lambda ends: len({*ends}) > 1
+)
+
+
+@settings(max_examples=40)
+@given(COORDINATES, COORDINATES, st.lists(SEGMENTS, min_size=1, max_size=6))
+def test_lattices_of_their_own_change_nothing(x: Fraction, y: Fraction, segments: Any) -> None:
+    """Sums of sevenths and thirds, and the same 2,520 * 21 times as large, which all are ints."""
+    first = [[(x, y), (x + 4, y), (x + 4, y + 3), (x, y + 1)], [(x - 3, y), (x, y - 2), (x, y)]]
+    second: list[Any] = [[(Fraction(1, 7), 0), (2, Fraction(1, 3)), (1, 1)], [(0, 0), (1, 0)]]
+    times = 2520 * 21
+
+    def stretch(item: Any) -> Any:
+        return tuple(map(stretch, item)) if isinstance(item, (list, tuple)) else int(item * times)
+
+    pieces, points = OpenSets(first, second, UNLIMITED).uncovered(segments)
+    sets = OpenSets(stretch(first), stretch(second), UNLIMITED)
+    more_pieces, more_points = sets.uncovered(stretch(segments))
+    found, expected = ({part.ends for part in parts} for parts in (pieces, more_pieces))
+
+    def times_all(p: Vertex) -> Vertex:
+        return p[0] * times, p[1] * times
+
+    assert {(times_all(a), times_all(b)) for a, b in found} == expected
+    assert set(map(times_all, points)) == more_points
+    for p in (*points, *(end for piece in pieces for end in piece.ends)):
+        assert not OpenSets(first, second, UNLIMITED).holds(p)

@@ -9,6 +9,7 @@ from exactsweep import Point
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.cover import find_middle
 from exactsweep.check.difference import LoopOrFit, compare
+from exactsweep.check.size import UNLIMITED
 
 LINES = [((0, 0), (4, 2)), ((3, -1), (3, 5)), ((-2, 2), (5, 2))]
 SHARES = [-1, Fraction(-1, 2), 0, Fraction(1, 3), 1, Fraction(3, 2)]
@@ -26,7 +27,7 @@ def test_a_single_position_is_on_a_segment_or_is_not(line: Any, share: Any, asid
     p = [c + share * (d - c) + aside * k for k, (c, d) in enumerate(zip(a, b, strict=True), 1)]
     true = [fit(a, b), fit((9, 9), (9, 12))]
     with pytest.raises(CertificateError) as caught:
-        compare([fit(p, p)], true, lambda t: "somewhere else")
+        compare([fit(p, p)], true, lambda t: "somewhere else", UNLIMITED)
     is_on = 0 <= share <= 1 and aside == 0
     reason = "on the boundary, but not one" if is_on else "at the witness somewhere else"
     if is_on:  # though the segments themselves are not claimed
@@ -41,12 +42,12 @@ def test_a_single_position_on_a_segment_is_not_one_of_the_fits(line: Any) -> Non
     with pytest.raises(
         CertificateError, match="on the boundary, but not one of exact_fits"
     ) as found:
-        compare([fit(a, b), fit(middle, middle)], [fit(a, b)], str)
+        compare([fit(a, b), fit(middle, middle)], [fit(a, b)], str, UNLIMITED)
     assert found.value.witness == Point(*middle)
     with pytest.raises(
         CertificateError, match="on the boundary, but not one of exact_fits"
     ) as found:
-        compare([fit(a, b), fit(a, middle)], [fit(a, b)], str)
+        compare([fit(a, b), fit(a, middle)], [fit(a, b)], str, UNLIMITED)
     assert found.value.witness == Point(*((c + d) / 2 for c, d in zip(a, middle, strict=True)))
 
 
@@ -75,7 +76,7 @@ def test_a_witness_is_half_way_to_the_next_segment(way: Any, ends: Any) -> None:
 
     def find(*true: LoopOrFit) -> Any:
         with pytest.raises(CertificateError) as found:
-            compare([put(0, 8)], true, lambda _: "nothing is")
+            compare([put(0, 8)], true, lambda _: "nothing is", UNLIMITED)
         assert found.value.args[0] == "exact_fits: at the witness nothing is"
         assert found.value.witness is not None
         x, y = found.value.witness
@@ -87,20 +88,20 @@ def test_a_witness_is_half_way_to_the_next_segment(way: Any, ends: Any) -> None:
     assert find(put(0, 3), put(2, 5), put(6, 8)) == Fraction(11, 2)
     assert find(put(-3, 4), put(4, 7)) == Fraction(15, 2)
     assert find(put(9, 12)) == 4
-    compare([put(0, 8)], [put(0, 8)], str)
+    compare([put(0, 8)], [put(0, 8)], str, UNLIMITED)
 
 
 def test_a_position_on_one_of_two_segments_of_a_line_is_on_a_segment() -> None:
     true = [part(False, (0, 0), (1, 1)), part(False, (3, 3), (5, 5))]
     for where in (0, 1, 3, 4):
         with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
-            compare([*true, part(False, (where, where), (where, where))], true, str)
+            compare([*true, part(False, (where, where), (where, where))], true, str, UNLIMITED)
     with pytest.raises(CertificateError, match="at the witness it is beside"):
-        compare([*true, part(False, (2, 2), (2, 2))], true, lambda _: "it is beside")
+        compare([*true, part(False, (2, 2), (2, 2))], true, lambda _: "it is beside", UNLIMITED)
 
 
 def test_the_last_edge_of_a_loop_is_one_of_its_edges() -> None:
     loop = part(True, (0, 0), (4, 0), (0, 4))
     for along in ([(0, 1), (0, 3)], [(0, 4), (0, 0)], [(0, 2), (0, 2)]):
         with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
-            compare([loop, part(False, *along)], [loop], str)
+            compare([loop, part(False, *along)], [loop], str, UNLIMITED)

@@ -224,8 +224,8 @@ def test_reason_names_the_place_in_a_claim(change: dict[str, Any], reason: str) 
 
 
 def test_many_edges_are_refused_at_once_for_any_shape() -> None:
-    teeth = [(k, 2 * (k % 2)) for k in range(2001)]
-    comb = Holed(Polygon([*teeth, (2000, 9), (0, 9)]))
+    teeth = [(k, 2 * (k % 2)) for k in range(5001)]
+    comb = Holed(Polygon([*teeth, (5000, 9), (0, 9)]))
     certificate = no_fit_certificate(UNIT, UNIT)
     edges = [[str(c) for c in p] for p in comb.exterior.vertices]
     shape = {"exterior": edges, "holes": []}

@@ -194,5 +194,5 @@ def test_without_matplotlib_the_refusal_says_how_to_get_it(
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(DrawError, match=r"pip install 'exactsweep\[plot\]'"):
         EXAMPLE.plot()
-    with pytest.raises(DrawError, match="pictures need matplotlib"):
+    with pytest.raises(DrawError, match="a picture needs matplotlib"):
         make_figure()

@@ -8,11 +8,12 @@ import pytest
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.formats.error import FormatError, require_imports
+from exactsweep.formats.error import FormatError
+from exactsweep.geometry.error import require_imports
 
 
 def read_dreams() -> None:
-    with require_imports("dreams", "night", "sleep"):
+    with require_imports("dreams", "night", "sleep", FormatError):
         import dreams  # type: ignore[import-not-found]  # noqa: F401
 
 
@@ -21,8 +22,8 @@ def read_dreams() -> None:
     [
         (
             *("matplotlib", require_matplotlib, DrawError),
-            "pictures need matplotlib: pip install 'exactsweep[plot]'",
-            "matplotlib cannot be loaded: ft2font.so: failed to map segment",
+            "a picture needs matplotlib: pip install 'exactsweep[plot]'",
+            "a picture needs matplotlib, which cannot be loaded: ft2font.so: failed to map segment",
         ),
         (
             *("dreams", read_dreams, FormatError),

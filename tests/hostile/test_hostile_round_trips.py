@@ -5,6 +5,7 @@ three numbers, crossings of lines through twelve, and crossings of lines through
 """
 
 import json
+import subprocess
 from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
@@ -13,11 +14,12 @@ from random import Random
 import pytest
 from command import run
 from hostile_table import require_row
+from judged import CORRECT
 
 from exactsweep import Polygon, Region, Sweep, limits, no_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.corpus import Case
-from exactsweep.corpus.case_json import case_from_json, case_to_json
+from exactsweep.corpus.case_json import case_from_json, case_to_json, case_to_line
 from exactsweep.formats import format_polygons, parse_regions
 from exactsweep.geometry.limits import answer_digits
 from exactsweep.geometry.number import format_fraction
@@ -115,6 +117,13 @@ def test_answers_are_read_by_all_commands(
             ("compare", "s.json", "s.json"),
             ("batch", "--all", "g.json", "s.json", "--workers", "1", "-o", "more.jsonl"),
         ]
+        judged = [
+            ("conform", "--pairs", "n.json", "--", *CORRECT),
+            ("conform", "--cases", "case.jsonl", "--", *CORRECT),
+            ("judge", "--cases", "case.jsonl"),
+        ]
+        case = Case.of("long", "numbers at the limit", g, d)
+        Path("case.jsonl").write_text(case_to_line(case) + "\n")
         for arguments in written + read:
             result = run(*arguments)
             assert result.exit_code == 0, (arguments, result.stderr[-300:])
@@ -123,9 +132,18 @@ def test_answers_are_read_by_all_commands(
         found = {part.name: part.region.exterior for part in parse_regions(sweep_to_json(s))}
         assert {name: found[name] for name in loops} == loops
         assert parse_regions(no_fit_to_json(n))
-        case = Case.of("long", "numbers at the limit", g, d)
+        # What the program would write in a pipe.
+        answers = subprocess.run(
+            CORRECT, input=case_to_line(case), capture_output=True, text=True, check=True
+        ).stdout
+        for arguments in judged:
+            result = run(*arguments, stdin=answers)
+            assert not result.stderr, (arguments, result.stderr[-300:])
+            # The program takes monotone polygons only.
+            is_asked = s.kind != "SS" or "nothing was judged" not in result.output
+            assert (result.exit_code == 0) == is_asked, (arguments, result.output[-300:])
         assert case_from_json(json.loads(json.dumps(case_to_json(case)))) == case
-    require_row("forms of long answers, and commands that read them", len(written + read))
+    require_row("forms of long answers, and commands that read them", len(written + read + judged))
 
 
 FORMS = ("json", "wkt", "geojson", "svg", "dxf", "csv")

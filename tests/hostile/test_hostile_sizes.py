@@ -91,5 +91,17 @@ def test_who_writes_beyond_the_limit_says_which_one_reads_it(name: str) -> None:
         assert result.exit_code == expected, (reader, result.output, result.exception)
 
 
+@pytest.mark.parametrize("name", ["b.jsonl", "s", "n.cert"])
+@pytest.mark.usefixtures("low_limit")
+def test_the_limit_that_is_named_is_no_higher_than_it_has_to_be(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    named: list[int] = []
+    monkeypatch.setattr("exactsweep.cli.output.find_needed_mib", named.append)
+    command, *how = WRITERS[name]
+    run(command, *how, "g.json", "d.json", "-o", name)
+    assert named[-1:] == [measure_written(Path(name).read_text())]
+
+
 def test_the_table_says_how_many_these_are() -> None:
     require_row("large answers, and commands that read them", sum(map(len, map(readers, WRITERS))))

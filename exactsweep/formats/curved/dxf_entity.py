@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
-from exactsweep.formats.error import FormatError, require_imports
+from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS
 from exactsweep.formats.size import ENTITY, require_count, require_size
+from exactsweep.geometry.error import require_imports
 from exactsweep.geometry.number import quote
 from exactsweep.geometry.point import Point
 
@@ -177,7 +178,7 @@ def read_drawing(text: str) -> Drawing:
 
     Cost: linear.
     """
-    with require_imports("ezdxf", "dxf", "DXF"):
+    with require_imports("ezdxf", "dxf", "DXF", FormatError):
         from ezdxf.lldxf.const import DXFError
         from ezdxf.lldxf.loader import load_dxf_structure
 
