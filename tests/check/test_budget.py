@@ -23,7 +23,7 @@ from exactsweep.check import (
     uncovered,
     verify,
 )
-from exactsweep.check.size import UNLIMITED, Budget
+from exactsweep.check.size import UNLIMITED, Budget, measure_bits
 
 Points = list[tuple[int, int]]
 HOOK = [(0, 0), (6, 0), (6, 6), (1, 6), (1, 3), (2, 3), (2, 5), (5, 5), (5, 1), (0, 1)]
@@ -223,3 +223,20 @@ def test_a_diagonal_takes_time_by_walls(shape: Points, monkeypatch: pytest.Monke
     assert ledger.work["_find_diagonal"] <= (4 * 0.12 + 3 * 0.7) * diagonals * 2 * len(ring)
     assert ledger.work["tries"] <= 4 * diagonals
     assert ledger.work["_find_diagonal"] <= ledger.steps["_find_diagonal"]
+
+
+def test_numbers_over_others_count_more() -> None:
+    assert measure_bits([(1, -9), (2, 3)]) == 4
+    assert measure_bits([(1, Fraction(1, 9)), (2, 3)]) == 32 * 4
+
+
+def test_each_question_takes_steps() -> None:
+    """One step for a set that holds the point, or does not, if only its box does."""
+    budget = Budget(10**6)
+    sets = uncovered.OpenSets([[(0, 0), (9, 0), (0, 9)]], [[(0, 0), (1, 0), (0, 1)]], budget)
+    for point, inside in (((1, 1), True), ((7, 7), False)):
+        before = budget.left
+        assert sets.holds(point) == inside
+        assert before is not None
+        assert budget.left is not None
+        assert before - budget.left >= 3

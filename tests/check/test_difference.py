@@ -9,7 +9,7 @@ from exactsweep import Point
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.cover import find_middle
 from exactsweep.check.difference import LoopOrFit, compare
-from exactsweep.check.size import UNLIMITED
+from exactsweep.check.size import UNLIMITED, Budget
 
 LINES = [((0, 0), (4, 2)), ((3, -1), (3, 5)), ((-2, 2), (5, 2))]
 SHARES = [-1, Fraction(-1, 2), 0, Fraction(1, 3), 1, Fraction(3, 2)]
@@ -87,6 +87,7 @@ def test_a_witness_is_half_way_to_the_next_segment(way: Any, ends: Any) -> None:
     assert find(put(2, 3), put(5, 6)) == (1 if way > (0, 0) else 7)
     assert find(put(0, 3), put(2, 5), put(6, 8)) == Fraction(11, 2)
     assert find(put(-3, 4), put(4, 7)) == Fraction(15, 2)
+    assert find(put(0, 1), put(3, 6), put(7, 8)) == (2 if way > (0, 0) else Fraction(13, 2))
     assert find(put(9, 12)) == 4
     compare([put(0, 8)], [put(0, 8)], str, UNLIMITED)
 
@@ -105,3 +106,13 @@ def test_the_last_edge_of_a_loop_is_one_of_its_edges() -> None:
     for along in ([(0, 1), (0, 3)], [(0, 4), (0, 0)], [(0, 2), (0, 2)]):
         with pytest.raises(CertificateError, match="on the boundary, but not one of exact_fits"):
             compare([loop, part(False, *along)], [loop], str, UNLIMITED)
+
+
+def test_each_false_position_takes_a_step_for_each_line() -> None:
+    true = [fit((0, k), (1, 2 * k)) for k in range(30)]
+    false = [fit((k, 99), (k, 99)) for k in range(40)]
+    budget = Budget(10**6)
+    with pytest.raises(CertificateError, match="at the witness"):
+        compare(false, true, str, budget)
+    assert budget.left is not None
+    assert 30 * 40 <= 10**6 - budget.left <= 8 * 30 * 40
