@@ -40,10 +40,10 @@ from exactsweep.check.location import locate
 from exactsweep.check.shape import (
     LatticeRing,
     LatticeShape,
-    find_scale,
     list_edges,
     list_rings,
     scale_shape,
+    scale_shapes,
     to_points,
 )
 from exactsweep.check.size import UNLIMITED, Budget
@@ -107,9 +107,7 @@ def find_no_fit(
     directrix: tuple[Polygon, ...], generatrix: tuple[Polygon, ...], budget: Budget
 ) -> ReferenceNoFit:
     """Evaluate `reference_no_fit` within a budget."""
-    shapes = directrix, generatrix
-    scale = find_scale(shapes)
-    d, g = (scale_shape(shape, scale) for shape in shapes)
+    scale, (d, g) = scale_shapes((directrix, generatrix))
     found = _assemble_boundary(cut_to_convex(d, budget), d, g, budget)
     (exterior,) = (loop for loop in found.loops if not loop.is_hole)
     return ReferenceNoFit(
@@ -146,9 +144,7 @@ def find_inner_fit(
     container: tuple[Polygon, ...], part: tuple[Polygon, ...], budget: Budget
 ) -> ReferenceInnerFit:
     """Evaluate `reference_inner_fit` within a budget."""
-    shapes = container, part
-    scale = find_scale(shapes)
-    c, g = (scale_shape(shape, scale) for shape in shapes)
+    scale, (c, g) = scale_shapes((container, part))
     outside = tuple(ring[::-1] for ring in c)
     solids = [(_box_around(c[0]), outside[0]), *((ring,) for ring in outside[1:])]
     pieces = [piece for solid in solids for piece in cut_to_convex(solid, budget)]
@@ -200,9 +196,8 @@ def find_swept(
     The trajectory need not be on the lattice of the others. Its crossings have denominators of
     their own, so that a lattice for all of it would be as fine as all of them together are long.
     """
-    shapes = directrix, generatrix
-    scale = find_scale(shapes)
-    d, g, (curve,) = (scale_shape(shape, scale) for shape in (*shapes, (trajectory,)))
+    scale, (d, g) = scale_shapes((directrix, generatrix))
+    (curve,) = scale_shape((trajectory,), scale)
     pieces = cut_to_convex(g, budget)
     edges = list_edges([curve])
     sets = OpenSets(edges, pieces, budget)

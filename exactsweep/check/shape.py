@@ -54,9 +54,10 @@ def bring_to_one_lattice(
     return scale, brought
 
 
-def find_scale(shapes: Iterable[Iterable[Polygon]]) -> int:
-    """The `find_common_scale` of all vertices of some shapes."""
-    return find_common_scale([p for shape in shapes for polygon in shape for p in polygon.vertices])
+def scale_shapes(shapes: Sequence[Sequence[Polygon]]) -> tuple[int, list[LatticeShape]]:
+    """The `find_common_scale` of all vertices of some shapes, and the shapes times that."""
+    scale = find_common_scale([p for shape in shapes for ring in shape for p in ring.vertices])
+    return scale, [scale_shape(shape, scale) for shape in shapes]
 
 
 def scale_shape(polygons: Iterable[Polygon], scale: int) -> LatticeShape:

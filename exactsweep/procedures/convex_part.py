@@ -28,7 +28,6 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from math import inf
-from operator import itemgetter
 from typing import NamedTuple, cast
 
 from exactsweep.geometry.number import divide_exactly
@@ -41,8 +40,6 @@ Box = tuple[Rational, Rational, Rational]
 
 Slope = Rational | float
 """Of an edge, as `split_by_slope` has it, or infinite."""
-
-_height = itemgetter(1)
 
 
 class ConvexPart(NamedTuple):
@@ -105,7 +102,7 @@ class ConvexPart(NamedTuple):
         if right is not None and not i < last_i == len(edges):
             right = None
         pieces: list[Piece] = []
-        while True:
+        while True:  # (1)
             if i < last_i:
                 dx, dy = edges[i]
                 turn = slopes[i] - chain_slopes[j] if j < last_j else -1

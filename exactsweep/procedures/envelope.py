@@ -92,13 +92,10 @@ class Envelope:
         """The point of piece k at a break. Raises ChainError where there is a gap. Cost: O(1)."""
         return find_point(self.pieces[k], at)
 
-    def edge_before(self, at: Break, first: int = 0) -> int:
-        """The number of the piece, from the first, that holds just left of a break.
-
-        Cost: O(log n).
-        """
+    def edge_before(self, at: Break) -> int:
+        """The number of the piece that holds just left of a break. Cost: O(log n)."""
         n, d = at
-        return bisect_left(self.breaks, True, first, key=lambda b: b[0] * d >= n * b[1]) - 1
+        return bisect_left(self.breaks, True, key=lambda b: b[0] * d >= n * b[1]) - 1
 
     def edge_after(self, at: Break, first: int = 0) -> int:
         """The number of the piece, from the first, that holds just right of a break.

@@ -84,9 +84,16 @@ def lower_envelope_cm(partial: Envelope, piece: Envelope) -> Envelope:
 
 
 def join(partial: Envelope, piece: Envelope, *, ends_first: bool = False) -> None:
-    """Let a piece that starts over the partial trajectory take over, where it becomes lower.
+    """Let the piece take over where it becomes the lower one; what of it is left is appended.
 
-    Arguments and cost as of `lower_envelope_cm`.
+    Args:
+        partial: the envelope so far; it is changed in place.
+        piece: as for `lower_envelope_cm`; it starts over the partial trajectory, which is not asked
+            again.
+        ends_first: whether it ends before the partial trajectory does. Then that stays as it is
+            where the piece is nowhere lower at its end.
+
+    Cost: as of `lower_envelope_cm`.
     """
     breaks, edges = partial.breaks, partial.pieces
     piece_breaks, piece_edges = piece.breaks, piece.pieces

@@ -24,10 +24,10 @@ Kind = Literal["CC", "CM", "MM", "SS"]
 KEPT_VERTICES = 256
 """Polygons of more vertices do not keep their chains: there the sweep takes far longer."""
 KEPT_POLYGONS = 512
-"""So many polygons keep their chains, those split last: up to 1 kB for each vertex."""
+"""So many polygons keep their chains, those that came last: up to 1 kB for each vertex."""
 
 _keeping: deque[ref[Polygon]] = deque()
-"""Who keeps chains, or did so, oldest first."""
+"""Who keeps chains, oldest first, each once; some are gone meanwhile."""
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -110,7 +110,7 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
 
     Who nests sweeps each part around many others. So a polygon of few vertices keeps its chains in
     the last frame, and these what was found about them (see `KeptChain`), until as many others as
-    may keep theirs have been split.
+    may keep theirs have come after it.
 
     Args:
         polygon: monotone to the direction of the frame.
@@ -133,7 +133,8 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
     if len(polygon) <= KEPT_VERTICES:
         bottom, top = KeptChain(bottom), KeptChain(top)
         polygon._chains = frame, (bottom, top)
-        _keeping.append(ref(polygon))
+        if kept is None:
+            _keeping.append(ref(polygon))
         if len(_keeping) > KEPT_POLYGONS:
             oldest = _keeping.popleft()()
             if oldest is not None:

@@ -187,6 +187,10 @@ def test_only_the_polygons_split_last_keep_their_chains(monkeypatch: pytest.Monk
     split_polygon(polygons[1], frame)
     assert [keeps(polygon) for polygon in polygons] == [True, True, False]
     assert keeps(last)
+    # Who is split again, in another frame, takes no second place.
+    for k in range(9):
+        split_polygon(last, Frame((k % 2, 1 - k % 2), 1))
+    assert [keeps(polygon) for polygon in polygons] == [True, True, False]
 
 
 def test_a_copy_of_a_swept_polygon_is_the_polygon() -> None:
