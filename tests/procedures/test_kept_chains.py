@@ -187,9 +187,9 @@ def test_only_the_polygons_split_last_keep_their_chains(monkeypatch: pytest.Monk
     split_polygon(polygons[1], frame)
     assert [keeps(polygon) for polygon in polygons] == [True, True, False]
     assert keeps(last)
-    # Who is split again, in another frame, takes no second place.
+    # Who is split again, on another lattice, takes no second place.
     for k in range(9):
-        split_polygon(last, Frame((k % 2, 1 - k % 2), 1))
+        split_polygon(last, Frame((1, 0), 1 + k % 2))
     assert [keeps(polygon) for polygon in polygons] == [True, True, False]
 
 
