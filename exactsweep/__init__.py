@@ -2,12 +2,12 @@
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.limits import limits
-from exactsweep.geometry.number import NumberError
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.limits import limits
+from exactsweep.numbers.number import NumberError
+from exactsweep.numbers.point import Point
 from exactsweep.sweep import (
     InnerFit,
     NoFitPolygon,

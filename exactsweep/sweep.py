@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from exactsweep.evidence import no_fit
 from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.swept_shape import SweptShape
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
@@ -20,10 +19,11 @@ from exactsweep.geometry.direction import (
     read_direction,
     require_monotone,
 )
-from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface, read_point
 from exactsweep.geometry.region import Region, Vertices
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import name_refusals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -5,8 +5,8 @@ from difflib import get_close_matches
 from fractions import Fraction
 from math import atan2, pi
 
-from exactsweep.geometry.number import abridge, quote, to_fraction
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.number import abridge, quote, to_fraction
+from exactsweep.numbers.point import Vertex
 
 CLASSES = {
     "CC": "CC, convex generatrix and convex directrix",

@@ -15,8 +15,11 @@ from shown import FLAGS, MILLISECONDS, Open, Shown
 from exactsweep import Sweep
 from exactsweep.view import make_page
 
-settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("patient")
+settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+# The same examples at every run: a change fails by itself, never by the luck of a draw. Campaigns
+# and `pytest --hypothesis-profile fresh` draw new ones.
+settings.register_profile("fixed", settings.get_profile("fresh"), derandomize=True, database=None)
+settings.load_profile("fixed")
 
 
 @pytest.fixture(scope="module")

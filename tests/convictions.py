@@ -25,7 +25,7 @@ from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
 from exactsweep.corpus import Case, cases
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.number import to_fraction
 
 
 def list_cases() -> list[Case]:

@@ -13,29 +13,15 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "exactsweep"
 
 # A room is a folder, or a module that stands alone; what is listed is all that it may see.
-NUMBERS = {
-    f"geometry.{name}" for name in ("arguments", "digits", "error", "limits", "number", "point")
-}
-GEOMETRY = NUMBERS | {"geometry", "canvas", "words"}
+GEOMETRY = {"numbers", "geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
 ABOVE = SHOWN | {"__init__", "corpus", "batch", "conform", "paper"}
 RULES: dict[str, tuple[set[str], str]] = {
-    "words": (NUMBERS, "plain words stand on numbers"),
+    "numbers": ({"numbers"}, "numbers stand on nothing"),
+    "words": ({"numbers"}, "plain words stand on numbers"),
     "processes": (set(), "starting and ending processes knows nothing of geometry"),
-    "geometry.error": (set(), "refusals stand on nothing"),
-    "geometry.digits": (set(), "digits stand on nothing"),
-    "geometry.limits": ({"geometry.error"}, "limits stand on refusals alone"),
-    "geometry.number": (
-        {"geometry.digits", "geometry.error", "geometry.limits"},
-        "numbers stand on nothing but digits, limits and refusals",
-    ),
-    "geometry.arguments": (
-        {"geometry.digits", "geometry.error", "geometry.limits", "geometry.number"},
-        "arguments are shown as numbers are",
-    ),
-    "geometry.point": ({"geometry.digits"}, "points stand on digits alone"),
-    "canvas": (NUMBERS | {"canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
+    "canvas": ({"numbers", "canvas", "words"}, "the one writer of SVG is a leaf: Polygon calls it"),
     "geometry": (GEOMETRY, "geometry knows nothing of sweeps"),
     "procedures": (
         GEOMETRY - {"canvas"} | {"procedures"},
@@ -43,8 +29,8 @@ RULES: dict[str, tuple[set[str], str]] = {
     ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
     "check": (
-        NUMBERS
-        | {
+        {
+            "numbers",
             "geometry.polygon",
             "geometry.region",
             "geometry.canonical",
@@ -63,7 +49,7 @@ RULES: dict[str, tuple[set[str], str]] = {
     "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
     "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),
     "lessons": (
-        NUMBERS | {"lessons", "draw"},
+        {"numbers", "lessons", "draw"},
         "what runs notebooks draws; these see all",
     ),
     "cli": (ABOVE | {"cli", "lessons"}, "commands are on top"),
@@ -159,7 +145,6 @@ def test_there_is_no_circle_of_rooms() -> None:
     for name, seen in arrows().items():
         room = rule_of(name)
         graph.setdefault(room, set()).update({rule_of(other) for other in seen} - {room})
-    # Points and numbers are below canvas, which the other geometry is above.
     found = circle(graph)
     assert not found, " -> ".join(found)
 

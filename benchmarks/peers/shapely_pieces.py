@@ -14,7 +14,7 @@ import shapely
 
 from benchmarks.peers.worker import Loop
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures.chain import split
 
 Array = npt.NDArray[np.float64]

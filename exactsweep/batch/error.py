@@ -1,6 +1,6 @@
 """The refusal of a batch as a whole."""
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 
 class BatchError(ExactSweepError):

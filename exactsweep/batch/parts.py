@@ -5,9 +5,9 @@ from typing import NamedTuple, Unpack
 
 from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
 
 
 class Part(NamedTuple):

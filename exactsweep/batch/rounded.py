@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 from exactsweep.formats.rounding import Rounding, Side, round_region
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import Point
 
 
 def round_values(values: Mapping[str, Any], rounding: Rounding) -> dict[str, Any]:

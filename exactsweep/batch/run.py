@@ -11,8 +11,8 @@ from exactsweep.batch.error import BatchError
 from exactsweep.batch.job import Job
 from exactsweep.batch.output import Output
 from exactsweep.batch.work import Chunk, Work
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import quote
 
 # Chunks under way at a time, for each process: enough to keep all busy while one is slow.
 _CHUNKS_AHEAD = 8

@@ -11,7 +11,7 @@ from typing import Any
 
 from exactsweep.batch.record import COLUMNS, Quantities
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.error import require_imports
+from exactsweep.numbers.error import require_imports
 
 _ROWS = 1024
 _NAMES = ("error", "id", "generatrix", "directrix")

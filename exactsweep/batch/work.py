@@ -14,10 +14,10 @@ from exactsweep.formats.exact_json import describe_kind, parse_certificate, pars
 from exactsweep.formats.files import decode_text
 from exactsweep.formats.polygons import find_candidates
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.limits import get_max_mib, limits, list_limits
-from exactsweep.geometry.number import quote
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.limits import get_max_mib, limits, list_limits
+from exactsweep.numbers.number import quote
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
 from exactsweep.words import suggest
 

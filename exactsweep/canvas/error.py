@@ -1,6 +1,6 @@
 """The refusal of a picture."""
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 
 class DrawError(ExactSweepError):

@@ -14,8 +14,8 @@ from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.window import MOST_STRETCHED
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Rational, Vertex
 
 # Axes are left as they are while their numbers have few digits: these powers of ten, and an origin
 # that is no further off than so many times the size of the picture.

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple, Self
 
 from exactsweep.canvas.error import DrawError
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 MOST_STRETCHED = 12
 """Both axes have one unit unless the picture would be so many times as long as wide."""

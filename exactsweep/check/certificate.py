@@ -13,15 +13,15 @@ from math import gcd
 from typing import Any, Literal, NamedTuple, TypeVar
 
 from exactsweep.geometry.canonical import find_least
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import (
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import (
     NumberError,
     divide_all,
     divide_exactly,
     format_fraction,
     read_any_length,
 )
-from exactsweep.geometry.point import Fit, Loop, Point
+from exactsweep.numbers.point import Fit, Loop, Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1

@@ -26,7 +26,7 @@ from exactsweep.check.certificate import (
     read_loop,
     read_number,
 )
-from exactsweep.geometry.point import Fit, Loop
+from exactsweep.numbers.point import Fit, Loop
 
 
 class ClaimedShape(NamedTuple):

@@ -15,8 +15,8 @@ from exactsweep.check.meeting import split_where_touching
 from exactsweep.check.shape import LatticeRing, list_edges, scale_ring, to_point
 from exactsweep.check.size import find_common_scale
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Loop, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Loop, Vertex
 
 
 def check_loop(loop: Loop, name: str) -> None:

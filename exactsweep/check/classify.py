@@ -22,10 +22,10 @@ from exactsweep.check.cone import dot, find_common_direction, find_direction_ins
 from exactsweep.check.location import locate_in_shape
 from exactsweep.check.meeting import find_cones_of, list_meetings, split_where_touching
 from exactsweep.check.shape import LatticeShape, bring_to_one_lattice, list_rings
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.error import name_refusals
-from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.reading import read_point
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.point import Point, Vertex
 
 Meeting = Literal["FREE", "CONTACT", "OVERLAP"]
 

@@ -36,8 +36,8 @@ from exactsweep.check.monotone import has_shared_direction
 from exactsweep.check.no_fit import find_inner_fit, find_no_fit, find_swept
 from exactsweep.check.shape import list_rings
 from exactsweep.check.size import Budget, measure_size
-from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Fit, Loop, Point
 
 # Steps to see that a loop is simple at a vertex, and where its edge is.
 _VERTEX = 100

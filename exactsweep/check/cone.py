@@ -8,7 +8,7 @@ from functools import cmp_to_key
 from math import gcd
 from typing import NamedTuple
 
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 
 
 class Ray(NamedTuple):

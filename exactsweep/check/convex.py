@@ -21,7 +21,7 @@ from exactsweep.check.cone import Cone, cross, dot, reduce_way, subtract
 from exactsweep.check.meeting import find_cones_of, split_where_touching
 from exactsweep.check.shape import LatticeRing, LatticeShape, list_edges
 from exactsweep.check.size import Budget, measure_bits
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 _NEAR = 32  # as many vertices to either side are looked at first
 _FEW = 4  # as many of them are tried

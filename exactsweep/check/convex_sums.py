@@ -14,7 +14,7 @@ from typing import NamedTuple
 from exactsweep.check.boxes import Rectangle
 from exactsweep.check.cone import cross
 from exactsweep.check.size import Budget
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 
 _SUM = 20  # steps to put a sum into its place, where it takes memory, too
 _KEPT = 2**16  # rings that are not made again

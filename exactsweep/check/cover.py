@@ -12,7 +12,7 @@ from fractions import Fraction
 from exactsweep.check.certificate import KeyPath, ListedDrawing, ListedFeature, flaw
 from exactsweep.check.chain import Line, Node, add_nodes
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.geometry.point import Rational
+from exactsweep.numbers.point import Rational
 
 # A segment on a known line, by its least and greatest x, or y if the line is vertical; ints where
 # they are ints, for Fractions take ten times as long.

@@ -28,12 +28,12 @@ from exactsweep.check.piecewise import (
     take_least_sum,
 )
 from exactsweep.check.shape import LatticeRing, bring_to_integers, to_points
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import canonicalize_ring
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import Edge, Fit, Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.point import Edge, Fit, Point, Rational, Vertex
 
 
 class ReferenceLoops(NamedTuple):

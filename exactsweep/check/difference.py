@@ -15,7 +15,7 @@ from typing import NamedTuple
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.size import Budget
 from exactsweep.check.uncovered import unite
-from exactsweep.geometry.point import Fit, Loop, Point
+from exactsweep.numbers.point import Fit, Loop, Point
 
 
 class LoopOrFit(NamedTuple):

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from exactsweep.check.chain import LowerChain, Node, walk_heights
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.geometry.point import Fit, Rational
+from exactsweep.numbers.point import Fit, Rational
 
 
 class FitPlace(NamedTuple):

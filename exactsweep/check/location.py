@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from exactsweep.check.shape import bring_to_one_lattice, list_rings
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.point import Vertex
 
 
 @tells_arguments

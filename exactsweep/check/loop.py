@@ -9,8 +9,8 @@ from math import gcd, lcm
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Line, LowerChain, Node, turn, walk_heights
-from exactsweep.geometry.number import split_ratios
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.numbers.number import split_ratios
+from exactsweep.numbers.point import ORIGIN, Point
 
 
 class NodeFrame:

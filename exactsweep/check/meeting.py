@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from exactsweep.check.cone import Cone, Ray, cross, dot, find_cones, is_between, subtract
 from exactsweep.check.shape import LatticeShape, list_edges
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 
 class _StatusEdge(NamedTuple):

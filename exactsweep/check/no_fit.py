@@ -48,10 +48,10 @@ from exactsweep.check.shape import (
 )
 from exactsweep.check.size import UNLIMITED, Budget
 from exactsweep.check.uncovered import OpenSets
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.point import Fit, Loop, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import Fit, Loop, Point, Vertex
 
 
 class ReferenceNoFit(NamedTuple):

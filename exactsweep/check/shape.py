@@ -12,9 +12,9 @@ from typing import Any
 
 from exactsweep.check.cone import divide
 from exactsweep.check.size import find_common_scale
-from exactsweep.geometry.number import divide_exactly
-from exactsweep.geometry.point import Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import divide_exactly
+from exactsweep.numbers.point import Point, Rational, Vertex
 
 LatticeRing = tuple[Vertex, ...]
 LatticeShape = tuple[LatticeRing, ...]

@@ -14,7 +14,7 @@ from typing import Any
 
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.chain import Node
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.numbers.point import Point, Vertex
 
 _LEVELS = 8
 

@@ -41,8 +41,8 @@ from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, find_common_scale
 from exactsweep.check.sums import check_sum_within, count_steps
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.point import ORIGIN, Fit, Point
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8

@@ -16,7 +16,7 @@ from exactsweep.cli.parts import find_parts
 from exactsweep.formats import show_path
 from exactsweep.formats.exact_json import measure_file
 from exactsweep.formats.size import FAULT
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.number import quote
 from exactsweep.words import count
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from exactsweep import Point, Sweep
 from exactsweep.cli.pair import PATH, takes_pair, takes_way_up
 from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.number import to_fraction
 
 
 def _with_suffix(ctx: click.Context, option: click.Parameter, path: str) -> str:

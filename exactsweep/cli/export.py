@@ -10,7 +10,7 @@ import click
 from exactsweep.cli.output import write_readable
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
-from exactsweep.geometry.point import Fit, Point
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.text.report import approximate
 from exactsweep.words import count
 

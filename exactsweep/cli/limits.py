@@ -2,7 +2,7 @@
 
 import click
 
-from exactsweep.geometry.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
+from exactsweep.numbers.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
 
 _READING_NOTHING = {"corpus", "example", "reproduce"}
 

@@ -12,8 +12,8 @@ from exactsweep.cli.parts import read_named
 from exactsweep.formats import NamedRegion, read_region, show_path
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
-from exactsweep.geometry.number import to_fraction
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import to_fraction
 
 # A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
 # loops have finite decimal coordinates, so that every output format can hold them.

@@ -16,7 +16,7 @@ from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.number import to_fraction
 
 if TYPE_CHECKING:
     from exactsweep.conform.run.protocol import Hello

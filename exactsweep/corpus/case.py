@@ -11,11 +11,11 @@ from typing import Literal, get_args
 
 from exactsweep.corpus.facts import find_facts
 from exactsweep.corpus.representable import find_types
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.procedures.lower_sweep import Kind
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 

@@ -10,13 +10,13 @@ from typing import Any
 from exactsweep.corpus.case import KINDS, Case, CaseError
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.formats.exact_json import describe_kind, read_point, read_vertices
-from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.number import format_fraction, quote
-from exactsweep.geometry.point import Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.point import Fit, Loop, Point
 
 GivenRing = tuple[Loop, Polygon]
 

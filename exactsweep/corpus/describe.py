@@ -8,9 +8,9 @@ from exactsweep.corpus.generator import FAMILIES
 from exactsweep.corpus.names import require_known
 from exactsweep.corpus.representable import NUMBER_TYPES
 from exactsweep.corpus.shipped import find_case, list_ids, notes
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import CLASSES
 
 _WIDTH = 100

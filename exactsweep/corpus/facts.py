@@ -8,9 +8,9 @@ from math import lcm
 from exactsweep.check import classify
 from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.point import Fit, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import Fit, Point, PointRings
 from exactsweep.sweep import InnerFit, Sweep
 
 NEAR = Fraction(1, 10**14)

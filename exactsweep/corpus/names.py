@@ -2,8 +2,8 @@
 
 from collections.abc import Collection
 
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import quote
 from exactsweep.words import suggest
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 
 from exactsweep.canvas import style
 from exactsweep.draw.picture import Picture
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import Vertex
 
 
 @tells_arguments

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.region import number_features
+from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept

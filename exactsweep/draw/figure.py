@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from exactsweep.canvas.error import DrawError
 from exactsweep.canvas.style import use_style
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.error import require_imports
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import require_imports
+from exactsweep.numbers.number import quote
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,9 +9,9 @@ from typing import NamedTuple, Self
 
 from exactsweep.canvas.scale import Scale
 from exactsweep.draw.picture import Picture
-from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import Point, Vertex
 
 # A polygon is enlarged if the picture is so many times as long, but not beyond what floats resolve.
 _SMALL = range(25, 10**9)

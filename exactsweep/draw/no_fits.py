@@ -20,16 +20,16 @@ from exactsweep.draw.sweeps import (
     place_generatrix,
     read_positions,
 )
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
-    from exactsweep.geometry.point import Fit
+    from exactsweep.numbers.point import Fit
 
 
 class Positions(NamedTuple):

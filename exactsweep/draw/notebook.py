@@ -16,14 +16,14 @@ from exactsweep.draw.sweeps import (
     place_generatrix,
     trace_anchor,
 )
-from exactsweep.geometry.number import abridge
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
     from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
     from exactsweep.evidence.swept import Swept
-    from exactsweep.geometry.point import Fit
+    from exactsweep.numbers.point import Fit
 
 
 def draw_sweep(s: Swept) -> str:

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import Point
 
 
 class ContactStretch(NamedTuple):

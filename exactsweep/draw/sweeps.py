@@ -14,19 +14,19 @@ from exactsweep.draw.figure import require_matplotlib
 from exactsweep.draw.insets import draw_details, find_details
 from exactsweep.draw.picture import Picture
 from exactsweep.draw.stretches import cut_trajectory
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from exactsweep.evidence.swept import Swept
     from exactsweep.evidence.undercut import Undercut
-    from exactsweep.geometry.point import Fit
+    from exactsweep.numbers.point import Fit
 
 _MOST_SHOWN = 4
 _MANY = 60

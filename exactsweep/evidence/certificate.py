@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.trace import Trace
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
 
 FORMAT = "exactsweep certificate"
 VERSION = 1

@@ -22,8 +22,8 @@ from typing import Any, Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Edge, Rational, Vertex
 from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
 

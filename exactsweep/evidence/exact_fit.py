@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges
 from exactsweep.procedures.envelope import Envelope, find_point_on
 

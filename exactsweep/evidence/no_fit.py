@@ -10,10 +10,10 @@ from typing import Any
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
 from exactsweep.words import write_pair
 

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from exactsweep.evidence.certificate import FORMAT, VERSION
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
 
 Fits = Iterable[Sequence[Point]]
 

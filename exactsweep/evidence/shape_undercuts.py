@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import touch
-from exactsweep.geometry.point import Edge, Vertex
+from exactsweep.numbers.point import Edge, Vertex
 from exactsweep.procedures.chain import take_corners
 
 

@@ -24,8 +24,8 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 from exactsweep.evidence.contact import Contact, find_contacts, list_edges, minus
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Edge, Point, Rational, Vertex
 from exactsweep.geometry.segment import find_direction
+from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 
 if TYPE_CHECKING:
     from exactsweep.evidence.swept import Swept

@@ -21,16 +21,16 @@ from exactsweep.evidence.contact import (
 from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.evidence.trace import Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions, find_pockets
-from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import find_least
 from exactsweep.geometry.direction import X_AXIS, Vector
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.number import abridge
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import ORIGIN, Point, Vertex
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.point import ORIGIN, Point, Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once, split_polygon
 from exactsweep.words import write_vector

@@ -19,12 +19,12 @@ from exactsweep.evidence.swept import Swept
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.direction import X_AXIS
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.lower_sweep import made_once
 
 

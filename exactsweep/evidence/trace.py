@@ -21,9 +21,7 @@ from typing import Literal, NamedTuple
 
 from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.error import ExactSweepError
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import ORIGIN, Edge, Rational, Vertex
 from exactsweep.geometry.segment import (
     Segment,
     choose_cover,
@@ -31,6 +29,8 @@ from exactsweep.geometry.segment import (
     make_segment,
     measure_along,
 )
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import ORIGIN, Edge, Rational, Vertex
 
 FeatureKind = Literal["vertex", "edge"]
 

@@ -13,8 +13,8 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from exactsweep.evidence.trace import Tracer
-from exactsweep.geometry.point import Edge, Point, Rational, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges, take_corners
 from exactsweep.procedures.envelope import find_point_on
 

@@ -8,11 +8,11 @@ from typing import NamedTuple, NoReturn, Self, TypeVar
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.limits import answer_digits
-from exactsweep.geometry.number import NumberError, quote
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.limits import answer_digits
+from exactsweep.numbers.number import NumberError, quote
+from exactsweep.numbers.point import Point
 from exactsweep.words import count, suggest
 
 _SHOWN = 4

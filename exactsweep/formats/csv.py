@@ -13,7 +13,7 @@ from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 _NAMES = ("name", "id", "part", "polygon")
 _COLUMNS = {"x", "y", "ring", *_NAMES}

@@ -5,8 +5,8 @@ from fractions import Fraction
 from math import ceil, log2
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.digits import write_int
-from exactsweep.geometry.number import abridge, format_fraction, quote, to_fraction
+from exactsweep.numbers.digits import write_int
+from exactsweep.numbers.number import abridge, format_fraction, quote, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"

@@ -1,6 +1,6 @@
 """The refusal of a text or file."""
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 
 class FormatError(ExactSweepError):

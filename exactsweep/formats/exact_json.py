@@ -10,10 +10,10 @@ from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
+from exactsweep.numbers.point import Point
 
 
 def parse_json(text: str) -> object:

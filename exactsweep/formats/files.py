@@ -6,9 +6,9 @@ from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import require_size
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.limits import get_max_bytes
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import quote
 
 # Possessive, so that blank lines and comments without end are gone through once.
 DXF_SIGN = re.compile(r"(?:\s*+999[^\S\n]*+\n[^\n]*+\n)*+\s*+0[^\S\n]*+\n\s*+SECTION\b")

@@ -8,7 +8,7 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, read_name, read_vertices
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 _MAX_DEPTH = 100
 

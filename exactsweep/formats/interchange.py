@@ -7,12 +7,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.error import require_imports
-from exactsweep.geometry.number import abridge, quote
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import require_imports
+from exactsweep.numbers.number import abridge, quote
+from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     import numpy

@@ -11,9 +11,9 @@ from functools import partial
 from exactsweep.formats.candidate import Candidate
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
+from exactsweep.numbers.point import ORIGIN, Point
 
 
 def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:

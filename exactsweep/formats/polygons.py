@@ -24,9 +24,9 @@ from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
 from exactsweep.formats.wkt import parse_wkt
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
 
 # A group code 0 and the name that follows it.
 _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")

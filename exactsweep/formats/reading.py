@@ -7,8 +7,8 @@ from typing import TypedDict
 
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count, require_size
-from exactsweep.geometry.limits import get_max_bytes
-from exactsweep.geometry.number import NumberError, abridge, quote, to_fraction
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import NumberError, abridge, quote, to_fraction
 
 MAX_LINES = 20_000
 """The most lines that one curve becomes."""

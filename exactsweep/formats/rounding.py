@@ -27,13 +27,13 @@ from typing import Literal, NamedTuple
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.arguments import tells_arguments
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.number import quote
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import ORIGIN, Point
 
 Side = Literal["closest", "outward", "inward"]
 # How many cells away a point for a right turn is looked for.

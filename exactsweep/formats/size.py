@@ -1,9 +1,9 @@
-"""For how much a text counts, by 6 of `exactsweep.geometry.limits`."""
+"""For how much a text counts, by 6 of `exactsweep.numbers.limits`."""
 
 from math import ceil
 
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.limits import DEFAULT_MIB, get_max_bytes, get_max_mib
+from exactsweep.numbers.limits import DEFAULT_MIB, get_max_bytes, get_max_mib
 
 VERTEX, ELEMENT, ENTITY, FAULT = 16, 32, 64, 1600
 """For how many bytes a vertex counts, an element of SVG, an entity of DXF, and what is no polygon,

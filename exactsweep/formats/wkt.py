@@ -9,8 +9,8 @@ from typing import NamedTuple, NoReturn
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.number import NumberError, quote
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.number import NumberError, quote
+from exactsweep.numbers.point import Point
 
 _TOKEN = re.compile(
     r"(?P<mark>[(),])|(?:(?P<word>[A-Za-z]++)"

@@ -11,11 +11,11 @@ from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.number import quote
-from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import Fit, Point
 
 _Decimals = list[tuple[str, str]]
 

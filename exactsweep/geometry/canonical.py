@@ -5,12 +5,12 @@ from fractions import Fraction
 from operator import eq, floordiv
 from typing import NamedTuple, cast
 
-from exactsweep.geometry.addition import add_ratios
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.lazy_number import lazy_points
-from exactsweep.geometry.number import split_ratios
-from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.simplicity import find_conflict, is_simple_monotone
+from exactsweep.numbers.addition import add_ratios
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.lazy_number import lazy_points
+from exactsweep.numbers.number import split_ratios
+from exactsweep.numbers.point import Point, Vertex
 
 
 class PolygonError(ExactSweepError):

@@ -20,10 +20,10 @@ from itertools import groupby
 from math import gcd
 from operator import ne, sub
 
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quote, to_fraction
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import quote, to_fraction
+from exactsweep.numbers.point import Vertex
 from exactsweep.words import write_degrees, write_vector
 
 Vector = tuple[int, int]

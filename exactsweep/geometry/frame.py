@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.number import divide_all, divide_exactly
-from exactsweep.geometry.point import ORIGIN, Point, Rational, Vertex, make_points
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import divide_all, divide_exactly
+from exactsweep.numbers.point import ORIGIN, Point, Rational, Vertex, make_points
 
 
 class Frame(NamedTuple):

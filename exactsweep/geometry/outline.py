@@ -6,7 +6,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
 class Outline:

@@ -23,7 +23,7 @@ from math import ceil, floor, lcm
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.point import Edge, Point, Rational, Vertex
+from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 
 Rings = Sequence[Sequence[Vertex]]
 """The boundary of a shape: rings that have its interior on the left."""

@@ -13,10 +13,10 @@ from itertools import pairwise
 from math import isqrt, lcm
 from typing import Any, NamedTuple, Self, overload
 
-from exactsweep.geometry.number import NumberError, abridge, to_fraction
 from exactsweep.geometry.overlap import is_inside
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.reading import read_point
+from exactsweep.numbers.number import NumberError, abridge, to_fraction
+from exactsweep.numbers.point import Point
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))

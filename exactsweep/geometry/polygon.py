@@ -12,11 +12,11 @@ from exactsweep.geometry.canonical import (
     find_turns,
 )
 from exactsweep.geometry.lattice import Lattice, read_columns, reduce_lattice, to_lattice
-from exactsweep.geometry.number import abridge, divide_all, divide_exactly
-from exactsweep.geometry.point import Point, Vertex, make_points
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.reading import read_interface, read_point, refuse_number
 from exactsweep.geometry.simplicity import are_chains_monotone
+from exactsweep.numbers.number import abridge, divide_all, divide_exactly
+from exactsweep.numbers.point import Point, Vertex, make_points
 from exactsweep.words import write_pair, write_size
 
 if TYPE_CHECKING:

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.error import name_refusals
-from exactsweep.geometry.number import quote, to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.number import quote, to_fraction
+from exactsweep.numbers.point import Point
 
 Pairs = Iterable[Iterable[object]]
 

@@ -7,16 +7,16 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import chain
 
-from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.error import name_refusals
 from exactsweep.geometry.lattice import lcm_within
-from exactsweep.geometry.number import abridge
 from exactsweep.geometry.overlap import Places, find_points_between, is_inside, touch
-from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.point_set import AffineMap, PointSet
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface, refuse_number
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.words import write_pair, write_size
 
 Vertices = Polygon | Iterable[Iterable[object]]

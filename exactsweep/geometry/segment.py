@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
 class Segment(NamedTuple):

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from exactsweep.draw import save_svg
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import quote
 
 Notebook = dict[str, Any]
 

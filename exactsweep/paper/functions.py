@@ -8,8 +8,8 @@ from functools import cache
 from itertools import pairwise
 
 from exactsweep.check import ReferenceLoops, reference_loops
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.procedures.chain import split, take_corners
 

@@ -14,7 +14,7 @@ from importlib.resources import files
 from pkgutil import resolve_name
 from typing import Any
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 from exactsweep.paper.claim import Claim, ClaimVerdict, Effort, Evidence, find_first_failure
 from exactsweep.paper.laws import Trial
 

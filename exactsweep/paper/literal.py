@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.pairs import Chains
 
 Chain = list[Vertex]

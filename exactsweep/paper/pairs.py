@@ -13,8 +13,8 @@ from typing import NamedTuple
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import Grid, Ring, draw_convex, draw_monotone, untangle
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.claim import Effort
 from exactsweep.procedures.chain import inverse, split
 

@@ -17,9 +17,9 @@ from itertools import chain as link
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import divide_exactly, negate
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import divide_exactly, negate
+from exactsweep.numbers.point import Edge, Rational, Vertex
 
 T = TypeVar("T")
 

@@ -37,7 +37,7 @@ from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures.envelope import Break
 from exactsweep.procedures.leeway import Leeway
 

@@ -20,7 +20,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from exactsweep.geometry.overlap import Rings
-from exactsweep.geometry.point import Rational
+from exactsweep.numbers.point import Rational
 from exactsweep.procedures.contact_lines import Stretch
 
 _FEW = 400

@@ -18,8 +18,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 
-from exactsweep.geometry.number import divide_exactly, ratio
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.number import divide_exactly, ratio
+from exactsweep.numbers.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import ChainError, find_convex_parts
 
 Break = tuple[Rational, Rational]

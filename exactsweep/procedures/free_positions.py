@@ -23,8 +23,8 @@ from itertools import groupby, pairwise
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.geometry.number import divide_exactly
-from exactsweep.geometry.point import Fit, Point
+from exactsweep.numbers.number import divide_exactly
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.procedures.contact_lines import ReducedPoint, Stretch
 from exactsweep.procedures.envelope import Break
 

@@ -8,8 +8,8 @@ from typing import Any, Literal, Self, TypeVar, overload
 from weakref import ref
 
 from exactsweep.geometry.frame import Frame
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import KeptChain, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm

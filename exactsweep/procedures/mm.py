@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.convex_part import measure_unit, split_chain, split_parts
 from exactsweep.procedures.envelope import Envelope

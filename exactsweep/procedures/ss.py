@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import ORIGIN, Fit, Point
+from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridge
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region, number_features, walk_rings
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES, count, name_heading, write_pair
 
 _HALVES: dict[Half, str] = {

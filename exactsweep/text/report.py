@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import abridge, format_fraction
-from exactsweep.geometry.point import Fit, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import CLASSES, write_pair
 
 # rich takes longer to import than all the rest.

@@ -15,9 +15,9 @@ from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.number import format_fraction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import format_fraction
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification

@@ -18,10 +18,10 @@ from exactsweep.draw.stretches import cut_loops
 from exactsweep.draw.sweeps import find_anchor, find_shift, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
 from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES

@@ -15,9 +15,9 @@ from math import lcm
 from exactsweep.evidence.contact import find_facing, minus
 from exactsweep.evidence.swept import Swept
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Point, Rational
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import Point, Rational
 
 # Pairs of vertices, and looks at one of them from an edge, that take a second at most.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000

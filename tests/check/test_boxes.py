@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from exactsweep.check import boxes, reference_no_fit, uncovered
 from exactsweep.check.boxes import BoxTree, Rectangle, find_box, meet
 from exactsweep.check.size import UNLIMITED, Budget
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 NUMBERS = st.integers(-20, 20) | st.integers(-900, 900)
 SIDES = st.integers(0, 3) | st.integers(0, 400)

@@ -28,8 +28,8 @@ from exactsweep.check.certificate import CertificateError
 from exactsweep.check.size import check_size, find_common_scale, reading_steps
 from exactsweep.cli import main
 from exactsweep.formats.exact_json import parse_certificate
-from exactsweep.geometry.limits import answer_digits
-from exactsweep.geometry.number import format_fraction
+from exactsweep.numbers.limits import answer_digits
+from exactsweep.numbers.number import format_fraction
 from exactsweep.text.results import certificate_to_json, sweep_to_json
 
 LONG = Fraction(10**4299 - 1, 10**4290 + 7)

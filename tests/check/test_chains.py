@@ -18,7 +18,7 @@ from exactsweep.check.chain import (
 )
 from exactsweep.check.loop import MonotoneLoop, NodeFrame, line_through
 from exactsweep.check.sums import corners_with_common_slopes
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 Steps = list[tuple[int, int]]
 

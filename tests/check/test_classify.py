@@ -17,7 +17,7 @@ from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.check import Classification, classify, point_in_polygon
 from exactsweep.check.cone import is_between
 from exactsweep.corpus.generator.cells import move
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.number import to_fraction
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]

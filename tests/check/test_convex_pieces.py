@@ -19,7 +19,7 @@ from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.size import UNLIMITED
 from exactsweep.check.uncovered import LatticeLine, LinePiece, OpenSets
 from exactsweep.geometry.canonical import find_doubled_area, find_turns
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 WEDGE = Polygon([(0, -3), (3, 0), (9, 1), (6, 6), (-6, 6), (0, 3), (-2, 1)])
 STEPS = grid("##.", ".##").exterior

@@ -12,7 +12,7 @@ from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.shape import bring_to_integers
 from exactsweep.check.sums import count_steps
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 # Two slots above, one below, each of width 1.
 PLATE = [(0, 0), (3, 0), (3, 2), (4, 2), (4, 0), (9, 0), (9, 7), (7, 7), (7, 5), (6, 5), (6, 7)]

@@ -22,7 +22,7 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.cells import move
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 patient = settings(max_examples=60)
 Written = Sequence[tuple[str, str]]

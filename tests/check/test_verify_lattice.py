@@ -12,7 +12,7 @@ from exactsweep import Polygon, sweep
 from exactsweep.check import loop, size, verify
 from exactsweep.check.chain import Line
 from exactsweep.check.sums import count_steps
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.numbers.point import ORIGIN, Point
 
 
 @pytest.mark.parametrize("kind", ["CC", "CM", "MM"])

@@ -12,7 +12,7 @@ from exactsweep.conform.judge.shrink import ShrinkError, shrink
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.runner import conform
 from exactsweep.corpus import Case, find_case
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 
 def convex_hull_of_inner(case: Case) -> Verdict:

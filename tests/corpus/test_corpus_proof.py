@@ -11,7 +11,7 @@ from sfcgal_campaign import ask
 from exactsweep import Point, Polygon
 from exactsweep.check import reference_inner_fit, reference_no_fit
 from exactsweep.corpus import Case, cases, themes
-from exactsweep.geometry.point import Fit
+from exactsweep.numbers.point import Fit
 
 # Flags that cannot be seen from a pair.
 TOLD = {

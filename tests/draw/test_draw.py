@@ -27,7 +27,7 @@ from exactsweep.draw import (
     save,
 )
 from exactsweep.draw.sweeps import find_anchor
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import find_convex_parts, split
 from exactsweep.procedures.cm import trajectory_cm

@@ -9,7 +9,7 @@ import pytest
 from exactsweep.canvas.error import DrawError
 from exactsweep.draw.figure import require_matplotlib
 from exactsweep.formats.error import FormatError
-from exactsweep.geometry.error import require_imports
+from exactsweep.numbers.error import require_imports
 
 
 def read_dreams() -> None:

@@ -23,8 +23,8 @@ from exactsweep import (
 )
 from exactsweep.canvas import style
 from exactsweep.draw import DrawError, make_figure, plot_positions, save
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.point_set import is_on
+from exactsweep.numbers.point import Point
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 # Holes in which the square has room, just slides, and just fits.

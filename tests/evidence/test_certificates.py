@@ -13,7 +13,7 @@ from exactsweep.evidence import trace
 from exactsweep.evidence.certificate import _written_int
 from exactsweep.geometry import segment
 from exactsweep.geometry.direction import Vector
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 
 
 def zigzag(random: Random, n: int, size: int) -> list[tuple[int, int]]:

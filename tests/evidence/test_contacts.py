@@ -18,7 +18,7 @@ from exactsweep.evidence.contact import (
     find_facing,
 )
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Found = set[tuple[str, int, int]]

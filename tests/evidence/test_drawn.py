@@ -11,8 +11,8 @@ from exactsweep.check import verify
 from exactsweep.evidence.contact import list_edges, minus
 from exactsweep.evidence.trace import Feature, Trace
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Edge
 from exactsweep.geometry.segment import Segment, choose_cover, make_segment
+from exactsweep.numbers.point import Edge
 
 TEETH = [(0, 0), (1, 2), (2, 0), (4, 3), (5, 1), (8, 4), (9, 0), (9, 6), (0, 6)]
 PLOUGH = [(0, 0), (4, -2), (5, 1), (3, 2), (2, 1), (1, 2)]

@@ -16,7 +16,7 @@ from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import ORIGIN, Vertex
+from exactsweep.numbers.point import ORIGIN, Vertex
 from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

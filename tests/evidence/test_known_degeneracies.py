@@ -7,7 +7,7 @@ from known import ROOF, UNIT, Loop, check
 from strategies import points
 
 from exactsweep import Polygon, sweep
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 STAIR: Loop = [(0, 0), (2, 0), (2, 1), (4, 1), (4, 3), (0, 3)]

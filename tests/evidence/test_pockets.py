@@ -7,7 +7,7 @@ import pytest
 
 from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.undercut import Pocket, find_pockets
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import split, take_corners
 from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm

@@ -15,7 +15,7 @@ from exactsweep.evidence.shape_undercuts import find_mouths
 from exactsweep.evidence.steps import explain
 from exactsweep.evidence.swept_shape import SweptShape, _number
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 Ring = list[tuple[int, int]]
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0)]

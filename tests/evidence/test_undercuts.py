@@ -17,7 +17,7 @@ from exactsweep.evidence.contact import MonotoneOutline
 from exactsweep.evidence.trace import Feature, Tracer
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]

@@ -26,7 +26,7 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 fewer = settings(max_examples=25)
 small = st.fractions(-9, 9, max_denominator=10)

@@ -20,7 +20,7 @@ from exactsweep.formats import (
     read_polygon,
     read_polygons,
 )
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
 CORNERS = [(0, 0), (2, 0), (2, 2), (0, 2)]

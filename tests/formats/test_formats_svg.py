@@ -10,7 +10,7 @@ from exactsweep import Polygon
 from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
 from exactsweep.formats.curved.svg_transform import read_transform
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 fewer = settings(max_examples=40)
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])

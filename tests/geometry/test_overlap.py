@@ -23,7 +23,7 @@ from exactsweep.geometry.overlap import (
     is_inside,
     touch,
 )
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 
 ORIGIN = Point(Fraction(0), Fraction(0))
 AROUND = [*product(range(-1, 4), repeat=2)]

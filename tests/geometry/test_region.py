@@ -10,7 +10,7 @@ from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.geometry.overlap import touch
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
 SMALL = [(1, 1), (3, 1), (3, 3), (1, 3)]

@@ -4,8 +4,8 @@ from fractions import Fraction
 from itertools import combinations
 from random import Random
 
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.segment import Segment, choose_cover, find_offset, make_segment
+from exactsweep.numbers.point import Vertex
 
 X_AXIS = (1, 0)
 

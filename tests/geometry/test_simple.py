@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError
 from exactsweep.geometry.canonical import canonicalize_ring
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.simplicity import Conflict, find_conflict
+from exactsweep.numbers.point import Vertex
 
 
 def turn(a: Vertex, b: Vertex, c: Vertex) -> int:

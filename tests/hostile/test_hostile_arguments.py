@@ -18,8 +18,8 @@ from exactsweep import (
 )
 from exactsweep.check import classify, reference_loops, reference_no_fit, verify
 from exactsweep.formats import parse_polygons, read_polygon, read_polygons
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import to_fraction
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 NESTED: list[Any] = []

@@ -34,8 +34,8 @@ from exactsweep.conform import Verdict
 from exactsweep.corpus import case_to_json, find_case
 from exactsweep.draw import Picture, Scale, make_figure
 from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
-from exactsweep.geometry.arguments import ArgumentError, tells_arguments
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.arguments import ArgumentError, tells_arguments
 
 ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "lessons", "view")
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -56,7 +56,7 @@ def readers(name: str) -> list[tuple[str, ...]]:
 @pytest.fixture
 def low_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    for module in ("geometry.limits", "formats.size"):
+    for module in ("numbers.limits", "formats.size"):
         monkeypatch.setattr(f"exactsweep.{module}.DEFAULT_MIB", MOST / 2**20)
     parabola = [(k, k * k) for k in range(45)]
     for name, points in (("g", parabola), ("d", [(5 * x, 7 * y) for x, y in parabola])):

@@ -16,8 +16,8 @@ from exactsweep.corpus.generator.growing import (
     terraces,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Point
 from exactsweep.paper.checks.planar import (
     Groups,
     count_free_parts,

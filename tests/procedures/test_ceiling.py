@@ -11,7 +11,7 @@ import families
 import pytest
 
 from exactsweep import Polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import inverse, split
 from exactsweep.procedures.convex_part import (
     Box,

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import (
     ChainError,
     complement,

@@ -6,7 +6,7 @@ from math import inf
 
 import pytest
 
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,

@@ -11,7 +11,7 @@ from polyominoes import Cells, polyominoes
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import Cover, _stack, find_points_in

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactsweep import Polygon
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import ChainError, find_convex_parts, split, take_corners
 from exactsweep.procedures.cm import trajectory_cm

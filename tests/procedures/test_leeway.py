@@ -12,7 +12,7 @@ from polyominoes import Cells, polyominoes
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.overlap import Overlap, Rings
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures import ss
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches

@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges
 from exactsweep.procedures.envelope import value

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 
 from exactsweep import Polygon, sweep
 from exactsweep.check.definition import reference_loops
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures import part_pairs
 from exactsweep.procedures.cc import trajectory_cc
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split

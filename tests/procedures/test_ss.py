@@ -15,7 +15,7 @@ from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
 from exactsweep.evidence.no_fit import NoFitPositions
 from exactsweep.geometry.overlap import Overlap
-from exactsweep.geometry.point import ORIGIN, Point, Vertex
+from exactsweep.numbers.point import ORIGIN, Point, Vertex
 from exactsweep.procedures.contact_lines import Stretch, _join_segments
 from exactsweep.procedures.free_positions import _find_left_over, _lies_on, _part_where_it_touches
 from exactsweep.procedures.ss import no_fit_ss

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 
 from exactsweep import Polygon
 from exactsweep.check import reference_loops
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import find_convex_parts, list_graph_edges, split
 from exactsweep.procedures.envelope import value
 from exactsweep.procedures.mm import trajectory_mm

@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.region import Region, walk_rings
+from exactsweep.numbers.point import Point
 
 
 def without_parts(s: Swept, contacts: Iterable[Contact]) -> set[Contact]:

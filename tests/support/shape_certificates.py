@@ -14,7 +14,7 @@ from exactsweep.check import (
     reference_no_fit,
     reference_swept,
 )
-from exactsweep.geometry.number import format_fraction, to_fraction
+from exactsweep.numbers.number import format_fraction, to_fraction
 
 Certificate = dict[str, Any]
 Written = list[list[str]]

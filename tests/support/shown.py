@@ -11,7 +11,7 @@ from typing import Any
 from command import EXAMPLE, PATIENCE
 
 from exactsweep import Point, Sweep, sweep
-from exactsweep.geometry.number import to_fraction
+from exactsweep.numbers.number import to_fraction
 
 FLAGS = [
     "--no-sandbox",

@@ -17,7 +17,7 @@ from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 
 Loop = list[Any]
 Answer = dict[str, Any]

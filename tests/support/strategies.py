@@ -12,9 +12,9 @@ from typing import Literal
 from hypothesis import strategies as st
 
 from exactsweep.corpus.generator.shapes import take_hull
-from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.point import Point
 
 Ring = Sequence[tuple[int, int]]
 Kind = Literal["CC", "CM", "MM"]

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple, cast
 from exactsweep.conform.run.protocol import Hello, Numbers, Question
 from exactsweep.corpus.case import Shapes
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import to_fraction
+from exactsweep.numbers.point import Point
 
 Number = Any
 Position = tuple[Fraction, Fraction]

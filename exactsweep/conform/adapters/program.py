@@ -11,7 +11,7 @@ from math import inf
 
 from exactsweep.conform.adapters.adapter import AskedShape
 from exactsweep.conform.run.channel import Channel, ClosedError
-from exactsweep.geometry.number import format_fraction, to_fraction
+from exactsweep.numbers.number import format_fraction, to_fraction
 
 
 class ProgramError(Exception):

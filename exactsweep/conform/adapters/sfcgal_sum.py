@@ -20,7 +20,7 @@ from exactsweep.conform.adapters.adapter import (
     AskedShape,
     sum_adapter,
 )
-from exactsweep.geometry.number import format_fraction
+from exactsweep.numbers.number import format_fraction
 
 _RING = re.compile(r"\(([^()]+)\)")
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.corpus.case_json import list_expected_rings
-from exactsweep.geometry.number import read_any_length
+from exactsweep.numbers.number import read_any_length
 
 COLUMNS = {
     "exact or equivalent": (Verdict.EXACT, Verdict.EQUIVALENT),

@@ -9,9 +9,9 @@ from typing import NamedTuple
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind
 from exactsweep.formats.size import VERTEX, require_count
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, quote, to_fraction
-from exactsweep.geometry.point import Loop, Point
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import NumberError, quote, to_fraction
+from exactsweep.numbers.point import Loop, Point
 
 LOOPS = ("trajectory", "inner", "outer", "no_fit", "inner_fit")
 """What an answer may hold: the loops of a sweep, and the rings of the two fits."""

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import chain
 from math import floor
 
-from exactsweep.geometry.point import Point, PointRings
+from exactsweep.numbers.point import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
 

@@ -21,9 +21,9 @@ from exactsweep.conform.judge.rounding import grant_rounding, limit_claim
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.whiskers import strip_whiskers
 from exactsweep.corpus import Case
-from exactsweep.geometry.arguments import tells_arguments
-from exactsweep.geometry.number import quote
-from exactsweep.geometry.point import Fit
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import Fit
 
 
 @tells_arguments

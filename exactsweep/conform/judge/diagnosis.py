@@ -17,11 +17,11 @@ from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
-from exactsweep.geometry.addition import add_up
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
-from exactsweep.geometry.number import abridge
-from exactsweep.geometry.point import ORIGIN, Point, PointRings
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.point import ORIGIN, Point, PointRings
 from exactsweep.sweep import no_fit_polygon
 from exactsweep.words import write_pair
 

@@ -19,7 +19,7 @@ from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
 from exactsweep.conform.judge.whiskers import is_on
 from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.geometry.point import Fit, Point
+from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import count
 
 NAME = "exact_fits"

@@ -25,7 +25,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from exactsweep.geometry.canonical import find_doubled_area
-from exactsweep.geometry.point import Point, PointRings
+from exactsweep.numbers.point import Point, PointRings
 
 MAX_CELLS = 300_000
 

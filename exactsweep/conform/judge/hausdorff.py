@@ -28,7 +28,7 @@ from heapq import heappop, heappush
 from itertools import count
 from math import isqrt, lcm
 
-from exactsweep.geometry.point import PointRings
+from exactsweep.numbers.point import PointRings
 
 IntPair = tuple[int, int]
 

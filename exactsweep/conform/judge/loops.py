@@ -23,8 +23,8 @@ from exactsweep.conform.judge.whiskers import strip_whiskers, trace_whiskers
 from exactsweep.conform.judge.witness import LOOP_NAMES, find_witness, list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Loop, Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Loop, Point
 
 _POSITIONS = ("trajectory", "no_fit")
 """Loops on which exact fits of G around D may hang."""

@@ -25,9 +25,9 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from exactsweep.geometry.addition import add_up
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point, PointRings
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import Point, PointRings
 
 Height = tuple[Fraction, Fraction]
 

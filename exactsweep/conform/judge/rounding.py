@@ -10,9 +10,9 @@ from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.fits import INSIDE, NAME, list_exact_fits
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import Point
 
 ULPS = 16
 """Units in the last place of the largest coordinate: sums of three vertices, and a crossing."""

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from exactsweep.check.classify import Meeting
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
 
 
 class Verdict(StrEnum):

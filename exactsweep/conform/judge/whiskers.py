@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactsweep.geometry.point import Fit, Loop, Point
+from exactsweep.numbers.point import Fit, Loop, Point
 
 
 def strip_whiskers(

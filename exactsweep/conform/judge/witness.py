@@ -23,10 +23,10 @@ from exactsweep.check.location import locate
 from exactsweep.conform.judge.region import Trapezoid, find_differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Point, PointRings
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import Point, PointRings
 from exactsweep.words import write_pair
 
 LOOP_NAMES = {

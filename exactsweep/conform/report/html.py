@@ -27,8 +27,8 @@ from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
-from exactsweep.geometry.number import NumberError, read_any_length, to_fraction
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.number import NumberError, read_any_length, to_fraction
+from exactsweep.numbers.point import Point
 from exactsweep.text.report import approximate
 
 _MOST_LISTED = 2000

@@ -19,9 +19,9 @@ from exactsweep.formats.exact_json import (
     read_vertices,
 )
 from exactsweep.formats.size import require_size
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.limits import get_max_bytes
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import quote
 
 
 class SelectionError(ExactSweepError):

@@ -11,7 +11,7 @@ from contextlib import suppress
 from typing import IO
 
 from exactsweep.conform.run.peer import MAX_STDERR
-from exactsweep.geometry.limits import get_max_bytes, get_max_mib
+from exactsweep.numbers.limits import get_max_bytes, get_max_mib
 from exactsweep.processes import Started
 
 _CHUNK = 65536

@@ -12,9 +12,9 @@ from typing import Any, BinaryIO, Self
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
 from exactsweep.conform.run.protocol import Hello
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.limits import get_max_bytes
-from exactsweep.geometry.number import format_fraction
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import format_fraction
 from exactsweep.processes import lock
 
 FORMAT = "exactsweep conform"

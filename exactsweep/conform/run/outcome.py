@@ -18,8 +18,8 @@ from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import NumberError, format_fraction, quote, to_fraction
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
 
 Judge = Callable[[Peer, Case], "Outcome"]
 

@@ -15,9 +15,9 @@ from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.exact_json import describe_kind, parse_json, read_vertices
 from exactsweep.formats.polygons import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
-from exactsweep.geometry.limits import get_max_bytes
-from exactsweep.geometry.number import quote
-from exactsweep.geometry.point import ORIGIN, Point, PointRings
+from exactsweep.numbers.limits import get_max_bytes
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import ORIGIN, Point, PointRings
 from exactsweep.words import suggest
 
 _ROLES = ("directrix", "generatrix")

@@ -11,7 +11,7 @@ from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.protocol import Hello, convert_numbers
 from exactsweep.corpus import Case
 from exactsweep.formats.exact_json import describe_kind
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 SECONDS = 10.0
 """Seconds that an answer may take, unless the caller says otherwise."""

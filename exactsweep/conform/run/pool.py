@@ -13,9 +13,9 @@ from exactsweep.conform.run.peer import SECONDS
 from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
 from exactsweep.corpus import Case
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.limits import Limits, limits, list_limits
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.limits import Limits, limits, list_limits
+from exactsweep.numbers.number import quote
 from exactsweep.processes import Pool
 
 _ENDED = "the process that judges has ended"

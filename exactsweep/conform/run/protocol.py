@@ -40,11 +40,11 @@ from exactsweep.corpus import Case
 from exactsweep.corpus.case import SHAPES, Shapes
 from exactsweep.formats import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import format_fraction, quote
-from exactsweep.geometry.point import ORIGIN, Fit, Loop, Point
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.point import ORIGIN, Fit, Loop, Point
 
 Numbers = Literal["rational", "integer", "int64", "int32", "binary64"]
 Reference = Literal["given", "origin", "first"]

@@ -12,7 +12,7 @@ from typing import overload
 from weakref import finalize
 
 from exactsweep.conform.run.outcome import Outcome, outcome_from_json
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 _IN_MEMORY = 2**20
 """Bytes that are kept in memory; what comes after goes to a file that nobody else sees."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.corpus.case import KINDS
-from exactsweep.geometry.number import read_any_length
+from exactsweep.numbers.number import read_any_length
 
 ALL = "all"
 _MOST_DIAGNOSES = 1000

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from hashlib import sha256
 from typing import TypeVar
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 _T = TypeVar("_T")
 _MASK = 2**64 - 1

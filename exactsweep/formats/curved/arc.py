@@ -17,7 +17,7 @@ from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.curves import bound_root, flatten_arc
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.numbers.point import ORIGIN, Point
 
 _PI_DIGITS = 120
 _MAX_TURN = 10**6

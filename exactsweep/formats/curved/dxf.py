@@ -27,7 +27,7 @@ from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 # Notes, dimensions and frames, which draw no outline.
 _NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}

@@ -14,9 +14,9 @@ from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import UNITS
 from exactsweep.formats.size import ENTITY, require_count, require_size
-from exactsweep.geometry.error import require_imports
-from exactsweep.geometry.number import quote
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.error import require_imports
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     from ezdxf.lldxf.types import DXFTag

@@ -17,7 +17,7 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_bezier
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.point import Point
+from exactsweep.numbers.point import Point
 
 MAX_DEGREE = 15
 

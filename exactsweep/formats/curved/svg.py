@@ -19,8 +19,8 @@ from exactsweep.formats.decimals import count_decimals, read_decimals
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.number import quote
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.point import ORIGIN, Point
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

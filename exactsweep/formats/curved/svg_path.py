@@ -18,8 +18,8 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
-from exactsweep.geometry.number import NumberError, quote
-from exactsweep.geometry.point import ORIGIN, Point
+from exactsweep.numbers.number import NumberError, quote
+from exactsweep.numbers.point import ORIGIN, Point
 
 _GAP = re.compile(r"[\s,]*")
 _NUMBER = re.compile(DECIMAL)

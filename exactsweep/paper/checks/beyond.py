@@ -15,8 +15,8 @@ from exactsweep.check import (
     reference_swept,
 )
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.geometry.point import Fit, Rational, Vertex
 from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
+from exactsweep.numbers.point import Fit, Rational, Vertex
 from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE

@@ -17,8 +17,8 @@ from typing import Generic, TypeVar
 
 from exactsweep.check import classify
 from exactsweep.corpus.generator.shapes import Ring, take_hull
-from exactsweep.geometry.point import Point
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Point
 
 SegmentPiece = tuple[Point, Point]
 Opening = tuple[SegmentPiece | None, SegmentPiece | None]

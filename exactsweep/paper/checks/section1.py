@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.geometry.point import Rational, Vertex
+from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.paper.claim import (
     Counterexample,
     Effort,

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.canonical import PolygonError
-from exactsweep.geometry.point import Edge, Rational, Vertex
+from exactsweep.numbers.point import Edge, Rational, Vertex
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import keep_corners, look_up, take_bottom, tell_difference

@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
-from exactsweep.geometry.point import Edge, Vertex
 from exactsweep.geometry.segment import Segment, make_segment
+from exactsweep.numbers.point import Edge, Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.checks.section4 import is_monotone, lowest
 from exactsweep.paper.claim import Counterexample, Effort, Evidence

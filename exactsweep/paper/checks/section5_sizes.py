@@ -12,8 +12,8 @@ from exactsweep.corpus.generator.growing import (
     mm,
     printed_count,
 )
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section5 import sub_trajectories_suffice, trajectory_mm_is_right
 from exactsweep.paper.checks.segments import (
     BEST,

@@ -6,7 +6,7 @@ from exactsweep import Polygon, Sweep
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
-from exactsweep.geometry.point import ORIGIN
+from exactsweep.numbers.point import ORIGIN
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.pairs import SweepPair
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.draw import draw_undercuts
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.minkowski import sweep_example
 from exactsweep.paper.figures.sheet import (

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.figures.figure import Facts, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX
 from exactsweep.paper.figures.sheet import (

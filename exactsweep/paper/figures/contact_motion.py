@@ -9,7 +9,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import ContactStretch, cut_trajectory, place_generatrix
 from exactsweep.draw.features import Features
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.numbers.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import draw_undercuts
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Protocol, cast
 
 from exactsweep.check import classify, reference_loops
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.claim import Evidence, Table, find_first_failure
 from exactsweep.sweep import Sweep
 

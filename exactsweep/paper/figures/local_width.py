@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.check import point_in_polygon
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.paper.checks.section5 import NARROW
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.inverses import INVERSE

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.corpus.generator.growing import bumps, edges_of_bumps, printed_count
 from exactsweep.draw import place_generatrix
-from exactsweep.geometry.point import Edge
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Edge
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     OUTER,

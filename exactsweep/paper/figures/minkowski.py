@@ -12,8 +12,8 @@ from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
 from exactsweep.draw import Picture, draw_undercuts, place_generatrix
 from exactsweep.evidence.undercut import find_pockets
-from exactsweep.geometry.point import Point, Vertex
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Extent, Margins, Sheet

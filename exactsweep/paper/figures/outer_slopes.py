@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.numbers.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ
 from exactsweep.paper.figures.sheet import (
     SMALL,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.corpus.generator import growing
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper import literal
 from exactsweep.paper.figures.figure import Facts, differ
 from exactsweep.paper.figures.minkowski import DIRECTRIX, GENERATRIX

@@ -17,7 +17,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import Picture, Scale, place_generatrix
 from exactsweep.draw.figure import require_matplotlib
-from exactsweep.geometry.point import Point, Vertex
+from exactsweep.numbers.point import Point, Vertex
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from exactsweep.canvas import style
 from exactsweep.draw import place_generatrix
-from exactsweep.geometry.number import format_fraction
-from exactsweep.geometry.point import Point, Rational, Vertex
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point, Rational, Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.draw import draw_undercuts, place_generatrix
 from exactsweep.evidence.undercut import Undercut
-from exactsweep.geometry.point import Vertex
 from exactsweep.geometry.region import Vertices
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     BOLD,

@@ -10,7 +10,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.style import Look
 from exactsweep.draw import ContactStretch, cut_trajectory, place_generatrix
 from exactsweep.draw.features import Features
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.paper.figures.figure import Facts, differ, loops_differ, overlaps
 from exactsweep.paper.figures.sheet import (
     PLACED,

@@ -35,7 +35,7 @@ from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from typing import TypedDict
 
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.error import ExactSweepError
 
 # What Python itself is ready to print of an int (`sys.int_info.default_max_str_digits`).
 DEFAULT_DIGITS = 4300

@@ -21,7 +21,7 @@ class name_refusals:  # noqa: N801
         >>> with name_refusals("hole 2"):
         ...     raise ExactSweepError("zero area")
         Traceback (most recent call last):
-        exactsweep.geometry.error.ExactSweepError: hole 2: zero area
+        exactsweep.numbers.error.ExactSweepError: hole 2: zero area
     """
 
     def __init__(self, name: str) -> None:
@@ -54,7 +54,7 @@ def require_imports(
         >>> with require_imports("naps", "bed", "rest", ExactSweepError):
         ...     import naps
         Traceback (most recent call last):
-        exactsweep.geometry.error.ExactSweepError: rest needs naps: pip install 'exactsweep[bed]'
+        exactsweep.numbers.error.ExactSweepError: rest needs naps: pip install 'exactsweep[bed]'
     """
     try:
         yield

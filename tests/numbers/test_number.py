@@ -10,14 +10,14 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exactsweep.geometry.limits import (
+from exactsweep.numbers.limits import (
     LimitError,
     answer_digits,
     get_max_bytes,
     limits,
     list_limits,
 )
-from exactsweep.geometry.number import (
+from exactsweep.numbers.number import (
     NumberError,
     abridge,
     add_to_all,

@@ -11,7 +11,7 @@ from fractions import Fraction
 from operator import add
 from typing import TypeVar
 
-from exactsweep.geometry.number import split_ratios
+from exactsweep.numbers.number import split_ratios
 
 _Pair = tuple[int, int]
 _Term = TypeVar("_Term", _Pair, Fraction)

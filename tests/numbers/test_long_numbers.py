@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from exactsweep import Polygon, PolygonError, Region, sweep
 from exactsweep.check import verify
-from exactsweep.geometry import lazy_number
-from exactsweep.geometry.addition import add_ratios, add_up
 from exactsweep.geometry.canonical import CanonicalRing, canonicalize_ring, find_doubled_area
-from exactsweep.geometry.digits import read_int, write_int
-from exactsweep.geometry.point import Vertex
+from exactsweep.numbers import lazy_number
+from exactsweep.numbers.addition import add_ratios, add_up
+from exactsweep.numbers.digits import read_int, write_int
+from exactsweep.numbers.point import Vertex
 
 GRID = st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=9)
 MINUTE = Fraction(1, 10**400)

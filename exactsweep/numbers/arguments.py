@@ -17,8 +17,8 @@ from itertools import islice
 from types import NoneType, UnionType
 from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.number import quote
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import quote
 
 _Accepted = ParamSpec("_Accepted")
 _Returned = TypeVar("_Returned")
@@ -47,7 +47,7 @@ def tells_arguments(function: Callable[_Accepted, _Returned]) -> Callable[_Accep
         ...     return number.__index__() * 2
         >>> double("a")
         Traceback (most recent call last):
-        exactsweep.geometry.arguments.ArgumentError: number is 'a', not int
+        exactsweep.numbers.arguments.ArgumentError: number is 'a', not int
     """
 
     @wraps(function)

@@ -13,9 +13,9 @@ from math import gcd
 from numbers import Rational, Real
 from operator import attrgetter
 
-from exactsweep.geometry.digits import read_int, write_int
-from exactsweep.geometry.error import ExactSweepError
-from exactsweep.geometry.limits import answer_digits, get_max_digits, limits
+from exactsweep.numbers.digits import read_int, write_int
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.limits import answer_digits, get_max_digits, limits
 
 _ECHO = 40
 

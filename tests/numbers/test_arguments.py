@@ -8,8 +8,8 @@ from typing import Any, Literal, NewType, Optional, Protocol, TypeVar, Union
 
 import pytest
 
-from exactsweep.geometry.arguments import ArgumentError, tells_arguments
-from exactsweep.geometry.error import ExactSweepError
+from exactsweep.numbers.arguments import ArgumentError, tells_arguments
+from exactsweep.numbers.error import ExactSweepError
 
 T = TypeVar("T")
 Metres = NewType("Metres", int)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
-from exactsweep.geometry.digits import write_int
+from exactsweep.numbers.digits import write_int
 
 
 class Point(NamedTuple):

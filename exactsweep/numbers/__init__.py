@@ -1,0 +1,1 @@
+"""Exact numbers and points: read, limited, written. Below words and canvas."""
