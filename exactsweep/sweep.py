@@ -19,11 +19,11 @@ from exactsweep.geometry.direction import (
     read_direction,
     require_monotone,
 )
+from exactsweep.geometry.given import to_region
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_interface, read_point
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, Vertices
 from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -186,19 +186,8 @@ def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
     """A shape with holes as a Region, any other as a Polygon."""
     if isinstance(shape, Polygon):
         return shape
-    region = _region(shape, name)
+    region = to_region(shape, name)
     return region if region.holes else region.exterior
-
-
-def _region(shape: Region | Vertices, name: str) -> Region:
-    if isinstance(shape, Region):
-        return shape
-    with name_refusals(name):
-        exterior, *holes = read_interface(shape) or [shape]
-        if not holes:
-            # There is only one ring to be named.
-            return Region(Polygon(exterior))
-        return Region(exterior, holes)
 
 
 def _share(
@@ -291,5 +280,5 @@ def inner_fit_polygon(
         >>> print(inner_fit_polygon(container=bin, part=[(0, 0), (2, 0), (2, 2), (0, 2)]))
         exact fit: (0,0) (2,0)
     """
-    shapes = _region(container, "container"), _region(part, "part")
+    shapes = to_region(container, "container"), to_region(part, "part")
     return InnerFit(*shapes, read_point(reference, "reference"))
