@@ -184,21 +184,14 @@ def sweep(
 
 def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
     """A shape with holes as a Region, any other as a Polygon."""
-    if isinstance(shape, Polygon):
-        return shape
-    region = _region(shape, name)
-    return region if region.holes else region.exterior
-
-
-def _region(shape: Region | Vertices, name: str) -> Region:
     if isinstance(shape, Region):
+        return shape if shape.holes else shape.exterior
+    if isinstance(shape, Polygon):
         return shape
     with name_refusals(name):
         exterior, *holes = read_interface(shape) or [shape]
-        if not holes:
-            # There is only one ring to be named.
-            return Region(Polygon(exterior))
-        return Region(exterior, holes)
+        # Of one ring there is no other to be named.
+        return Region(exterior, holes) if holes else Polygon(exterior)
 
 
 def _share(
@@ -291,5 +284,5 @@ def inner_fit_polygon(
         >>> print(inner_fit_polygon(container=bin, part=[(0, 0), (2, 0), (2, 2), (0, 2)]))
         exact fit: (0,0) (2,0)
     """
-    shapes = _region(container, "container"), _region(part, "part")
+    shapes = Region(_read(container, "container")), Region(_read(part, "part"))
     return InnerFit(*shapes, read_point(reference, "reference"))
