@@ -13,16 +13,12 @@ from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.point import Vertex
 
 
-def read_shape(shape: Region | Vertices, name: str) -> Polygon | Region:
-    """Read a shape with holes as a Region, any other as a Polygon.
-
-    Args:
-        shape: a Polygon, a Region or the vertices of a polygon.
-        name: what a refusal begins with.
+def to_shape(shape: Region | Vertices, name: str) -> Polygon | Region:
+    """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
     Raises:
-        PolygonError: the polygon is not simple.
-        NumberError: a coordinate is not an exact number.
+        PolygonError: the polygon is not simple; the message begins with the name.
+        NumberError: a coordinate is not an exact number; likewise.
     """
     if isinstance(shape, Region):
         return shape if shape.holes else shape.exterior
@@ -35,13 +31,12 @@ def read_shape(shape: Region | Vertices, name: str) -> Polygon | Region:
 
 
 def to_region(shape: Region | Vertices, name: str) -> Region:
-    """Read any shape as a Region; arguments and refusals are those of `read_shape`.
+    """Read the same as a Region.
 
     >>> to_region([(0, 0), (1, 0), (0, 1)], "part").area
     Fraction(1, 2)
     """
-    found = shape if isinstance(shape, Region) else read_shape(shape, name)
-    return found if isinstance(found, Region) else Region(found)
+    return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
 
 
 def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
