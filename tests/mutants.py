@@ -44,7 +44,7 @@ from trial import Jury, Trial, run_afresh, written  # noqa: E402
 sys.path.remove(SUPPORT)  # what is tried is all in the copy
 
 ROOT = Path(__file__).parent.parent
-ROOMS = ("geometry", "procedures", "evidence", "check")
+ROOMS = ("numbers", "geometry", "procedures", "evidence", "check")
 TESTS = (
     *(f"tests/{room}" for room in ROOMS),
     *(f"exactsweep/{room}" for room in ROOMS),

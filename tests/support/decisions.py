@@ -24,7 +24,7 @@ ROOT = Path(exactsweep.__file__).parent
 NOTED = (
     *(f"procedures.{path.stem}" for path in sorted((ROOT / "procedures").glob("[a-z]*.py"))),
     "evidence.contact",
-    "evidence.exact_fit",
+    "procedures.exact_fit",
     "geometry.overlap",
 )
 _COPY, _NOTE_ORDER, _NOTE_TRUTH = "noted_exactsweep", "_note_order", "_note_truth"

@@ -7,7 +7,6 @@ from dataclasses import replace
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
-from exactsweep.evidence.undercut import find_pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
@@ -15,6 +14,7 @@ from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
+from exactsweep.procedures.pockets import find_pockets
 
 
 def find_long_undercut(effort: Effort) -> Evidence:
