@@ -13,24 +13,30 @@ from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.point import Vertex
 
 
-def to_region(shape: Region | Vertices, name: str) -> Region:
-    """Read a Polygon, a Region or the vertices of a polygon as a Region.
+def to_shape(shape: Region | Vertices, name: str) -> Polygon | Region:
+    """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
     Raises:
         PolygonError: the polygon is not simple; the message begins with the name.
         NumberError: a coordinate is not an exact number; likewise.
+    """
+    if isinstance(shape, Region):
+        return shape if shape.holes else shape.exterior
+    if isinstance(shape, Polygon):
+        return shape
+    with name_refusals(name):
+        exterior, *holes = read_interface(shape) or [shape]
+        # Of one ring there is no other to be named.
+        return Region(exterior, holes) if holes else Polygon(exterior)
+
+
+def to_region(shape: Region | Vertices, name: str) -> Region:
+    """Read the same as a Region.
 
     >>> to_region([(0, 0), (1, 0), (0, 1)], "part").area
     Fraction(1, 2)
     """
-    if isinstance(shape, Region):
-        return shape
-    with name_refusals(name):
-        exterior, *holes = read_interface(shape) or [shape]
-        if not holes:
-            # There is only one ring to be named.
-            return Region(Polygon(exterior))
-        return Region(exterior, holes)
+    return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
 
 
 def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
