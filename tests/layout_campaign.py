@@ -19,7 +19,7 @@ from rich.table import Table
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.insert(0, str(Path(__file__).parent / "support"))
-from layout_reference import find_difference, find_wrong_move
+from layout_reference import find_difference, find_unproved, find_wrong_move
 from random_layouts import draw_layout
 
 from exactsweep.layout import judge_layout
@@ -44,7 +44,11 @@ def try_layout(seed: int, number: int) -> LayoutOutcome:
     family, layout = draw_layout(rng)
     try:
         judgement = judge_layout(layout)
-        failure = find_difference(layout, judgement) or find_wrong_move(layout, judgement, MOVES)
+        failure = (
+            find_difference(layout, judgement)
+            or find_wrong_move(layout, judgement, MOVES)
+            or find_unproved(judgement, rng)
+        )
     except Exception as error:
         return LayoutOutcome(number, family, 0, "", {}, f"{type(error).__name__}: {error}")
     kinds = Counter[str](fault.kind for fault in judgement.faults)

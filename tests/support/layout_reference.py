@@ -1,15 +1,17 @@
 """Layouts judged by the definition: all pairs by `classify`, distances by all pairs of edges."""
 
+import json
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations, pairwise, product
 from math import lcm
+from random import Random
 from typing import Any, NamedTuple
 
 from exactsweep import Point, Region
-from exactsweep.check import classify
-from exactsweep.layout import Judgement, Layout, Placement
+from exactsweep.check import classify, verify
+from exactsweep.layout import Judgement, Layout, LayoutError, Placement
 
 BITS = 320
 """Angles are this near to those that have no rational turn."""
@@ -184,8 +186,6 @@ def find_difference(layout: Layout, judgement: Any) -> str:
     if judgement.density != truth.density:
         return "density"
     nearest = judgement.distance
-    if (nearest is None) is not (truth.distance is None):
-        return "distance"
     square = None if nearest is None else nearest.square
     if square != truth.distance and not _has_angles(layout):
         return f"distance: {square}, not {truth.distance}"
@@ -256,4 +256,23 @@ def find_wrong_move(layout: Layout, judgement: Judgement, number: int) -> str:
                 )
                 if all(classify(one, moved, (x, y)).verdict != "OVERLAP" for one in fixed):
                     return f"{fault.kind} {fault.placements}: a shorter move frees it"
+    return ""
+
+
+def find_unproved(judgement: Judgement, rng: Random) -> str:
+    """Say whether a certificate is not proved, or still proved when something is changed."""
+    kinds = {fault.kind for fault in judgement.faults}
+    try:
+        certificate = json.loads(json.dumps(judgement.certificate()))
+    except LayoutError as error:
+        return "" if kinds == {"undecided"} else str(error)
+    result = verify(certificate)
+    if not result.proved:
+        return f"certificate: {result.reason}"
+    if verify({**certificate, "valid": not certificate["valid"]}).proved:
+        return "certificate: the other verdict is proved, too"
+    if apart := certificate["apart"]:
+        apart.pop(rng.randrange(len(apart)))
+        if verify(certificate).proved:
+            return "certificate: it is proved without one of its normals"
     return ""
