@@ -516,7 +516,8 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
         at = (0, 0, 1)
         d, g = shape(d), shape(g)
     else:
-        head = "kind directrix generatrix trajectory exact_fits inner outer area proof reference direction"
+        head = "kind directrix generatrix trajectory exact_fits inner outer area proof"
+        head += " reference direction"
         kind, d, g, t, fits, inner, outer, area, proof, reference, direction = fields(
             c, head, "format version contacts inner_drawn outer_drawn"
         )[:11]
