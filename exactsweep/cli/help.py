@@ -19,7 +19,7 @@ EXAMPLES = {
     ],
     "layout": [
         "nest.svg --html nest.html",
-        "final.json --spacing 0.5 --json -o judged.json",
+        "final.json --spacing 0.5 --certificate proof.json",
         "solution.json --instance instance.json",
         "nests 'more/*.svg' --workers 4",
     ],

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from exactsweep.cli.output import measure_terminal, takes_output, write
+from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.formats import show_path
 from exactsweep.formats.folder import find_files
@@ -80,6 +80,12 @@ def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fr
 @takes_reading
 @click.option("--json", "as_json", is_flag=True, help="Write the judgement, exactly, as JSON.")
 @click.option("--all", "everything", is_flag=True, help="List all faults.")
+@click.option(
+    "--certificate",
+    type=PATH,
+    metavar="FILE",
+    help="Write what 'exactsweep verify' proves the verdict by, from its definition.",
+)
 @click.option("--html", type=PATH, metavar="FILE", help="Write a page with pictures of faults.")
 @click.option("--svg", type=PATH, metavar="FILE", help="Write a picture, faults enlarged below.")
 @click.option(
@@ -103,6 +109,7 @@ def layout_command(
     reading: ReadingOptions,
     as_json: bool,
     everything: bool,
+    certificate: str | None,
     html: str | None,
     svg: str | None,
     y_down: bool | None,
@@ -137,12 +144,12 @@ def layout_command(
             (layout,) = layouts
             if y_down is None:
                 y_down = found[0].lower().endswith(".svg")
-            files_out = {"html": html, "svg": svg}
+            files_out = {"certificate": certificate, "html": html, "svg": svg}
             form = "json" if as_json else "all" if everything else "report"
             title = show_path(found[0])
             sys.exit(0 if _judge_one(layout, gaps, title, form, files_out, y_down, output) else 1)
-    if html or svg:
-        raise click.UsageError("--html and --svg are for a single layout.")
+    if certificate or html or svg:
+        raise click.UsageError("--certificate, --html and --svg are for a single layout.")
     rows = [*_judge_all(found, options, gaps, workers)]
     if as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
@@ -186,6 +193,9 @@ def _judge_one(
             write(page, files_out["html"])
         if files_out["svg"]:
             write(draw_layout(judgement, ranked, title, y_down=y_down), files_out["svg"])
+        if files_out["certificate"]:
+            text = json.dumps(judgement.certificate()) + "\n"
+            write_readable(text, files_out["certificate"])
         if form == "json":
             text = write_layout_json(judgement, notes)
         else:

@@ -70,14 +70,17 @@ def test_the_container_is_chosen(nest: Path) -> None:
 
 def test_everything_is_written(tmp_path: Path) -> None:
     file = case_file(tmp_path, "all-at-once")
-    page, picture, out = (str(tmp_path / name) for name in ("p.html", "p.svg", "out.json"))
-    done = run("layout", file, "--html", page, "--svg", picture, "--json", "-o", out)
+    names = "p.html", "p.svg", "proof.json", "out.json"
+    page, picture, proof, out = (str(tmp_path / name) for name in names)
+    options = "--html", page, "--svg", picture, "--certificate", proof, "--json", "-o", out
+    done = run("layout", file, *options)
     assert (done.exit_code, done.stdout) == (1, "")
     assert len(json.loads(Path(out).read_text(encoding="utf-8"))["faults"]) == 5
     text = Path(page).read_text(encoding="utf-8")
     assert text.startswith("<!DOCTYPE html>")
     assert f"<h1>{file}</h1>" in text
     assert ElementTree.parse(picture).getroot().tag.endswith("svg")
+    assert run("verify", proof).stdout == "proved\n"
 
 
 def test_a_drawing_by_svg_is_shown_as_its_viewers_show_it(nest: Path) -> None:

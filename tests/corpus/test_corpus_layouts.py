@@ -11,10 +11,14 @@ import pytest
 from command import refusal, run
 from jsonschema import Draft202012Validator
 
+from exactsweep.check import standalone, verify
 from exactsweep.corpus import LayoutCase, find_layout_case, layout_cases
 from exactsweep.layout import Fault, Layout, judge_layout
+from exactsweep.layout.reading import LayoutError
 
 CASES = {case.id: case for case in layout_cases()}
+# A hole outside of its part, and what is undecided.
+UNPROVED = ["layouts-hole-outside", "layouts-angle-45-undecided"]
 SCHEMA = Draft202012Validator(
     json.loads(files("exactsweep.layout").joinpath("layout.schema.json").read_text("utf-8"))
 )
@@ -50,6 +54,22 @@ def test_a_layout_is_judged_as_it_was_worked_out(id: str) -> None:
     if "distance_squared" in expected:
         assert judgement.distance is not None
         assert judgement.distance.square == Fraction(expected["distance_squared"])
+
+
+@pytest.mark.parametrize("id", [id for id in CASES if id not in UNPROVED])
+def test_its_certificate_is_proved_both_ways(id: str) -> None:
+    case = CASES[id]
+    text = json.dumps(judge_layout(case.layout).certificate())
+    found = verify(json.loads(text))
+    assert found.proved, found.reason
+    valid = "valid" if case.expected["valid"] else "not valid"
+    assert f", {valid}" in standalone.prove(standalone.load(text))
+
+
+@pytest.mark.parametrize("id", UNPROVED)
+def test_some_faults_have_no_proof(id: str) -> None:
+    with pytest.raises(LayoutError, match="no certificate"):
+        judge_layout(CASES[id].layout).certificate()
 
 
 def tell(fault: Fault, case: LayoutCase) -> dict[str, Any]:
