@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, Literal
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.shown import Shown, place_fits, place_loop
+from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.given import share_lattice
+from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.point import ORIGIN, Fit, Point
@@ -94,26 +98,65 @@ class NoFitPolygon(Shown):
 
 
 class InnerFit(Shown):
-    """The positions of a part inside a container; made by `inner_fit_polygon`.
+    """The positions of a part inside a container, and free of placed shapes if there are any.
+
+    `inner_fit_polygon` and `free_positions` make it. It is true if there is any position.
 
     Attributes:
         container: a Region, whose holes are defects.
         part: a Region.
         reference: the point of the part whose positions are told, a Point.
+        placed: the Regions that the part must not overlap.
     """
 
-    asked = ("container", "part", "reference")
+    asked = ("container", "part", "reference", "placed")
 
-    def __init__(self, container: Region, part: Region, reference: Point) -> None:
+    def __init__(
+        self, container: Region, part: Region, reference: Point, placed: Sequence[Region] = ()
+    ) -> None:
         self.container = container
         self.part = part
         self.reference = reference
+        self.placed = tuple(placed)
 
     @made_once
     def solution(self) -> ss.InnerFitSS:
         """The positions of the part's origin."""
-        scale, (container, part) = share_lattice([self.container, self.part])
-        return ss.inner_fit_ss(container, part, scale)
+        scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
+        return ss.inner_fit_ss(container, part, scale, placed)
+
+    def __bool__(self) -> bool:
+        return bool(self.regions or self.exact_fits)
+
+    def locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
+        """Locate a position: "inside" where the part can move in all directions.
+
+        Args:
+            position: a pair of numbers, where the reference point of the part is.
+
+        Returns:
+            "inside" a region; on the "boundary" of one, where the part touches what it must not
+            overlap, or in an exact fit; or "outside", where it overlaps.
+
+        Raises:
+            NumberError: a coordinate is not an exact number.
+
+        Cost: that of the positions, and linear in their size.
+
+        Example:
+            >>> from exactsweep import inner_fit_polygon
+            >>> f = inner_fit_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (0, 1)])
+            >>> f.locate((1, 1)), f.locate((0, 1)), f.locate((9, 1))
+            ('boundary', 'boundary', 'outside')
+        """
+        t = read_point(position, "position")
+        if any(region.contains(t, strictly=True) for region in self.regions):
+            return "inside"
+        if any(region.contains(t) for region in self.regions) or any(
+            is_on(t, fit) for fit in self.exact_fits
+        ):
+            return "boundary"
+        return "outside"
 
     @made_once
     def regions(self) -> tuple[Region, ...]:
@@ -133,7 +176,13 @@ class InnerFit(Shown):
         return place_fits(self.solution.exact_fits, self.reference)
 
     def certificate(self) -> dict[str, Any]:
-        """Plain JSON data from which anyone can check the answer, told in translations."""
+        """Plain JSON data from which anyone can check the answer, told in translations.
+
+        Raises:
+            PolygonError: shapes are placed, of which certificates do not tell.
+        """
+        if self.placed:
+            raise PolygonError("positions among placed shapes have no certificate")
         fits = self.solution.exact_fits
         return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
 
