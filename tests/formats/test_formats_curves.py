@@ -17,7 +17,6 @@ from tiers import examples
 from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.arc import find_unit_point
 from exactsweep.formats.curved.curves import (
     bound_root,
     find_arc_center,
@@ -27,6 +26,7 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
+from exactsweep.geometry.turn import find_unit_point
 from exactsweep.numbers.point import Point
 
 fewer = examples(25)

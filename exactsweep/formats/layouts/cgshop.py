@@ -9,11 +9,11 @@ Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
 from __future__ import annotations
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import STANDING, NestingInstance, Sheet, find_named
-from exactsweep.formats.layouts.node import Data, Node
+from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.node import Data, JsonNode
 
 
-def read_instance(document: Node) -> NestingInstance:
+def read_instance(document: JsonNode) -> NestingInstance:
     """Read the container and the items of an instance; raises FormatError."""
     parts = {}
     for k, item in enumerate((document / "items").each()):
@@ -23,7 +23,7 @@ def read_instance(document: Node) -> NestingInstance:
     return NestingInstance("cgshop", parts, {}, containers, {}, ())
 
 
-def read_sheets(document: Node, instance: NestingInstance) -> list[Sheet]:
+def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
     """Read a solution to an instance; raises FormatError."""
     names = "item_indices", "x_translations", "y_translations"
     indices, xs, ys = ([*(document / name).each()] for name in names)
@@ -33,11 +33,11 @@ def read_sheets(document: Node, instance: NestingInstance) -> list[Sheet]:
     for index, x, y in zip(indices, xs, ys, strict=True):
         find_named(instance.parts, index, "item")
         placements.append(STANDING | {"part": index.name, "move": [x.number, y.number]})
-    return [Sheet(instance.containers["container"], placements)]
+    return [FilledSheet(instance.containers["container"], placements)]
 
 
-def _polygon(value: Node) -> Data:
+def _polygon(value: JsonNode) -> Data:
     xs, ys = ([one.value for one in (value / axis).each()] for axis in "xy")
     if len(xs) != len(ys):
         raise FormatError(f"{value.path}: {len(xs)} x and {len(ys)} y")
-    return {"exterior": Node([[x, y] for x, y in zip(xs, ys, strict=True)], value.path).ring}
+    return {"exterior": JsonNode([[x, y] for x, y in zip(xs, ys, strict=True)], value.path).ring}

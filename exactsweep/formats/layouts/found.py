@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.node import Data, Node
+from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.numbers.number import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}
@@ -49,7 +49,7 @@ class NestingInstance(NamedTuple):
     notes: tuple[str, ...]
 
 
-class Sheet(NamedTuple):
+class FilledSheet(NamedTuple):
     """A container with what is placed in it, before parts and demands are added.
 
     Attributes:
@@ -66,7 +66,7 @@ class Sheet(NamedTuple):
 
 
 def make_layouts(
-    sheets: Sequence[Sheet], instance: NestingInstance, notes: Sequence[str] = ()
+    sheets: Sequence[FilledSheet], instance: NestingInstance, notes: Sequence[str] = ()
 ) -> list[FoundLayout]:
     """Make a layout of each sheet.
 
@@ -100,7 +100,7 @@ def make_layouts(
     return found
 
 
-def find_named(things: Mapping[str, Any], name: Node, what: str) -> Any:
+def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
     """Return the one of some things that has a name; raises FormatError if there is none."""
     if name.name not in things:
         raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")

@@ -13,12 +13,12 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import NestingInstance, Sheet, find_named
-from exactsweep.formats.layouts.node import Data, Node, write_box
+from exactsweep.formats.layouts.found import FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.node import Data, JsonNode, write_box
 from exactsweep.numbers.number import quote
 
 
-def read_instance(document: Node) -> NestingInstance:
+def read_instance(document: JsonNode) -> NestingInstance:
     """Read the items and bins of an instance; raises FormatError."""
     parts: dict[str, Data] = {}
     containers, notes = {}, []
@@ -41,14 +41,16 @@ def read_instance(document: Node) -> NestingInstance:
     return NestingInstance("jagua", parts, least, containers, {}, tuple(notes))
 
 
-def find_height(document: Node) -> Fraction | None:
+def find_height(document: JsonNode) -> Fraction | None:
     """Return the height of the strip of an instance, if it has one."""
     holder = document / "strips" if document.has("strips") else document
     name = "height" if document.has("strips") else "strip_height"
     return (holder / name).fraction if holder.has(name) else None
 
 
-def read_sheets(document: Node, instance: NestingInstance, height: Fraction | None) -> list[Sheet]:
+def read_sheets(
+    document: JsonNode, instance: NestingInstance, height: Fraction | None
+) -> list[FilledSheet]:
     """Read a solution; it is the document, or its member "solution"."""
     solution = document / "solution" if document.has("solution") else document
     containers = dict(instance.containers)
@@ -56,7 +58,9 @@ def read_sheets(document: Node, instance: NestingInstance, height: Fraction | No
         containers[(one / "id").name] = _container(one, [])
     if solution.has("layouts"):
         return [
-            Sheet(find_named(containers, layout / "container_id", "container"), _placed(layout))
+            FilledSheet(
+                find_named(containers, layout / "container_id", "container"), _placed(layout)
+            )
             for layout in (solution / "layouts").each()
         ]
     if height is None:
@@ -64,10 +68,10 @@ def read_sheets(document: Node, instance: NestingInstance, height: Fraction | No
     width = solution / ("width" if solution.has("width") else "strip_width")
     zero = Fraction(0)
     layout = solution / "layout" if solution.has("layout") else solution
-    return [Sheet(write_box(zero, zero, width.fraction, height), _placed(layout))]
+    return [FilledSheet(write_box(zero, zero, width.fraction, height), _placed(layout))]
 
 
-def _placed(layout: Node) -> list[Data]:
+def _placed(layout: JsonNode) -> list[Data]:
     found = []
     for item in (layout / "placed_items").each():
         motion = item / "transformation" if item.has("transformation") else item
@@ -77,7 +81,7 @@ def _placed(layout: Node) -> list[Data]:
     return found
 
 
-def _container(value: Node, notes: list[str]) -> Data:
+def _container(value: JsonNode, notes: list[str]) -> Data:
     """Read a container, of which zones of quality 0 are holes."""
     found = _shape(value / "shape")
     for zone in value.get("zones", []).each():
@@ -89,7 +93,7 @@ def _container(value: Node, notes: list[str]) -> Data:
     return found
 
 
-def _shape(value: Node) -> Data:
+def _shape(value: JsonNode) -> Data:
     if isinstance(value.value, list):
         return {"exterior": value.ring}
     kind = (value / "type").name.lower().replace("_", "")

@@ -23,7 +23,7 @@ from exactsweep.formats.curved.svg_placed import name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import NestingInstance, Sheet
+from exactsweep.formats.layouts.found import FilledSheet, NestingInstance
 from exactsweep.formats.layouts.node import Data, write_ring
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.numbers.number import format_fraction, quote
@@ -39,7 +39,7 @@ _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 _SHEET = "#00ff00"
 
 
-def read_nest(root: Element, reading: Reading) -> tuple[NestingInstance, list[Sheet]] | None:
+def read_nest(root: Element, reading: Reading) -> tuple[NestingInstance, list[FilledSheet]] | None:
     """Read the SVG of a nesting program.
 
     Args:
@@ -59,7 +59,7 @@ def read_nest(root: Element, reading: Reading) -> tuple[NestingInstance, list[Sh
     return NestingInstance("jagua", parts, {}, {}, {}, ()), sheets
 
 
-def _jagua(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[Sheet]:
+def _jagua(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[FilledSheet]:
     named = {e.attrib["id"]: e for e in root.iter() if "id" in e.attrib}
     around = next(
         (e for name, e in named.items() if re.fullmatch(r"(?:container|bin)_\d+", name)), None
@@ -85,10 +85,10 @@ def _jagua(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[
         if motion is None:
             raise FormatError(f"line {line(use)}: use: not a move and a turn")
         placements.append({"part": name, **motion})
-    yield Sheet(container, placements)
+    yield FilledSheet(container, placements)
 
 
-def _nested(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[Sheet]:
+def _nested(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[FilledSheet]:
     """Read sheets of SVGnest and Deepnest; equal outlines are one part."""
     known: dict[str, str] = {}
     for group in root.iter():
@@ -106,7 +106,7 @@ def _nested(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator
                 known[key] = str(len(known))
                 parts[known[key]] = {"id": known[key], **shape}
             placements.append({"part": known[key], **motion})
-        yield Sheet(_one_shape(outlines, reading), placements)
+        yield FilledSheet(_one_shape(outlines, reading), placements)
 
 
 def _is_sheet(element: Element) -> bool:

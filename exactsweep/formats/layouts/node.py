@@ -14,7 +14,7 @@ from exactsweep.numbers.point import Point
 Data = dict[str, Any]
 
 
-class Node(NamedTuple):
+class JsonNode(NamedTuple):
     """A value that `parse_json` returned, and the JSON path to it."""
 
     value: object
@@ -24,24 +24,24 @@ class Node(NamedTuple):
         """Whether this is an object with such a member; null counts as none."""
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
-    def __truediv__(self, name: str) -> Node:
+    def __truediv__(self, name: str) -> JsonNode:
         """Return a member that has to be there."""
         if not isinstance(self.value, Mapping):
             self.refuse(f"{describe_kind(self.value)}, not an object")
         if not self.has(name):
             raise FormatError(f"{self.path} has no {quote(name)}")
-        return Node(self.value[name], f"{self.path}.{name}")
+        return JsonNode(self.value[name], f"{self.path}.{name}")
 
-    def get(self, name: str, default: object) -> Node:
+    def get(self, name: str, default: object) -> JsonNode:
         """Return a member, or what stands for it."""
-        return self / name if self.has(name) else Node(default, f"{self.path}.{name}")
+        return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
-    def each(self) -> Iterator[Node]:
+    def each(self) -> Iterator[JsonNode]:
         """Yield the entries of a list."""
         if not isinstance(self.value, list):
             self.refuse(f"{describe_kind(self.value)}, not a list")
         for k, entry in enumerate(self.value):
-            yield Node(entry, f"{self.path}[{k}]")
+            yield JsonNode(entry, f"{self.path}[{k}]")
 
     @property
     def fraction(self) -> Fraction:

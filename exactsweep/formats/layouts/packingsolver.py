@@ -11,14 +11,14 @@ from __future__ import annotations
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.curves import flatten_arc
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.found import STANDING, NestingInstance, Sheet, find_named
-from exactsweep.formats.layouts.node import Data, Node, write_box, write_ring
+from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.node import Data, JsonNode, write_box, write_ring
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import format_fraction, quote
 from exactsweep.numbers.point import Point
 
 
-def read_instance(document: Node, reading: Reading) -> NestingInstance:
+def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
     """Read the item types and bin types of an instance; raises FormatError."""
     notes: list[str] = []
     optional = document.get("objective", "").name.lower() == "knapsack"
@@ -47,7 +47,7 @@ def read_instance(document: Node, reading: Reading) -> NestingInstance:
     return NestingInstance("packingsolver", parts, least, containers, rest, tuple(notes))
 
 
-def read_sheets(document: Node, instance: NestingInstance) -> list[Sheet]:
+def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
     """Read the bins of a solution to an instance; raises FormatError."""
     found = []
     for bin in (document / "bins").each():
@@ -60,11 +60,11 @@ def read_sheets(document: Node, instance: NestingInstance) -> list[Sheet]:
             placement = {"part": (item / "id").name, "turn": turn, "move": [x, y]}
             mirrored = item.get("mirror", False).is_true
             placements.append(placement | ({"mirrored": True} if mirrored else {}))
-        found.append(Sheet(container, placements, bin.get("copies", "1").whole, rest))
+        found.append(FilledSheet(container, placements, bin.get("copies", "1").whole, rest))
     return found
 
 
-def read_drawn(document: Node) -> tuple[NestingInstance, list[Sheet]]:
+def read_drawn(document: JsonNode) -> tuple[NestingInstance, list[FilledSheet]]:
     """Read the bins of a solution as they are drawn in it, each item a part of its own."""
     parts: dict[str, Data] = {}
     sheets = []
@@ -77,12 +77,12 @@ def read_drawn(document: Node) -> tuple[NestingInstance, list[Sheet]]:
                 name = str(len(parts))
                 parts[name] = {"id": name, **_drawn(shape)}
                 placements.append(STANDING | {"part": name})
-        sheets.append(Sheet(container | {"holes": holes}, placements))
+        sheets.append(FilledSheet(container | {"holes": holes}, placements))
     note = "without the instance, items are judged as the solution draws them, rounded"
     return NestingInstance("packingsolver", parts, {}, {}, {}, (note,)), sheets
 
 
-def _allowed(item: Node, notes: list[str]) -> Data:
+def _allowed(item: JsonNode, notes: list[str]) -> Data:
     """Read which turns are allowed, where they are single angles, and whether mirrored."""
     ranges, mirrored = [], item.get("allow_mirroring", False).is_true
     for one in item.get("allowed_rotations", []).each():
@@ -96,13 +96,13 @@ def _allowed(item: Node, notes: list[str]) -> Data:
     return found
 
 
-def _shape(value: Node, reading: Reading) -> Data:
+def _shape(value: JsonNode, reading: Reading) -> Data:
     found = {"exterior": _outline(value, reading)}
     holes = [_outline(hole, reading) for hole in value.get("holes", []).each()]
     return found | ({"holes": holes} if holes else {})
 
 
-def _outline(value: Node, reading: Reading) -> list[list[str]]:
+def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
     kind = (value / "type").name
     if kind == "polygon":
         return (value / "vertices").ring
@@ -111,7 +111,7 @@ def _outline(value: Node, reading: Reading) -> list[list[str]]:
         for element in (value / "elements").each():
             _require_line(element)
             corners.append((element / "start").value)
-        return Node(corners, f"{value.path}.elements").ring
+        return JsonNode(corners, f"{value.path}.elements").ring
     x, y = (value.get(name, "0").fraction for name in "xy")
     if kind == "rectangle":
         box = write_box(x, y, (value / "width").fraction, (value / "height").fraction)
@@ -123,20 +123,20 @@ def _outline(value: Node, reading: Reading) -> list[list[str]]:
     raise FormatError(f"{value.path}.type: {quote(kind)} is not a shape")
 
 
-def _drawn(value: Node) -> Data:
+def _drawn(value: JsonNode) -> Data:
     """Read what a solution draws: "shape", a list of elements, and a list of these as "holes"."""
     holes = [_drawn_ring(hole) for hole in value.get("holes", []).each()]
     return {"exterior": _drawn_ring(value / "shape"), "holes": holes}
 
 
-def _drawn_ring(elements: Node) -> list[list[str]]:
+def _drawn_ring(elements: JsonNode) -> list[list[str]]:
     points = []
     for element in elements.each():
         _require_line(element)
         points.append([(element / name).value for name in ("xs", "ys")])
-    return Node(points, elements.path).ring
+    return JsonNode(points, elements.path).ring
 
 
-def _require_line(element: Node) -> None:
+def _require_line(element: JsonNode) -> None:
     if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
         raise FormatError(f"{element.path}: an arc between two rounded ends is not read")

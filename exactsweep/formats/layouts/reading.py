@@ -18,7 +18,7 @@ from exactsweep.formats.layouts.found import (
     make_layouts,
 )
 from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
-from exactsweep.formats.layouts.node import Data, Node
+from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.polygons import parse_candidates
 from exactsweep.formats.reading import Options, Reading
@@ -86,7 +86,7 @@ def read_layouts(
     known = None
     if instance is not None:
         try:
-            document = Node(parse_json(read_text(instance)))
+            document = JsonNode(parse_json(read_text(instance)))
             known = _read_instance(document, Reading(tolerance, **options))
         except ValueError as error:
             raise FormatError(f"{show_path(instance)}: {error}") from None
@@ -103,7 +103,7 @@ def _parse(
 ) -> list[FoundLayout]:
     first = text.lstrip()[:1]
     if container is None and first == "{":
-        found = _read_json(Node(parse_json(text)), known, reading)
+        found = _read_json(JsonNode(parse_json(text)), known, reading)
         if found:
             return found
     if container is None and first == "<" and reading.unit is None:
@@ -120,7 +120,7 @@ def _parse(
     return [_draw_layout(text, container, reading)]
 
 
-def _read_json(document: Node, known: Instance | None, reading: Reading) -> list[FoundLayout]:
+def _read_json(document: JsonNode, known: Instance | None, reading: Reading) -> list[FoundLayout]:
     """Read a document; nothing if it is none of a nesting program."""
     if all(map(document.has, ("container", "parts", "placements"))):
         return [FoundLayout("", _with_counts(document))]
@@ -146,7 +146,7 @@ def _read_json(document: Node, known: Instance | None, reading: Reading) -> list
     return []
 
 
-def _with_counts(document: Node) -> Data:
+def _with_counts(document: JsonNode) -> Data:
     """Make ints of demands, which `parse_json` leaves as text."""
     parts = []
     for part in (document / "parts").each():
@@ -156,7 +156,7 @@ def _with_counts(document: Node) -> Data:
     return {**document.value, "parts": parts}
 
 
-def _read_instance(document: Node, reading: Reading) -> Instance | None:
+def _read_instance(document: JsonNode, reading: Reading) -> Instance | None:
     """Read an instance, and the height of its strip, if it has one."""
     if document.has("item_types"):
         return packingsolver.read_instance(document, reading), None
