@@ -43,7 +43,7 @@ class PairVerdict(NamedTuple):
     slack: Fraction
 
 
-class Witness(NamedTuple):
+class CommonPoint(NamedTuple):
     """A point inside two solids, and the numbers of a piece of each that has it inside."""
 
     point: Point
@@ -93,7 +93,7 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
     )
 
 
-def find_witness(a: Solid, b: Solid) -> Witness | None:
+def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     """Find a point inside two solids, in truth, by (2); None if there is none that proves it.
 
     Args:
@@ -112,7 +112,7 @@ def find_witness(a: Solid, b: Solid) -> Witness | None:
                     and _is_deep(point, one, a.slack * a.scale)
                     and _is_deep(point, other, b.slack * b.scale)
                 ):
-                    return Witness(a.leave(*point), (i, j))
+                    return CommonPoint(a.leave(*point), (i, j))
     return None
 
 

@@ -148,6 +148,7 @@ def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[C
             assert not all((c * scale / prime).denominator == 1 for c in input_of(case))
 
 
+@pytest.mark.long
 def test_representable_means_that_the_type_holds_every_coordinate(shipped: list[Case]) -> None:
     for case in shipped:
         scale = case.integer_scale
