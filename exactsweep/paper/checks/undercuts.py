@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import chain
 
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
-from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
+from exactsweep.corpus.generator.growing import (
+    ceilings,
+    edges_over_needles,
+    needles,
+    undercuts_under_ceilings,
+)
 from exactsweep.evidence.undercut import find_pockets
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
@@ -87,33 +93,33 @@ def lower_undercuts(s: Sweep) -> int:
 
 
 def count_undercuts(effort: Effort) -> Evidence:
-    """Count the undercuts over terraces; those of one of them are proved by its certificate."""
+    """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = SweepPair(*terraces(m, n)).chains
-        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
+        chains = SweepPair(*ceilings(m, n)).chains
+        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n * n
 
-    last = 2 if effort.quick else 4
+    last = 2 if effort.quick else 3
     growth = tuple(
-        grow("undercuts of the lower sweep", "terraces", "mn", sizes, count)
+        grow("undercuts of the lower sweep", "ceilings", "mn²", sizes, count)
         for sizes in (
-            [(3 * size + 4, 20) for size, _ in double(2, last)],
-            [(7, 2 * size + 4) for size, _ in double(8, last)],
-            [(3 * size + 4, 6 * size + 4) for size, _ in double(2, last)],
+            [(3 * size + 4, 16) for size, _ in double(8, last)],
+            [(7, 2 * size + 2) for size, _ in double(16, last)],
         )
     )
-    few = (
-        f"{p.count} undercuts for ({p.m}, {p.n}) are fewer than proved"
+    amiss = (
+        f"{p.count} undercuts for ({p.m}, {p.n}) are not as many as proved"
         for g in growth
         for p in g.points
-        if p.count < (p.m - 4) // 3 * ((p.n - 4) // 2)
+        if p.count != undercuts_under_ceilings(p.m, p.n)
     )
-    pair = SweepPair(*terraces(7, 20))
+    pair = SweepPair(*ceilings(7, 8))
     against = Counterexample(
-        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D has "
-        f"{len(pair.directrix)} vertices",
-        "the family of terraces",
+        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D_b has "
+        f"{len(pair.chains.directrix)} vertices",
+        "the least of the family of ceilings",
         *pair,
     )
-    failure = proved_case(terraces, 7, 20) or find_first_failure(few)
-    return Evidence("A family of terraces.", failure, against, growth=growth)
+    proved = (proved_case(ceilings, m, n) for m, n in ((7, 8), (10, 12), (13, 16)))
+    failure = find_first_failure(chain(proved, amiss))
+    return Evidence("A family of ceilings.", failure, against, growth=growth)
