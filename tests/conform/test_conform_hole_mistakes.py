@@ -6,6 +6,7 @@ from itertools import islice
 from typing import Any
 
 import pytest
+from shipped_cases import shipped_cases
 
 from exactsweep import Point, Polygon
 from exactsweep.conform import compare
@@ -15,7 +16,7 @@ from exactsweep.corpus import cases
 Rings = list[Any]
 HOLED = [*islice((c for c in cases(kind="SS") if len(c.holes) > 0), 4)]
 MANY = [*islice((c for c in cases(kind="SS") if len(c.holes) > 1), 3)]
-CONTAINERS = [*islice((c for c in cases() if c.inner_regions), 4)]
+CONTAINERS = [*islice((c for c in shipped_cases() if c.inner_regions), 4)]
 
 
 def shift(ring: Any, by: Fraction) -> list[Point]:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shipped_cases import shipped_cases
 
 from exactsweep import Point
 from exactsweep.conform.judge.answer import read_loop
@@ -15,13 +16,13 @@ from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.loops import find_fault
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.witness import list_exact_rings
-from exactsweep.corpus import Case, cases
+from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
 SLOT = Case.of("slot", "", BLOCK, SQUARE)
-ALL_CASES = list(cases())
+ALL_CASES = shipped_cases()
 
 BROKEN = {
     "bow tie": [[10, 10], [30, 30], [30, 10], [10, 30]],
