@@ -15,22 +15,23 @@ from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.paper.growth import Bound, Growth, grow
+from exactsweep.paper.growth import LIMITS, Bound, Growth, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 
 
 @dataclass
 class OperationCount:
-    """Operations on coordinates and on numbers derived from them."""
+    """Operations on coordinates and on numbers derived from them; slots of a CountedList."""
 
     multiplications: int = 0
     comparisons: int = 0
     additions: int = 0
+    slots: int = 0
 
     @property
     def total(self) -> int:
         """All together."""
-        return self.multiplications + self.comparisons + self.additions
+        return self.multiplications + self.comparisons + self.additions + self.slots
 
 
 _tally = OperationCount()
@@ -103,7 +104,7 @@ def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     >>> with watch_operations() as tally:
     ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
-    (True, OperationCount(multiplications=2, comparisons=1, additions=0))
+    (True, OperationCount(multiplications=2, comparisons=1, additions=0, slots=0))
     """
     return [(Counted(x), Counted(y)) for x, y in chain]
 
@@ -117,6 +118,24 @@ def watch_operations() -> Iterator[OperationCount]:
         yield _tally
     finally:
         _tally = outer
+
+
+class CountedList(list[Any]):
+    """A list that counts the slots that are read or copied from it.
+
+    >>> with watch_operations() as tally:
+    ...     CountedList([1, 2, 3])[:], tally.slots
+    ([1, 2, 3], 3)
+    """
+
+    def __getitem__(self, key: Any) -> Any:
+        found = super().__getitem__(key)
+        _tally.slots += len(found) if isinstance(key, slice) else 1
+        return found
+
+    def __iter__(self) -> Iterator[Any]:
+        _tally.slots += len(self)
+        return super().__iter__()
 
 
 class PairFamily(Protocol):
@@ -191,6 +210,7 @@ def grow_bytes(
     family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
+    limit: float = LIMITS["bytes"],
 ) -> Growth:
     """Measure the peak of the memory that a procedure takes beside its input."""
 
@@ -203,7 +223,7 @@ def grow_bytes(
         finally:
             tracemalloc.stop()
 
-    return _grow(f"bytes of {procedure}", peak, family, bound, sizes)
+    return _grow(f"bytes of {procedure}", peak, family, bound, sizes, limit)
 
 
 def _grow(

@@ -15,7 +15,7 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.counting import PairFamily, make_counted, watch_operations
+from exactsweep.paper.counting import CountedList, PairFamily, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -280,7 +280,7 @@ def count_operations(effort: Effort) -> Evidence:
 
 
 def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
-    """Operations of LowerEnvelope_CM beside what is handed in and what is trimmed off."""
+    """Operations of LowerEnvelope_CM, slots of the partial trajectory that it reads among them."""
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
@@ -291,7 +291,8 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
-            before, partial = tally.total, pieces[0]
+            partial = Envelope(CountedList(pieces[0].breaks), CountedList(pieces[0].pieces))
+            before = tally.total
             for piece in pieces[1:]:
                 partial = lower_envelope_cm(partial, piece)
         trimmed = handed_in - len(partial.pieces)

@@ -105,7 +105,17 @@ def find_growing_level(effort: Effort) -> Evidence:
     )
 
 
-def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
+def count_halves(effort: Effort) -> Evidence:
+    """Count the operations of merging by halves, by the kernel and to the letter."""
+    growth = (
+        _envelope_growth(mm, effort),
+        _envelope_growth(figure10, effort),
+        _envelope_growth(figure10, effort, to_the_letter=True),
+    )
+    return Evidence("Counts.", find_first_failure(g.failure for g in growth), growth=growth)
+
+
+def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool = False) -> Growth:
     """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
 
     def count(m: int, n: int) -> tuple[int, float]:
@@ -115,13 +125,15 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
                 for part in find_convex_parts(inverse(top))
             ]
-            before, size = tally.total, sum(len(chain.pieces) for chain in chains)
-            merged = lower_envelope_mm(chains)
-        return tally.total - before + len(merged.pieces), size * max(1.0, log2(len(chains)))
+            size = sum(len(chain.pieces) for chain in chains)
+            paths = [list(chain) for chain in chains]
+            before = tally.total
+            merge_all = literal.lower_envelope_mm if to_the_letter else lower_envelope_mm
+            merged: Iterable[Vertex] = merge_all(paths if to_the_letter else chains)  # type: ignore[arg-type]
+        return tally.total - before + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
 
-    return grow(
-        "operations of LowerEnvelope_MM", family.__name__, "N log k", sizes_from(effort), count
-    )
+    what = f"operations of LowerEnvelope_MM{' to the letter' if to_the_letter else ''}"
+    return grow(what, family.__name__, "N log k", sizes_from(effort), count)
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, combinations, pairwise
 
-from exactsweep import Sweep, sweep
+from exactsweep import Point, Sweep, sweep
 from exactsweep.check import verify
 from exactsweep.corpus.generator.growing import (
     ceilings,
@@ -14,6 +15,7 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.evidence.undercut import find_pockets
+from exactsweep.paper.checks.touching import is_on_segment, turn
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
@@ -85,6 +87,37 @@ def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"
     return ""
+
+
+def undercuts_are_closed(pair: SweepPair) -> str:
+    """In its positions, and on the way between two of them, G draws all of a bottom chain."""
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        drawn = _list_drawn(s, undercut.positions)
+        for start, end in pairwise(undercut.bottom):
+            if not _is_covered(start, end, drawn):
+                return f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
+    return ""
+
+
+def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
+    """The edges of G at some positions, and the ways of its vertices along edges of T."""
+    g, path = s.generatrix.vertices, s.trajectory.vertices
+    drawn = [(t, t, g[k - 1], g[k]) for t in positions for k in range(len(g))]
+    for k, end in enumerate(path):
+        along = [t for t in positions if is_on_segment(t, path[k - 1], end)]
+        drawn += [(t, u, v, v) for t, u in combinations(along, 2) for v in g]
+    return [(Point(v.x + t.x, v.y + t.y), Point(w.x + u.x, w.y + u.y)) for t, u, v, w in drawn]
+
+
+def _is_covered(start: Point, end: Point, drawn: Iterable[tuple[Point, Point]]) -> bool:
+    """Whether segments on the line of another one cover all of it."""
+    first, last = min(start, end), max(start, end)
+    reached = first
+    for p, q in sorted((min(p, q), max(p, q)) for p, q in drawn):
+        if p <= reached < q and turn(first, last, p) == turn(first, last, q) == 0:
+            reached = q
+    return reached >= last
 
 
 def lower_undercuts(s: Sweep) -> int:
