@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
 from typing import Any
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
+from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
 from exactsweep.words import write_pair
 
@@ -29,11 +29,7 @@ class LatticePair:
 
     def __init__(self, fixed: Region, moved: Region, reference: Point = ORIGIN) -> None:
         self.reference = reference
-        own, rings = fixed.lattice()
-        other, moved_rings = moved.lattice()
-        self.scale = lcm(own, other)
-        self.fixed = _scaled(rings, self.scale // own)
-        self.moved = _scaled(moved_rings, self.scale // other)
+        self.scale, (self.fixed, self.moved) = share_lattice([fixed, moved])
 
     def leave(self, position: Point) -> Point:
         """The position of the reference point for a position of the origin."""
@@ -61,10 +57,6 @@ class LatticePair:
     def inner_fit(self) -> ss.InnerFitSS:
         """The positions inside the fixed shape, told in positions of the origin."""
         return ss.inner_fit_ss(self.fixed, self.moved, self.scale)
-
-
-def _scaled(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]]:
-    return [[(x * factor, y * factor) for x, y in ring] for ring in rings]
 
 
 class NoFitPositions:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
@@ -122,5 +123,14 @@ def _find_free(
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
-    """Which of some loops without common inner points has a loop inside."""
-    return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))
+    """Which of some loops is the least one around a loop.
+
+    Boundaries do not cross, so that of two loops with common inner points one lies in the other.
+    """
+    own = find_doubled_area(loop)
+    around = [
+        (area, k)
+        for k, other in enumerate(exteriors)
+        if (area := find_doubled_area(other)) > own and Overlap([other], [loop]).at(ORIGIN)
+    ]
+    return min(around)[1]

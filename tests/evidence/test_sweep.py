@@ -18,6 +18,7 @@ from exactsweep import (
     Point,
     Polygon,
     PolygonError,
+    Region,
     Sweep,
     no_fit_polygon,
     sweep,
@@ -48,6 +49,19 @@ def difference(p: Point, q: Point) -> tuple[Fraction, Fraction]:
 def edges(polygon: Polygon) -> list[tuple[Point, Point]]:
     v = polygon.vertices
     return list(zip(v, (*v[1:], v[0]), strict=True))
+
+
+def test_vertices_of_one_ring_are_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[type] = []
+    for kind in (Polygon, Region):
+
+        def note(self: Any, *given: Any, make: Any = kind.__init__) -> None:
+            made.append(type(self))
+            make(self, *given)
+
+        monkeypatch.setattr(kind, "__init__", note)
+    assert sweep(UNIT, UNIT).kind == "CC"
+    assert made == [Polygon, Polygon]
 
 
 @each_kind

@@ -199,6 +199,11 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
         assert given[_number(shape, outline, k, of_edge=False)] == vertex
         i = _number(shape, outline, k, of_edge=True)
         assert {given[i], following[i]} == set(outline.edge(k))
+    swept = sweep(UNIT, shape).directrix
+    for k, vertex in enumerate(swept.vertices):
+        x, y = given[swept.vertex_index(k)]
+        assert vertex.x == x
+        assert vertex.y == y
 
 
 @pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])

@@ -82,6 +82,7 @@ VALID: dict[str, dict[str, Any]] = {
     "sweep": {**PAIR, "direction": (1, 0), "reference": (0, 0)},
     "no_fit_polygon": {"stationary": UNIT, "orbiting": UNIT, "reference": (0, 0)},
     "inner_fit_polygon": {"container": UNIT, "part": UNIT, "reference": (0, 0)},
+    "distance_squared": {"a": UNIT, "b": UNIT},
     "limits": {"max_digits": None, "max_mib": None},
     "batch.read_parts": {"path": "p.json", **OPTIONS},
     "batch.take_all_pairs": {

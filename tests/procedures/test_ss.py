@@ -71,6 +71,17 @@ def test_holes_come_in_order() -> None:
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
 
+def test_a_region_may_lie_in_the_hole_of_another() -> None:
+    """A part around a defect of the container is not in the region around both."""
+    container = Region(box(0, 0, 20, 20), [box(9, 9, 10, 10)])
+    f = inner_fit_polygon(container, Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)]))
+    assert f.regions == (
+        Region(box(0, 0, 15, 15), [box(4, 4, 10, 10)]),
+        Region(box(6, 6, 8, 8)),
+    )
+    assert f.exact_fits == ()
+
+
 # A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
 DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), (0, 4)]
 NARROW = [(x, Fraction(3, 2) if (x, y) in {(3, 2), (4, 2)} else y) for x, y in DOOR]
