@@ -36,7 +36,7 @@ UNITS = ("operations", "seconds", "bytes")
 
 Run = Callable[[Chains], Iterable[Any]]
 
-LINEAR = 0.2
+LINEAR = 0.1
 """By how much the exponent of the bytes of a linear procedure may be above 1."""
 
 STEPS = 0.2
@@ -87,14 +87,18 @@ class Cost:
             for x in doubled
         ]
 
+    def _doublings(self, effort: Effort, quick: int) -> int:
+        """How often to double; what is linear is never too slow for all sizes."""
+        return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
+
     def count(self, effort: Effort) -> Growth:
         """Count operations."""
-        sizes = self.sizes(self.first, QUICK if effort.quick else DOUBLINGS)
+        sizes = self.sizes(self.first, self._doublings(effort, QUICK))
         return grow_operations(self.procedure, self.run, self.family, self.bound, sizes, self.limit)
 
     def weigh(self, effort: Effort) -> Growth:
         """Measure bytes."""
-        sizes = self.sizes(self.first, 2 if effort.quick else DOUBLINGS)
+        sizes = self.sizes(self.first, self._doublings(effort, 2))
         return grow_bytes(self.procedure, self.run, self.family, self.bound, sizes, self.slack)
 
     def compare(self) -> str:
