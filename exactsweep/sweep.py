@@ -125,9 +125,9 @@ class NoFitPolygon(FoundPositions, no_fit.NoFitPositions):
 
 
 class InnerFit(FoundPositions, no_fit.InnerFitPositions):
-    """An inner fit that shows itself; made by `inner_fit_polygon`."""
+    """An inner fit that shows itself; made by `inner_fit_polygon` or `free_positions`."""
 
-    asked = ("container", "part", "reference")
+    asked = ("container", "part", "reference", "placed")
 
 
 @tells_arguments
@@ -274,3 +274,46 @@ def inner_fit_polygon(
     """
     shapes = to_region(container, "container"), to_region(part, "part")
     return InnerFit(*shapes, read_point(reference, "reference"))
+
+
+@tells_arguments
+def free_positions(
+    container: Region | Vertices,
+    placed: Iterable[Region | Vertices],
+    part: Region | Vertices,
+    *,
+    reference: Iterable[object] = (0, 0),
+) -> InnerFit:
+    """Find all positions of a part inside a container that are free of placed shapes.
+
+    Args:
+        container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
+        placed: shapes, likewise, where they stand. They may touch or overlap each other and the
+            container.
+        part: likewise.
+        reference: the point of the part whose positions are reported, in the coordinates of the
+            part.
+
+    Returns:
+        An InnerFit: its regions, and its exact fits, where the part touches what is around it on
+        two sides at least. It is false if there is no position.
+
+    Raises:
+        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
+            name.
+        NumberError: a coordinate is not an exact number; likewise.
+
+    Cost: as for `ss.inner_fit_ss`.
+
+    Example:
+        >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> print(free_positions(bin, [[(1, 0), (3, 0), (3, 1), (1, 1)]], unit))
+        exact fit: (0,0) (0,1)
+        exact fit: (0,1) (3,1)
+        exact fit: (3,0) (3,1)
+        >>> bool(free_positions(bin, [bin], unit))
+        False
+    """
+    fixed, moved = to_region(container, "container"), to_region(part, "part")
+    others = [to_region(shape, f"placed shape {k}") for k, shape in enumerate(placed)]
+    return InnerFit(fixed, moved, read_point(reference, "reference"), others)

@@ -202,8 +202,7 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
     swept = sweep(UNIT, shape).directrix
     for k, vertex in enumerate(swept.vertices):
         x, y = given[swept.vertex_index(k)]
-        assert vertex.x == x
-        assert vertex.y == y
+        assert vertex == Point(Fraction(x), Fraction(y))
 
 
 @pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])
