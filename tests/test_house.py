@@ -16,7 +16,7 @@ PACKAGE = Path(__file__).parents[1] / "exactsweep"
 GEOMETRY = {"numbers", "geometry", "canvas", "words"}
 EVIDENCE = GEOMETRY | {"procedures", "evidence"}
 SHOWN = EVIDENCE | {"sweep", "check", "formats", "text", "draw", "view", "processes"}
-ABOVE = SHOWN | {"__init__", "corpus", "batch", "conform", "paper"}
+ABOVE = SHOWN | {"__init__", "layout", "corpus", "batch", "conform", "paper"}
 RULES: dict[str, tuple[set[str], str]] = {
     "numbers": ({"numbers"}, "numbers stand on nothing"),
     "words": ({"numbers"}, "plain words stand on numbers"),
@@ -41,10 +41,11 @@ RULES: dict[str, tuple[set[str], str]] = {
     ),
     "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),
     "sweep": (EVIDENCE | {"draw", "view"}, "the front door"),
+    "layout": (EVIDENCE | {"sweep", "layout"}, "layouts are judged with what sweeps"),
     "text": (EVIDENCE | {"text", "check", "formats"}, "text tells evidence"),
     "draw": (EVIDENCE | {"draw"}, "pictures show evidence"),
     "view": (EVIDENCE | {"draw", "view", "text", "formats"}, "the page shows evidence"),
-    "corpus": (SHOWN | {"__init__", "corpus"}, "the corpus is below those that use it"),
+    "corpus": (SHOWN | {"__init__", "layout", "corpus"}, "the corpus is below those that use it"),
     "batch": (SHOWN | {"__init__", "batch"}, "batches sweep many pairs"),
     "conform": (SHOWN | {"__init__", "corpus", "conform"}, "judging uses the corpus"),
     "paper": (ABOVE - {"conform", "batch"}, "the ledger is above all that it examines"),

@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 from command import HOUSE, NOTCH, refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, Region, free_positions, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
@@ -211,7 +212,7 @@ def test_certificates_are_proved(
         assert not verify(tampered).proved
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(simple_polygons(), simple_polygons())
 def test_the_written_answer_is_the_answer(d: Polygon, g: Polygon) -> None:
     n = no_fit_polygon(d, g)

@@ -5,9 +5,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shipped_cases import shipped_cases
+from tiers import examples
 
 from exactsweep import Point
 from exactsweep.conform.judge.answer import read_loop
@@ -116,7 +117,7 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
         assert broken >= 4
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(st.sampled_from([case for case in ALL_CASES if case.size <= 20]), st.data())
 def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
     loop: list[Any] = list(case.trajectory.vertices)

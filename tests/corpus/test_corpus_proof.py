@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 from builders.shipping import again, unproved
-from sfcgal_campaign import ask
+from campaign import ask_sfcgal
 
 from exactsweep import Point, Polygon
 from exactsweep.check import reference_inner_fit, reference_no_fit
@@ -52,7 +52,7 @@ def test_answers_and_flags_are_those_of_a_sweep_whose_certificate_is_proved(them
 @needs_sfcgal
 def test_answers_are_those_of_another_exact_program() -> None:
     asked = [case for case in cases(max_size=SUMMED_QUICKLY) if case.id not in CRASHING]
-    assert {c.id: said for c, said in zip(asked, ask(asked), strict=True) if said} == {}
+    assert {c.id: said for c, said in zip(asked, ask_sfcgal(asked), strict=True) if said} == {}
 
 
 @needs_sfcgal
@@ -73,7 +73,7 @@ def test_the_other_program_notices_what_is_wrong_and_goes_on_after_a_crash() -> 
     ]
     parts = ("trajectory", "holes", "holes", "", "outer", "unswept", "unswept")
     said = [f"differs: {part}" if part else "crashes: signal 11" for part in parts]
-    assert list(ask(wrong)) == [*said, ""]
+    assert list(ask_sfcgal(wrong)) == [*said, ""]
 
 
 @pytest.mark.parametrize("theme", themes())

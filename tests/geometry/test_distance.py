@@ -5,10 +5,11 @@ from itertools import product
 
 import pytest
 from cells import Holed
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapes import shape_pairs
 from strategies import points, translations
+from tiers import examples
 
 from exactsweep import Point, PolygonError, Region, distance_squared
 from exactsweep.check import classify, point_in_polygon
@@ -46,7 +47,7 @@ def region(shape: Holed) -> Region:
     return Region(shape.exterior, shape.holes)
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(shape_pairs(), translations())
 def test_it_is_the_least_over_all_pairs_of_edges(
     pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction]
@@ -60,7 +61,7 @@ def test_it_is_the_least_over_all_pairs_of_edges(
     assert distance_squared(other, one).value == value
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(shape_pairs(), translations(), st.fractions(0, 40, max_denominator=3))
 def test_a_bound_leaves_out_what_is_not_below_it(
     pair: tuple[Holed, Holed], by: tuple[Fraction, Fraction], below: Fraction

@@ -5,10 +5,11 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, unit_edges
 from strategies import pairs
+from tiers import examples
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
@@ -235,7 +236,7 @@ def test_a_polyomino_in_its_own_mould(g: Cells, matrix: Matrix, width: int) -> N
 
 
 @given(polyominoes(8, 4), polyominoes(5, 3), st.sampled_from([10**30, 10**-30]))
-@settings(max_examples=20)
+@examples(20)
 def test_size_does_not_matter(d: Cells, g: Cells, factor: float) -> None:
     scale = Fraction(factor) if factor > 1 else Fraction(1, 10**30)
 

@@ -23,7 +23,7 @@ MOST_FAULTS = 40
 """More faults than that are not told apart; the rest of them are, by verdict."""
 
 
-class Fault:
+class NamedFault:
     """Failures that show the same fault.
 
     Args:
@@ -81,7 +81,7 @@ class Run:
         self.summary = Tally()
         self.complaints: list[str] = []
         self.interrupted = False
-        self._faults: dict[str, Fault] = {}
+        self._faults: dict[str, NamedFault] = {}
 
     def add(self, outcome: Outcome) -> None:
         """Take in an outcome."""
@@ -91,9 +91,9 @@ class Run:
             name = outcome.fault
             if name not in self._faults and len(self._faults) >= MOST_FAULTS:
                 name = f"{outcome.verdict}: others"
-            self._faults.setdefault(name, Fault(outcome.verdict, name)).add(outcome)
+            self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add(outcome)
 
-    def list_faults(self) -> list[Fault]:
+    def list_faults(self) -> list[NamedFault]:
         """Return the failures, those with the same fault together, the worst verdict first."""
         return sorted(self._faults.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
