@@ -68,5 +68,6 @@ def _find_best(
 
 def _bound(a: Solid, b: Solid) -> Fraction:
     """More than the squared distance of two solids."""
-    (ax, ay), (bx, by) = a.rings[0][0], b.rings[0][0]
-    return Fraction((ax - bx) ** 2 + (ay - by) ** 2 + 1) / a.scale**2
+    (ax, ay), (bx, by) = a.form.rings[0][0], b.form.rings[0][0]
+    dx, dy = ax + a.x - bx - b.x, ay + a.y - by - b.y
+    return Fraction(dx * dx + dy * dy + 1) / a.scale**2

@@ -11,9 +11,10 @@ from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
-from typing import get_args
+from typing import Any, get_args
 
 from exactsweep.layout.board import BITS, Board
+from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
@@ -46,6 +47,17 @@ class Judgement:
         order = get_args(FaultKind)
         self.faults = tuple(sorted(faults, key=lambda f: (order.index(f.kind), f.placements)))
         self.contacts = tuple(sorted(contacts))
+
+    def certificate(self) -> dict[str, Any]:
+        """Return plain JSON data that prove the verdict, as `check/CERTIFICATES.md` describes them.
+
+        Raises:
+            LayoutError: the layout is not valid, and what is wrong with it has no proof: all of it
+                is undecided, or is a hole of a part that is not inside it.
+
+        Cost: see `write_certificate`.
+        """
+        return write_certificate(self._board, self.faults)
 
     @property
     def valid(self) -> bool:
@@ -153,7 +165,16 @@ def _name_faults(
     elif found.too_close:
         assert found.gap is not None
         square, points = found.gap
-        yield Fault("too close", placements, distance_squared=square, bound=bound, _nearest=points)
+        yield Fault(
+            "too close",
+            placements,
+            distance_squared=square,
+            bound=bound,
+            _nearest=points,
+            _board=board,
+            _bits=found.bits,
+            _wall=wall,
+        )
 
 
 def _judge_rules(layout: Layout) -> Iterator[Fault]:
