@@ -26,6 +26,9 @@ from exactsweep.procedures.envelope import Envelope
     "Trajectory_CC",
     "Lemma 3.1",
     "Corollary 3.3",
+    "Figure 4",
+    "Figure 5",
+    "Slope",
 )
 def lay_end_to_end(right: Procedure) -> Procedure:
     def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
@@ -66,6 +69,25 @@ def forget_bottom(right: Procedure) -> Procedure:
     "SweepO_CM",
     "Lemma 4.2",
     "Corollary 4.3",
+    "Definition 1.3",
+    "Sum with the trajectory",
+    "Figure 1",
+    "Theorem 2.2",
+    "Figure 3",
+    "Upper and lower sweep",
+    "Figure 6",
+    "Figure 7",
+    "Monotone trajectory",
+    "Outside j_i or inside j_o",
+    "Figure 8",
+    "Local width",
+    "Figure 9",
+    "Figure 10",
+    "Figure 11",
+    "Figure 12",
+    "Figure 13",
+    "The trajectory alone",
+    "Swept area of any shape",
 )
 def take_first_part(right: Procedure) -> Procedure:
     return lambda directrix, unit: right(directrix, unit)[:1]
@@ -200,6 +222,7 @@ def halve_fits(right: Procedure) -> Procedure:
     "Lemma 4.1",
     "Lemma 5.1",
     "Trajectory_CM",
+    "Total size of the parts",
 )
 def never_split(right: Procedure) -> Procedure:
     def split_by_slope(points: Any, unit: Any) -> Any:
@@ -227,6 +250,12 @@ def leave_out_last(right: Procedure) -> Procedure:
     "Definition 5.1",
     "Trajectory_CC",
     "Theorem 2.1",
+    "Paths of two points",
+    "Sweep and Minkowski sum",
+    "Minkowski sum algorithms",
+    "Start and stop",
+    "Distance travelled",
+    "VV is incidental",
 )
 def mirror_in_an_axis(right: Procedure) -> Procedure:
     return lambda points: [(-x, y) for x, y in points]
@@ -403,3 +432,12 @@ def close_at_first(right: Procedure) -> Procedure:
         return intersection, positions if intersection == "segment" else positions[:1]
 
     return closing_positions
+
+
+@sabotage("split: an edge beyond the right end", chain.split, "Figure 2")
+def split_late(right: Procedure) -> Procedure:
+    def split(loop: Any) -> Any:
+        bottom, top = right(loop)
+        return [*bottom, *top[1:2]], top[1:]
+
+    return split

@@ -242,6 +242,7 @@ for fault, procedure, row in (
     literal.lower_envelope_mm,
     "LowerEnvelope_MM",
     "Corollary 5.7",
+    "Envelopes at first glance",
 )
 def merge_literally_by_turns(right: Procedure) -> Procedure:
     return lambda chains: reduce(literal.merge, chains)
@@ -288,3 +289,17 @@ def compare_log_times(right: Procedure) -> Procedure:
         return found
 
     return merge_by_slope
+
+
+@sabotage(
+    "Trajectory_CM to the letter: right, but begun anew for each vertex of D_b",
+    literal.trajectory_cm,
+    "Cost of step 2",
+)
+def begin_literally_anew(right: Procedure) -> Procedure:
+    def trajectory_cm(top: Any, directrix: Any) -> Any:
+        for end in range(2, len(directrix)):
+            right(top, directrix[:end])
+        return right(top, directrix)
+
+    return trajectory_cm
