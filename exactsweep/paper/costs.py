@@ -34,7 +34,7 @@ from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 DOUBLINGS, QUICK, AGAIN = 5, 3, 3
 UNITS = ("operations", "seconds", "bytes")
 
-Run = Callable[[Chains], Iterable[Any]]
+Procedure = Callable[[Chains], Iterable[Any]]
 
 LINEAR = 0.1
 """By how much the exponent of the bytes of a linear procedure may be above 1."""
@@ -68,8 +68,8 @@ class Cost:
 
     row: str
     procedure: str
-    run: Run
-    letter: Run
+    run: Procedure
+    letter: Procedure
     bound: Bound
     family: PairFamily
     varied: str
@@ -153,7 +153,7 @@ def _run_trajectory_mm(c: Chains) -> Iterable[Any]:
 
 
 def _list_costs() -> Iterator[Cost]:
-    run: Run
+    run: Procedure
     path, inner, outer = literal.find_trajectory, literal.find_inner, literal.find_outer
     row = "Corollary 3.4"
     for procedure, run, letter in (
