@@ -47,6 +47,7 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
 
 @pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
 @pytest.mark.parametrize("first", range(0, 40, 20))
+@pytest.mark.long
 def test_no_pair_of_convex_parts_is_missed(
     first: int, few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

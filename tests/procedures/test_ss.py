@@ -190,6 +190,7 @@ def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> 
     assert (n.exterior, n.holes, n.exact_fits) == (s.trajectory, (), s.exact_fits)
 
 
+@pytest.mark.long
 def test_it_gives_what_the_corpus_has() -> None:
     for case in cases(max_size=150):
         n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), None, case.reference)

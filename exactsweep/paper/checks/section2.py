@@ -214,7 +214,10 @@ def find_passing_vertices(effort: Effort) -> Evidence:
     convex = search_grid(2, most, is_convex, is_convex, vertices_belong_to_events)
     found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
     failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
-    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+    count = effort.cases(300)
+    seen = sum(map(bool, map(vertices_belong_to_events, draw_pairs(effort, "CM", count))))
+    tried = f"{convex.tried} {found.tried} Of {count} random CM pairs {seen} have such a contact."
+    return replace(found, tried=tried, failure=failure)
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:
