@@ -6,16 +6,18 @@ from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.evidence import contact, exact_fit, steps, undercut
+from exactsweep.evidence import contact, steps, undercut
 from exactsweep.procedures import (
     cc,
     chain,
     cm,
     convex_part,
+    exact_fit,
     lower_envelope,
     mm,
     mm_inner,
     part_pairs,
+    pockets,
 )
 from exactsweep.procedures.envelope import Envelope
 
@@ -196,7 +198,7 @@ def draw_straight(right: Procedure) -> Procedure:
 
 @sabotage(
     "undercuts: all forgotten but the first of each half",
-    undercut.find_pockets,
+    pockets.find_pockets,
     "Number of undercuts, MM",
     "Lemma 5.5",
 )
@@ -287,9 +289,7 @@ def lose_parallel(right: Procedure) -> Procedure:
     return edge_contacts
 
 
-@sabotage(
-    "undercuts: the first one forgotten", undercut.find_pockets, "Two forms of a bottom chain"
-)
+@sabotage("undercuts: the first one forgotten", pockets.find_pockets, "Two forms of a bottom chain")
 def lose_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[1:]
 

@@ -162,8 +162,8 @@ def local_width(pair: SweepPair) -> str:
     return ""
 
 
-def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
-    return max(normal[0] * x + normal[1] * y for x, y in polygon.vertices)
+def _greatest(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
+    return max(normal[0] * x + normal[1] * y for x, y in polygon)
 
 
 def find_missing_edge(effort: Effort) -> Evidence:
@@ -222,8 +222,8 @@ def edges_are_near(pair: SweepPair) -> str:
     return ""
 
 
-def _edges(polygon: Polygon) -> list[tuple[Point, Point]]:
-    corners = polygon.vertices
+def _edges(polygon: Iterable[Point]) -> list[tuple[Point, Point]]:
+    corners = [*polygon]
     return list(pairwise([*corners, corners[0]]))
 
 

@@ -16,7 +16,7 @@ from exactsweep.paper.pairs import SweepPair
 
 def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
-    g, d = s.generatrix, s.directrix
+    g, d = s.generatrix.exterior, s.directrix.exterior
     pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
     if s.trajectory.vertices != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"

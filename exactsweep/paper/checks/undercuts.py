@@ -14,7 +14,6 @@ from exactsweep.corpus.generator.growing import (
     needles,
     undercuts_under_ceilings,
 )
-from exactsweep.evidence.undercut import find_pockets
 from exactsweep.paper.checks.touching import is_on_segment, turn
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
@@ -23,6 +22,7 @@ from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
+from exactsweep.procedures.pockets import find_pockets
 
 
 def find_long_undercut(effort: Effort) -> Evidence:
