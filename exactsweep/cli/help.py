@@ -12,7 +12,11 @@ EXAMPLES = {
         "sheet.dxf#0 parts.svg#bracket --reference 1/2 0 --json -o result.json",
         "sheet.dxf#0 part.svg --to dxf --round 3 --round-outward -o nfp.dxf",
     ],
-    "ifp": ["sheet.json part.wkt", "sheet.json part.wkt --certificate -o proof.json"],
+    "ifp": [
+        "sheet.json part.wkt",
+        "sheet.json part.wkt --placed first.wkt --placed others.dxf --json",
+        "sheet.json part.wkt --certificate -o proof.json",
+    ],
     "explain": ["house.json block.wkt"],
     "draw": ["house.json block.wkt --position 13/5 13/5 -o block.svg"],
     "view": ["house.json block.wkt -o sweep.html"],

@@ -1,6 +1,6 @@
 """The pair that a command works on: its files and options."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import wraps
 from typing import Any
@@ -8,11 +8,12 @@ from typing import Any
 import click
 
 from exactsweep import Point, Region, sweep
-from exactsweep.cli.parts import read_named
+from exactsweep.cli.parts import find_parts, read_named
 from exactsweep.formats import NamedRegion, read_region, show_path
 from exactsweep.formats import reading as how
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
 
 # A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
@@ -111,7 +112,7 @@ def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def takes_shapes(
-    first: str, second: str, *, several: bool = False
+    first: str, second: str, *, several: bool = False, others: str = ""
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command two polygons, of which the second one moves, as positional arguments.
 
@@ -119,6 +120,7 @@ def takes_shapes(
         first: what the file of the one that stays is called.
         second: what the file of the other one is called.
         several: whether each may be several files with several polygons.
+        others: the name of an option that reads further polygons, if there is one.
 
     Returns:
         A decorator for a function of two Regions, or of two lists of NamedRegion, and of options,
@@ -140,9 +142,20 @@ def takes_shapes(
         @wraps(command)
         def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
             read = _read_each if several else _read
-            command(*read(stays, moves, reading), **options)
+            shapes = read(stays, moves, reading)
+            if others:
+                options[others] = _read_all(options[others], reading)
+            command(*shapes, **options)
 
-        return with_shapes
+        if not others:
+            return with_shapes
+        return click.option(
+            f"--{others}",
+            multiple=True,
+            type=PATH,
+            metavar="FILE",
+            help=f"Polygons that {second} must not overlap either; may be repeated.",
+        )(with_shapes)
 
     return decorated
 
@@ -158,6 +171,15 @@ def _read_each(
     _require_one_input(first, second)
     one, other = (read_named([path], reading) for path in (first, second))
     return one, other
+
+
+def _read_all(paths: Sequence[str], reading: ReadingOptions) -> list[Region]:
+    """Read all polygons of files; none may be left out because it is not simple."""
+    regions: list[Region] = []
+    for part in find_parts(paths, reading).parts if paths else ():
+        with name_refusals(part.file):
+            regions.append(part.candidate.named_region().region)
+    return regions
 
 
 def _read(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:

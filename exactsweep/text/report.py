@@ -161,6 +161,7 @@ def report_inner_fit(
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
         "the part": "fits" if f.regions else exact,
+        **({"placed": str(len(f.placed))} if f.placed else {}),
         "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),

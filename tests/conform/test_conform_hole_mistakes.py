@@ -7,6 +7,7 @@ from typing import Any
 from xml.sax.saxutils import escape
 
 import pytest
+from shipped_cases import shipped_cases
 
 from exactsweep import Point, Polygon, inner_fit_polygon, no_fit_polygon
 from exactsweep.conform import compare, conform
@@ -18,7 +19,7 @@ from exactsweep.corpus import Case, cases
 Rings = list[Any]
 HOLED = [*islice((c for c in cases(kind="SS") if len(c.holes) > 0), 4)]
 MANY = [*islice((c for c in cases(kind="SS") if len(c.holes) > 1), 3)]
-CONTAINERS = [*islice((c for c in cases() if c.inner_regions), 4)]
+CONTAINERS = [*islice((c for c in shipped_cases() if c.inner_regions), 4)]
 
 
 def shift(ring: Any, by: Fraction) -> list[Point]:

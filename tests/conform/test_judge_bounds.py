@@ -12,10 +12,11 @@ from typing import Any
 
 import pytest
 from command import EXACTSWEEP, refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from judged import CONVEX, SLOT, SQUARE
 from strategies import simple_rings
+from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check import classify
@@ -93,7 +94,7 @@ def test_rings_inside_each_other_are_judged_together(monkeypatch: pytest.MonkeyP
 
 
 @given(st.lists(simple_rings(), min_size=2, max_size=3))
-@settings(max_examples=40)
+@examples(40)
 def test_rings_that_overlap_are_those_of_the_definition(rings: list[Any]) -> None:
     polygons = [Polygon(ring) for ring in rings]
     found = find_overlap([polygon.vertices for polygon in polygons])

@@ -5,8 +5,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from shipped_cases import shipped_cases
+from tiers import examples
 
 from exactsweep import Point
 from exactsweep.conform.judge.answer import read_loop
@@ -16,13 +18,13 @@ from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.loops import find_fault
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.witness import list_exact_rings
-from exactsweep.corpus import Case, cases
+from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
 SLOT = Case.of("slot", "", BLOCK, SQUARE)
-ALL_CASES = list(cases())
+ALL_CASES = shipped_cases()
 
 BROKEN = {
     "bow tie": [[10, 10], [30, 30], [30, 10], [10, 30]],
@@ -199,7 +201,7 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
         assert broken >= 4
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(st.sampled_from([case for case in ALL_CASES if case.size <= 20]), st.data())
 def test_a_vertex_beyond_what_is_granted_is_not_within(case: Case, data: st.DataObject) -> None:
     loop: list[Any] = list(case.trajectory.vertices)

@@ -82,6 +82,8 @@ VALID: dict[str, dict[str, Any]] = {
     "sweep": {**PAIR, "direction": (1, 0), "reference": (0, 0)},
     "no_fit_polygon": {"stationary": UNIT, "orbiting": UNIT, "reference": (0, 0)},
     "inner_fit_polygon": {"container": UNIT, "part": UNIT, "reference": (0, 0)},
+    "distance_squared": {"a": UNIT, "b": UNIT},
+    "free_positions": {"container": UNIT, "placed": [], "part": UNIT, "reference": (0, 0)},
     "limits": {"max_digits": None, "max_mib": None},
     "batch.read_parts": {"path": "p.json", **OPTIONS},
     "batch.take_all_pairs": {
@@ -226,7 +228,7 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
         },
     ),
     (no_fit_polygon(UNIT, UNIT), {"plot": PLOTTED}),
-    (inner_fit_polygon(HOLED, UNIT), {"plot": PLOTTED}),
+    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
 ]
 
 

@@ -23,7 +23,7 @@ MOST_FAULTS = 40
 """More faults than that are not told apart; the rest of them are, by verdict."""
 
 
-class Fault:
+class NamedFault:
     """Failures that show the same fault.
 
     Args:
@@ -48,7 +48,7 @@ class Fault:
         """Return its name, with a cause that its failures share in the place of another one."""
         return self.kept[0].lead_with(cause).fault if cause in self.kept[0].diagnosis else self.name
 
-    def take(self, other: Fault, cause: str | None) -> None:
+    def take(self, other: NamedFault, cause: str | None) -> None:
         """Take in the failures of another one, as it is called if a cause comes first."""
         self.name = other.lead_with(cause)
         merged = [(size, k + self.count, o.lead_with(cause)) for size, k, o in other._kept]
@@ -92,7 +92,7 @@ class Run:
         self.summary = Tally()
         self.complaints: list[str] = []
         self.interrupted = False
-        self._faults: dict[str, Fault] = {}
+        self._faults: dict[str, NamedFault] = {}
 
     def add(self, outcome: Outcome) -> None:
         """Take in an outcome."""
@@ -103,17 +103,19 @@ class Run:
             name = outcome.fault
             if name not in self._faults and len(self._faults) >= MOST_FAULTS:
                 name = f"{outcome.verdict}: others"
-            self._faults.setdefault(name, Fault(outcome.verdict, name)).add(outcome)
+            self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add(outcome)
 
-    def list_faults(self) -> list[Fault]:
+    def list_faults(self) -> list[NamedFault]:
         """Return the failures, those with the same fault together, the worst verdict first.
 
         Where one cause explains all answers of the run that differ, it is the fault of all.
         """
         cause = self.summary.find_cause()
-        found: dict[str, Fault] = {}
+        found: dict[str, NamedFault] = {}
         for fault in self._faults.values():
-            found.setdefault(fault.lead_with(cause), Fault(fault.verdict, "")).take(fault, cause)
+            found.setdefault(fault.lead_with(cause), NamedFault(fault.verdict, "")).take(
+                fault, cause
+            )
         return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
 
     def list_outcomes(self) -> Iterator[Outcome]:
