@@ -20,7 +20,7 @@ from exactsweep.layout.report.worst import WorstFirst
 from exactsweep.numbers.point import Point
 from exactsweep.text.report import approximate, take_root
 
-_WIDTH, _LEAST, _MOST = 960, 160, 1200
+_WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED = 12
 
@@ -122,8 +122,10 @@ def draw_parts(
     ]
     (xs, ys) = zip(*points, strict=True)
     share = Fraction(max(ys) - min(ys)) / (max(xs) - min(xs))
-    height = int(min(_MOST, max(_LEAST, round(share * (_WIDTH - 2 * _MARGIN)) + 2 * _MARGIN)))
-    window = Window.around(points, _WIDTH, height, _MARGIN)
+    wide, high = _WIDTH - 2 * _MARGIN, _MOST - 2 * _MARGIN
+    width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
+    height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
+    window = Window.around(points, width, height, _MARGIN)
     # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_path("defect", [hole], window) for hole in around[1:]]
@@ -138,7 +140,7 @@ def draw_parts(
             f'<circle class="mark number" cx="{x:.1f}" cy="{y:.1f}" r="10"/>'
             f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{number}</text>'
         )
-    return _WIDTH, height, "".join(drawn)
+    return width, height, "".join(drawn)
 
 
 def enlarge_faults(
