@@ -12,12 +12,12 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from exactsweep.conform.judge.verdict import Comparison, PartComparison
+from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import Tally
+from exactsweep.conform.run.tally import Tally, fails
 from exactsweep.text.report import lay_out, take_root
 from exactsweep.words import count
 
@@ -152,6 +152,9 @@ def close(run: Run, *, is_timed: bool = False) -> str:
     granted, where = run.summary.granted
     if granted:
         lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
+    rounded = run.summary.total(Verdict.WITHIN)
+    if rounded and fails(Verdict.WITHIN, run.accepted):
+        lines.append(f"{count(rounded, 'answer')} exact but for rounding pass with --accept within")
     if is_timed:
         lines += tell_costs(run.summary)
     summary = run.summary
