@@ -16,9 +16,10 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.report.worst import WorstFirst
+from exactsweep.layout.report.worst import WorstFirst, rank_faults
 from exactsweep.numbers.point import Point
 from exactsweep.text.report import approximate, take_root
+from exactsweep.words import count
 
 _WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
@@ -104,6 +105,31 @@ def draw_layout(
         f"<style>{style.write_style_sheet()}{STYLE}</style>"
         f'<rect class="paper" width="100%" height="100%"/>{main}{"".join(drawn)}</svg>\n'
     )
+
+
+class LayoutPicture:
+    """The picture of a judged layout, which a notebook shows at the end of a cell.
+
+    Args:
+        judgement: a Judgement.
+
+    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+
+    Example:
+        >>> from exactsweep.corpus import find_layout_case
+        >>> from exactsweep.layout import judge_layout
+        >>> LayoutPicture(judge_layout(find_layout_case("layouts-tiles").layout))
+        <LayoutPicture: 6 placements>
+    """
+
+    def __init__(self, judgement: Judgement) -> None:
+        self.judgement = judgement
+
+    def __repr__(self) -> str:
+        return f"<LayoutPicture: {count(len(self.judgement.layout.placements), 'placement')}>"
+
+    def _repr_svg_(self) -> str:
+        return draw_layout(self.judgement, rank_faults(self.judgement), "a layout")
 
 
 def draw_parts(
