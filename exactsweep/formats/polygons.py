@@ -183,7 +183,7 @@ def read_polygon(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _name_file(file):
+    with name_file(file):
         return parse_polygon(read_text(file), choice, tolerance, **options)
 
 
@@ -205,7 +205,7 @@ def read_region(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     file, choice = split_choice(path)
-    with _name_file(file):
+    with name_file(file):
         return parse_region(read_text(file), choice, tolerance, **options)
 
 
@@ -226,7 +226,7 @@ def read_polygons(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _name_file(split_choice(path)[0]):
+    with name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_polygon)
 
 
@@ -248,7 +248,7 @@ def read_regions(
         FormatError: anything wrong with the file or in it; the message names the file.
     """
     candidates = read_candidates(path, tolerance, **options)
-    with _name_file(split_choice(path)[0]):
+    with name_file(split_choice(path)[0]):
         return read_each(candidates, Candidate.named_region)
 
 
@@ -257,7 +257,7 @@ def read_candidates(
 ) -> Sequence[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
     file, choice = split_choice(path)
-    with _name_file(file):
+    with name_file(file):
         candidates = parse_candidates(read_text(file), tolerance, **options)
         return candidates if choice is None else select(candidates, choice)
 
@@ -386,7 +386,7 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
 
 
 @contextmanager
-def _name_file(file: str) -> Iterator[None]:
+def name_file(file: str) -> Iterator[None]:
     """Put the name of the file before the message of every refusal."""
     try:
         yield
