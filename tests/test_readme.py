@@ -14,6 +14,7 @@ from xml.etree import ElementTree
 import pytest
 from command import EXAMPLE, ROOT, run, shell
 from shipped_cases import shipped_cases
+from tiers import mostly_long
 
 import exactsweep
 from exactsweep.draw import make_figure, plot_sweep, save
@@ -31,7 +32,9 @@ def commands(text: str) -> list[tuple[str, str]]:
     return re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", "".join(blocks), re.M)
 
 
-@pytest.mark.parametrize("name", [name for name in sorted(TEXTS) if commands(TEXTS[name])])
+@pytest.mark.parametrize(
+    "name", mostly_long([name for name in sorted(TEXTS) if commands(TEXTS[name])], ["README.md"])
+)
 def test_console_blocks_run_as_shown(tmp_path: Path, name: str) -> None:
     # The first two commands of the first README make the polygons that the others use.
     polygons = commands(DOOR)[:2] if name != "README.md" else []
@@ -128,6 +131,7 @@ def test_the_counts_of_claims_and_cases_hold() -> None:
     assert f"each of the {len(shipped_cases())} cases" in words
 
 
+@pytest.mark.long
 def test_the_campaigns_begin() -> None:
     names = re.findall(r"python -m (tests\.\w+)", TEXTS["tests/README.md"])
     assert len(names) >= 4

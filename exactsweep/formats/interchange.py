@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import require_imports
 from exactsweep.numbers.number import abridge, quote
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @tells_arguments
-def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
+def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     """Read a polygon of shapely; its floats are taken as the binary values that they are.
 
     Args:
@@ -52,7 +52,7 @@ def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
 
 
 @tells_arguments
-def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.Polygon:
+def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon:
     """Make a polygon of shapely, whose coordinates are floats.
 
     Args:

@@ -11,8 +11,7 @@ from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Fit, Point
@@ -22,7 +21,7 @@ _Decimals = list[tuple[str, str]]
 
 @tells_arguments
 def format_polygons(
-    polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion],
+    polygons: Iterable[AnyPolygon | NamedPolygon | NamedRegion],
     form: str,
     fits: Sequence[Fit] = (),
     *,
@@ -207,7 +206,7 @@ def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]
         yield [exterior, *(row[::-1] for row in holes)]
 
 
-def _name(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
+def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
     if isinstance(polygon, NamedRegion):
         return polygon
     if isinstance(polygon, NamedPolygon):
