@@ -2,6 +2,7 @@
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import DirectionError
+from exactsweep.geometry.distance import distance_squared
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.error import ExactSweepError
@@ -12,6 +13,7 @@ from exactsweep.sweep import (
     InnerFit,
     NoFitPolygon,
     Sweep,
+    free_positions,
     inner_fit_polygon,
     no_fit_polygon,
     sweep,
@@ -28,6 +30,8 @@ __all__ = [
     "PolygonError",
     "Region",
     "Sweep",
+    "distance_squared",
+    "free_positions",
     "inner_fit_polygon",
     "limits",
     "no_fit_polygon",

@@ -19,11 +19,11 @@ from exactsweep.geometry.direction import (
     read_direction,
     require_monotone,
 )
+from exactsweep.geometry.given import to_region, to_shape
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.reading import read_interface, read_point
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region, Vertices
 from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.error import name_refusals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -125,9 +125,9 @@ class NoFitPolygon(FoundPositions, no_fit.NoFitPositions):
 
 
 class InnerFit(FoundPositions, no_fit.InnerFitPositions):
-    """An inner fit that shows itself; made by `inner_fit_polygon`."""
+    """An inner fit that shows itself; made by `inner_fit_polygon` or `free_positions`."""
 
-    asked = ("container", "part", "reference")
+    asked = ("container", "part", "reference", "placed")
 
 
 @tells_arguments
@@ -168,7 +168,7 @@ def sweep(
         >>> print(s.trajectory)
         (-1, -1) (2, -1) (2, 0) (1, 2) (0, 2) (-1, 0)
     """
-    g, d = _read(generatrix, "generatrix"), _read(directrix, "directrix")
+    g, d = to_shape(generatrix, "generatrix"), to_shape(directrix, "directrix")
     origin = read_point(reference, "reference")
     if direction is not None:
         chosen = read_direction(direction)
@@ -180,25 +180,6 @@ def sweep(
     if monotone is None:
         return ShapeSweep(Region(g), Region(d), origin)
     return Sweep(*monotone, origin)
-
-
-def _read(shape: Region | Vertices, name: str) -> Polygon | Region:
-    """A shape with holes as a Region, any other as a Polygon."""
-    if isinstance(shape, Polygon):
-        return shape
-    region = _region(shape, name)
-    return region if region.holes else region.exterior
-
-
-def _region(shape: Region | Vertices, name: str) -> Region:
-    if isinstance(shape, Region):
-        return shape
-    with name_refusals(name):
-        exterior, *holes = read_interface(shape) or [shape]
-        if not holes:
-            # There is only one ring to be named.
-            return Region(Polygon(exterior))
-        return Region(exterior, holes)
 
 
 def _share(
@@ -250,7 +231,7 @@ def no_fit_polygon(
         >>> print(no_fit_polygon(stationary=hollow, orbiting=square).holes[0])
         (1, 1) (3, 1) (3, 2) (1, 2)
     """
-    d, g = _read(stationary, "stationary"), _read(orbiting, "orbiting")
+    d, g = to_shape(stationary, "stationary"), to_shape(orbiting, "orbiting")
     origin = read_point(reference, "reference")
     monotone = _share(g, d)
     swept = None if monotone is None else Swept(*monotone, origin)
@@ -291,5 +272,48 @@ def inner_fit_polygon(
         >>> print(inner_fit_polygon(container=bin, part=[(0, 0), (2, 0), (2, 2), (0, 2)]))
         exact fit: (0,0) (2,0)
     """
-    shapes = _region(container, "container"), _region(part, "part")
+    shapes = to_region(container, "container"), to_region(part, "part")
     return InnerFit(*shapes, read_point(reference, "reference"))
+
+
+@tells_arguments
+def free_positions(
+    container: Region | Vertices,
+    placed: Iterable[Region | Vertices],
+    part: Region | Vertices,
+    *,
+    reference: Iterable[object] = (0, 0),
+) -> InnerFit:
+    """Find all positions of a part inside a container that are free of placed shapes.
+
+    Args:
+        container: a Polygon, a Region, whose holes are defects, or the vertices of a polygon.
+        placed: shapes, likewise, where they stand. They may touch or overlap each other and the
+            container.
+        part: likewise.
+        reference: the point of the part whose positions are reported, in the coordinates of the
+            part.
+
+    Returns:
+        An InnerFit: its regions, and its exact fits, where the part touches what is around it on
+        two sides at least. It is false if there is no position.
+
+    Raises:
+        PolygonError: a polygon is not simple, or a hole is not inside; the message begins with its
+            name.
+        NumberError: a coordinate is not an exact number; likewise.
+
+    Cost: as for `ss.inner_fit_ss`.
+
+    Example:
+        >>> bin, unit = [(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> print(free_positions(bin, [[(1, 0), (3, 0), (3, 1), (1, 1)]], unit))
+        exact fit: (0,0) (0,1)
+        exact fit: (0,1) (3,1)
+        exact fit: (3,0) (3,1)
+        >>> bool(free_positions(bin, [bin], unit))
+        False
+    """
+    fixed, moved = to_region(container, "container"), to_region(part, "part")
+    others = [to_region(shape, f"placed shape {k}") for k, shape in enumerate(placed)]
+    return InnerFit(fixed, moved, read_point(reference, "reference"), others)

@@ -17,9 +17,10 @@ from exactsweep.view import make_page
 
 settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 # The same examples at every run: a change fails by itself, never by the luck of a draw. Campaigns
-# and `pytest --hypothesis-profile fresh` draw new ones.
-settings.register_profile("fixed", settings.get_profile("fresh"), derandomize=True, database=None)
-settings.load_profile("fixed")
+# and `pytest --hypothesis-profile fresh` draw new ones; the long run has four times as many.
+settings.register_profile("many", settings.get_profile("fresh"), derandomize=True, database=None)
+settings.register_profile("few", settings.get_profile("many"), max_examples=25)
+settings.load_profile("few")
 
 
 @pytest.fixture(scope="module")

@@ -16,6 +16,7 @@ import click
 sys.path.insert(0, str(Path(__file__).parent / "support"))
 
 from mistakes import MISTAKES, Mistake
+from shipped_cases import shipped_cases
 from spoiling import LOOPS, answer_exactly
 
 from exactsweep import Point, Polygon
@@ -24,7 +25,7 @@ from exactsweep.conform.judge.rounding import grant_rounding
 from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt
-from exactsweep.corpus import Case, cases
+from exactsweep.corpus import Case
 from exactsweep.numbers.number import to_fraction
 
 
@@ -36,7 +37,7 @@ def list_cases() -> list[Case]:
         Case.of("many-vertices-of-d", "", rounds[300], square),
         Case.of("many-vertices-of-g", "", square, rounds[60]),
     ]
-    return sorted([*cases(), *own], key=lambda case: (case.size, case.id))
+    return sorted([*shipped_cases(), *own], key=lambda case: (case.size, case.id))
 
 
 class Judged(NamedTuple):

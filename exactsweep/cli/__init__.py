@@ -19,6 +19,7 @@ from exactsweep.cli.explain import explain_command
 from exactsweep.cli.help import add_examples
 from exactsweep.cli.ifp import ifp_command
 from exactsweep.cli.judge import judge_command
+from exactsweep.cli.layout import layout_command
 from exactsweep.cli.limits import add_limits
 from exactsweep.cli.nfp import nfp_command
 from exactsweep.cli.pair import give_values
@@ -83,6 +84,7 @@ def main() -> None:
 main.add_command(sweep_command)
 main.add_command(nfp_command)
 main.add_command(ifp_command)
+main.add_command(layout_command)
 main.add_command(explain_command)
 main.add_command(draw_command)
 main.add_command(verify_command)

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import click
@@ -23,7 +20,7 @@ from exactsweep.numbers.number import quote
 from exactsweep.words import count
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from exactsweep.batch import Job, Part, Rounding
 
@@ -128,6 +125,7 @@ def batch_command(
     if "-" in (pairs, output):
         raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
     from exactsweep.batch import run
+    from exactsweep.cli.bar import show_bar
 
     if scheduler is not None:
         import logging
@@ -138,7 +136,7 @@ def batch_command(
     job = _job(pairs, lists, parts, what, rounding, rotations, reading)
     done = 0
     try:
-        with _progress(job.total) as show:
+        with show_bar(job.total) as show:
 
             def note(number: int) -> None:
                 nonlocal done
@@ -206,15 +204,3 @@ def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
     from exactsweep.batch.parts import make_parts
 
     return make_parts(find_parts([path], reading))
-
-
-@contextmanager
-def _progress(total: int) -> Iterator[Callable[[int], None]]:
-    """A bar on standard error, if that is a terminal."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield lambda done: None
-        return
-    from exactsweep.cli.bar import show_bar
-
-    with show_bar(total) as show:
-        yield show

@@ -2,7 +2,7 @@
 
 import click
 
-from exactsweep import Point, Region, inner_fit_polygon
+from exactsweep import Point, Region, free_positions
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.formats import NamedRegion
@@ -12,10 +12,15 @@ from exactsweep.text.results import inner_fit_to_json, inner_fit_to_regions, inn
 
 
 @click.command("ifp")
-@takes_shapes("CONTAINER", "PART")
+@takes_shapes("CONTAINER", "PART", others="placed")
 @takes_form("the positions")
-def ifp_command(container: Region, part: Region, reference: Point, form: Form) -> None:
+def ifp_command(
+    container: Region, part: Region, placed: list[Region], reference: Point, form: Form
+) -> None:
     """Find all positions of a part inside a container.
+
+    Given --placed FILE, once or several times, PART does not overlap the polygons of the files
+    either. They stand where the files have them.
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
     perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty
@@ -25,7 +30,7 @@ def ifp_command(container: Region, part: Region, reference: Point, form: Form) -
     or a POINT for each exact fit, or POLYGON EMPTY, if all coordinates are finite decimals, and is
     refused otherwise.
     """
-    result = inner_fit_polygon(container, part, reference=reference)
+    result = free_positions(container, placed, part, reference=reference)
     write_result(
         result,
         form,

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from exactsweep import Point, Region, sweep
-from exactsweep.cli.parts import read_named, say_all, say_left_out
+from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
 from exactsweep.formats.folder import bring_to_one
@@ -16,6 +16,7 @@ from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.polygons import name_file, read_choice, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.number import to_fraction
 
 # A house that cannot reach the bottom of a lopsided notch: a CM sweep with one undercut. All
@@ -122,7 +123,7 @@ def coordinates_of_files() -> Coordinates:
 
 
 def takes_shapes(
-    first: str, second: str, *, several: bool = False
+    first: str, second: str, *, several: bool = False, others: str = ""
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command two polygons, of which the second one moves, as positional arguments.
 
@@ -130,6 +131,7 @@ def takes_shapes(
         first: what the file of the one that stays is called.
         second: what the file of the other one is called.
         several: whether each may be several files with several polygons.
+        others: the name of an option that reads further polygons, if there is one.
 
     Returns:
         A decorator for a function of two Regions, or of two lists of NamedRegion, and of options,
@@ -151,9 +153,20 @@ def takes_shapes(
         @wraps(command)
         def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
             read = _read_each if several else read_two
-            command(*read(stays, moves, reading), **options)
+            shapes = read(stays, moves, reading)
+            if others:
+                options[others] = _read_all(options[others], reading)
+            command(*shapes, **options)
 
-        return with_shapes
+        if not others:
+            return with_shapes
+        return click.option(
+            f"--{others}",
+            multiple=True,
+            type=PATH,
+            metavar="FILE",
+            help=f"Polygons that {second} must not overlap either; may be repeated.",
+        )(with_shapes)
 
     return decorated
 
@@ -176,6 +189,19 @@ def _read_each(
     found = [(show_path(path), read_named([path], reading)) for path in (first, second)]
     keep_coordinates(*bring_to_one(found))
     return found[0][1], found[1][1]
+
+
+def _read_all(paths: Sequence[str], reading: ReadingOptions) -> list[Region]:
+    """Read all polygons of files, with Y as in the pair; none may be left out as not simple."""
+    regions: list[Region] = []
+    listing = find_parts(paths, reading) if paths else None
+    for part in listing.parts if listing else ():
+        with name_refusals(part.file):
+            regions.append(part.candidate.named_region().region)
+    if listing and listing.coordinates.y_down != coordinates_of_files().y_down:
+        say_all([f"{', '.join(map(show_path, paths))}: Y turned, to point as in the other files"])
+        regions = [region.scaled((1, -1)) for region in regions]
+    return regions
 
 
 def read_two(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:

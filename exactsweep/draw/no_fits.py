@@ -43,6 +43,7 @@ class Positions(NamedTuple):
         exterior: the loop around the positions of overlap, if it is one of these.
         free: the free regions inside.
         exact_fits: as of a `NoFitPolygon`.
+        placed: further shapes that stay.
     """
 
     directrix: Region
@@ -52,6 +53,7 @@ class Positions(NamedTuple):
     exterior: Region | None
     free: tuple[Region, ...]
     exact_fits: tuple[Fit, ...]
+    placed: tuple[Region, ...] = ()
 
     @classmethod
     def of(cls, found: NoFitPositions | InnerFitPositions) -> Positions:
@@ -61,7 +63,7 @@ class Positions(NamedTuple):
         if isinstance(found, InnerFitPositions):
             shapes = found.container, found.part, found.reference
             called = "container D", "part G", "free positions"
-            return cls(*shapes, called, None, found.regions, found.exact_fits)
+            return cls(*shapes, called, None, found.regions, found.exact_fits, found.placed)
         return cls(
             found.stationary,
             found.orbiting,
@@ -132,6 +134,8 @@ def plot_positions(
 
     def paint(picture: Picture) -> None:
         draw_shape(picture, shown.directrix, style.DIRECTRIX, fixed)
+        for other in shown.placed:
+            draw_shape(picture, other, style.GENERATRIX, "placed")
         for region in shown.free:
             draw_shape(picture, region.translated(by), style.FREE, free)
         if shown.exterior is not None:

@@ -70,6 +70,7 @@ def draw_positions(found: NoFitPositions | InnerFitPositions) -> str:
     exterior = () if shown.exterior is None else shown.exterior.translated(by).rings
     shapes = [
         Shape(list(shown.directrix.rings), style.DIRECTRIX),
+        *(Shape(list(other.rings), style.GENERATRIX) for other in shown.placed),
         *(Shape(list(region.translated(by).rings), style.FREE) for region in shown.free),
         Shape(list(exterior), style.TRAJECTORY),
         *(

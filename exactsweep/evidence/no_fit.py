@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
-from typing import Any
+from typing import Any, Literal
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
 from exactsweep.evidence.swept import Swept
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.given import share_lattice
+from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
-from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
+from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
 from exactsweep.words import write_pair
 
@@ -25,15 +28,19 @@ class LatticePair:
         fixed: the shape that stays.
         moved: the shape that moves.
         reference: the point of the latter whose positions are told.
+        placed: shapes that stay, too.
     """
 
-    def __init__(self, fixed: Region, moved: Region, reference: Point = ORIGIN) -> None:
+    def __init__(
+        self,
+        fixed: Region,
+        moved: Region,
+        reference: Point = ORIGIN,
+        placed: Sequence[Region] = (),
+    ) -> None:
         self.reference = reference
-        own, rings = fixed.lattice()
-        other, moved_rings = moved.lattice()
-        self.scale = lcm(own, other)
-        self.fixed = _scaled(rings, self.scale // own)
-        self.moved = _scaled(moved_rings, self.scale // other)
+        self.scale, shapes = share_lattice([fixed, moved, *placed])
+        self.fixed, self.moved, *self.placed = shapes
 
     def leave(self, position: Point) -> Point:
         """The position of the reference point for a position of the origin."""
@@ -60,11 +67,7 @@ class LatticePair:
 
     def inner_fit(self) -> ss.InnerFitSS:
         """The positions inside the fixed shape, told in positions of the origin."""
-        return ss.inner_fit_ss(self.fixed, self.moved, self.scale)
-
-
-def _scaled(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]]:
-    return [[(x * factor, y * factor) for x, y in ring] for ring in rings]
+        return ss.inner_fit_ss(self.fixed, self.moved, self.scale, self.placed)
 
 
 class NoFitPositions:
@@ -153,22 +156,61 @@ class NoFitPositions:
 
 
 class InnerFitPositions:
-    """The positions of a part inside a container; made by `inner_fit_polygon`.
+    """The positions of a part inside a container, and free of placed shapes if there are any.
+
+    `inner_fit_polygon` and `free_positions` make it. It is true if there is any position.
 
     Attributes:
         container: a Region, whose holes are defects.
         part: a Region.
         reference: the point of the part whose positions are told, a Point.
+        placed: the Regions that the part must not overlap.
     """
 
-    def __init__(self, container: Region, part: Region, reference: Point) -> None:
+    def __init__(
+        self, container: Region, part: Region, reference: Point, placed: Sequence[Region] = ()
+    ) -> None:
         self.container = container
         self.part = part
         self.reference = reference
+        self.placed = tuple(placed)
 
     @cached_property
     def _pair(self) -> LatticePair:
-        return LatticePair(self.container, self.part, self.reference)
+        return LatticePair(self.container, self.part, self.reference, self.placed)
+
+    def __bool__(self) -> bool:
+        return bool(self.regions or self.exact_fits)
+
+    def locate(self, position: Iterable[object]) -> Literal["inside", "boundary", "outside"]:
+        """Locate a position: "inside" where the part can move in all directions.
+
+        Args:
+            position: a pair of numbers, where the reference point of the part is.
+
+        Returns:
+            "inside" a region; on the "boundary" of one, where the part touches what it must not
+            overlap, or in an exact fit; or "outside", where it overlaps.
+
+        Raises:
+            NumberError: a coordinate is not an exact number.
+
+        Cost: that of the positions, and linear in their size.
+
+        Example:
+            >>> from exactsweep import inner_fit_polygon
+            >>> f = inner_fit_polygon([(0, 0), (4, 0), (4, 2), (0, 2)], [(0, 0), (1, 0), (0, 1)])
+            >>> f.locate((1, 1)), f.locate((0, 1)), f.locate((9, 1))
+            ('boundary', 'boundary', 'outside')
+        """
+        t = read_point(position, "position")
+        if any(region.contains(t, strictly=True) for region in self.regions):
+            return "inside"
+        if any(region.contains(t) for region in self.regions) or any(
+            is_on(t, fit) for fit in self.exact_fits
+        ):
+            return "boundary"
+        return "outside"
 
     @cached_property
     def _found(self) -> ss.InnerFitSS:
@@ -189,7 +231,13 @@ class InnerFitPositions:
         return self._pair.fits(self._found.exact_fits)
 
     def certificate(self) -> dict[str, Any]:
-        """Plain JSON data from which anyone can check the answer, told in translations."""
+        """Plain JSON data from which anyone can check the answer, told in translations.
+
+        Raises:
+            PolygonError: shapes are placed, of which certificates do not tell.
+        """
+        if self.placed:
+            raise PolygonError("positions among placed shapes have no certificate")
         back = (-self.reference.x, -self.reference.y)
         return claim_inner_fit(
             self.container,

@@ -32,7 +32,8 @@ from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import abridge
 from exactsweep.numbers.point import ORIGIN, Point, Vertex
 from exactsweep.procedures.chain import inverse
-from exactsweep.procedures.lower_sweep import Kind, LowerSweep, made_once, split_polygon
+from exactsweep.procedures.lower_sweep import Kind, LowerSweep, split_polygon
+from exactsweep.procedures.made_once import made_once
 from exactsweep.words import write_vector
 
 
@@ -67,7 +68,8 @@ class Swept:
     @made_once
     def _polygons(self) -> tuple[list[Vertex], list[Vertex]]:
         """G and D in the frame: all is computed there, and left as it is handed out."""
-        return self._frame.enter(self.generatrix), self._frame.enter(self.directrix)
+        enter = self._frame.enter
+        return enter(*self.generatrix.lattice()), enter(*self.directrix.lattice())
 
     @made_once
     def _halves(self) -> tuple[LowerSweep, LowerSweep]:

@@ -25,7 +25,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import ORIGIN, Fit, Point
-from exactsweep.procedures.lower_sweep import made_once
+from exactsweep.procedures.made_once import made_once
 
 
 class SweptShape(Swept):

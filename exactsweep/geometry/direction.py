@@ -22,7 +22,7 @@ from operator import ne, sub
 
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import ExactSweepError
-from exactsweep.numbers.number import quote, to_fraction
+from exactsweep.numbers.number import find_simplest_fraction, quote, to_fraction
 from exactsweep.numbers.point import Vertex
 from exactsweep.words import write_degrees, write_vector
 
@@ -301,15 +301,6 @@ def _find_simplest_between(u: Vector, v: Vector) -> Vector:
         u, v = (0, -1), (-v[0], -v[1])
     if u[1] < 0:
         # Not both sides of the X axis: that would have been taken.
-        p, q = _simplest_fraction(-v[1], v[0], -u[1], u[0])
+        p, q = find_simplest_fraction(-v[1], v[0], -u[1], u[0])
         return p, -q
-    return _simplest_fraction(u[1], u[0], v[1], v[0])
-
-
-def _simplest_fraction(a: int, b: int, c: int, d: int) -> Vector:
-    """(p, q) of the q/p with the least p and q in a/b < q/p < c/d, d = 0 being infinity."""
-    whole = a // b
-    if (whole + 1) * d < c:
-        return 1, whole + 1
-    q, p = _simplest_fraction(d, c - whole * d, b, a - whole * b)
-    return p, q + whole * p
+    return find_simplest_fraction(u[1], u[0], v[1], v[0])

@@ -7,7 +7,6 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import divide_all, divide_exactly
 from exactsweep.numbers.point import ORIGIN, Point, Rational, Vertex, make_points
 
@@ -21,9 +20,11 @@ class Frame(NamedTuple):
     direction: Vector
     scale: int
 
-    def enter(self, polygon: Polygon) -> list[Vertex]:
-        """Vertices of a polygon in the frame, in canonical order. Cost: O(n)."""
-        scale, points = polygon.lattice()
+    def enter(self, scale: int, points: Sequence[Vertex]) -> list[Vertex]:
+        """Points in the frame, given on a lattice of another scale, as `Polygon.lattice` does.
+
+        Cost: O(n).
+        """
         k = self.scale // scale
         p, q = self.direction
         if k == 1 and (p, q) == X_AXIS:

@@ -2,7 +2,8 @@
 
 All maps here are affine with rational coefficients, so that nothing is rounded. A turn is rational
 exactly if it is by the angle of a vector of rational coordinates *and* rational length: quarter
-turns, and those of Pythagorean triples such as (3, 4).
+turns, and those of Pythagorean triples such as (3, 4). Another angle is replaced by one of these
+that is as near as asked for, see `turn`.
 """
 
 from __future__ import annotations
@@ -10,16 +11,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import pairwise
-from math import isqrt, lcm
 from typing import Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
-from exactsweep.numbers.number import NumberError, abridge, to_fraction
+from exactsweep.geometry.turn import read_turn
+from exactsweep.numbers.number import NumberError
 from exactsweep.numbers.point import Point
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
-_QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
+
+_TURN_BITS = 64
+"""An irrational turn is off by at most 2**-64, if nothing else is asked for."""
 
 
 class AffineMap(NamedTuple):
@@ -75,20 +78,28 @@ class PointSet:
         """
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
-    def rotated(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
-        """Return the shape turned counter-clockwise, exactly.
+    def rotated(
+        self, by: object, center: Iterable[object] = (0, 0), *, bits: int = _TURN_BITS
+    ) -> Self:
+        """Return the shape turned counter-clockwise: exactly, or by a rational turn near the angle.
+
+        Multiples of 90 degrees and pairs of numbers are exact. No polygon with rational vertices is
+        turned by any other number of degrees. There the shape is turned by a rational turn that is
+        off by at most 2**-bits on the unit circle, so that each vertex is off by at most 2**-bits
+        times its distance from the center. `read_turn(by).near(bits)`, of
+        `exactsweep.geometry.turn`, is that turn and its error.
 
         Args:
-            by: degrees, a multiple of 90; or a pair of numbers, the direction to which the X axis
-                is turned, of rational length, such as (3, 4) or, the same, ("3/5", "4/5").
+            by: degrees; or a pair of numbers, the direction to which the X axis is turned, of
+                rational length, such as (3, 4) or, the same, ("3/5", "4/5").
             center: a pair of numbers, the point that stays.
+            bits: how near an angle without a rational turn has to be.
 
         Returns:
             The image, numbered as by `translated`.
 
         Raises:
-            NumberError: other degrees, or a direction of irrational length: no exact polygon is
-                turned so.
+            NumberError: a direction of irrational length.
 
         Cost: O(n).
 
@@ -98,8 +109,10 @@ class PointSet:
             (-1, 2) (0, 0) (0, 2)
             >>> print(Polygon([(0, 0), (5, 0), (5, 5)]).rotated((3, 4)))
             (-1, 7) (0, 0) (3, 4)
+            >>> print(Polygon([(0, 0), (1, 0), (0, 1)]).rotated(45, bits=8))
+            (-696/985, 697/985) (0, 0) (697/985, 696/985)
         """
-        cosine, sine = _read_turn(by)
+        cosine, sine, _ = read_turn(by).near(bits)
         return self._image(AffineMap(cosine, -sine, sine, cosine).about(center))
 
     def scaled(self, by: object, center: Iterable[object] = (0, 0)) -> Self:
@@ -240,28 +253,6 @@ def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
 
 def _is_pair(value: object) -> bool:
     return isinstance(value, Iterable) and not isinstance(value, str)
-
-
-def _read_turn(by: object) -> tuple[Fraction, Fraction]:
-    """The cosine and the sine of a turn."""
-    if not _is_pair(by):
-        quarters, rest = divmod(to_fraction(by), 90)
-        if rest:
-            raise NumberError(
-                f"no exact turn is by {abridge(to_fraction(by))} degrees, except for multiples of "
-                "90; give a direction of rational length, such as (3, 4)"
-            )
-        return _QUARTERS[quarters % 4]
-    x, y = read_point(by, "direction")  # type: ignore[arg-type]
-    scale = lcm(x.denominator, y.denominator)
-    square = int(x * scale) ** 2 + int(y * scale) ** 2
-    length = isqrt(square)
-    if not length or length * length != square:
-        raise NumberError(
-            f"the direction ({abridge(x)}, {abridge(y)}) has no rational length but 0; "
-            "(3, 4) and (5, 12) have one"
-        )
-    return x * scale / length, y * scale / length
 
 
 def _plain(value: Fraction) -> int | float | Fraction:

@@ -49,7 +49,6 @@ class Polygon(PointSet):
 
     __slots__ = (
         "__weakref__",
-        "_chains",
         "_convex",
         "_edge_index",
         "_lattice",
@@ -58,8 +57,6 @@ class Polygon(PointSet):
         "_vertices",
     )
 
-    # A frame, and the chains in it: `procedures.lower_sweep.split_polygon` keeps them here.
-    _chains: tuple[object, Any] | None
     _convex: bool | None
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
@@ -72,7 +69,6 @@ class Polygon(PointSet):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
             self._convex, self._monotone = vertices._convex, vertices._monotone
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
-            self._chains = None
             return
         scale, points = _read(vertices)
         ring = canonicalize_ring(points)
@@ -80,14 +76,13 @@ class Polygon(PointSet):
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
         self._convex, self._monotone = ring.convex, ring.monotone
-        self._chains = None
 
     @classmethod
     def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
         """Trust that the vertices are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = tuple(vertices), None
-        polygon._convex = polygon._monotone = polygon._chains = None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(vertices))
         return polygon
 
@@ -96,7 +91,7 @@ class Polygon(PointSet):
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
-        polygon._convex = polygon._monotone = polygon._chains = None
+        polygon._convex = polygon._monotone = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import accumulate, chain
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.lattice import lcm_within
@@ -48,17 +49,20 @@ class Region(PointSet):
         Region([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (1, 2)]])
     """
 
-    __slots__ = ("_given", "_order", "exterior", "holes")
+    __slots__ = ("_firsts", "_starts", "exterior", "holes")
 
     exterior: Polygon
     holes: tuple[Polygon, ...]
-    _order: tuple[int, ...]
-    _given: tuple[Polygon, ...]
+    # For each ring the number of its first vertex: here, and in the caller's input.
+    _starts: tuple[int, ...]
+    _firsts: tuple[int, ...]
 
     def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
         inner: list[Polygon] = []
         if isinstance(exterior, Region):
-            inner += exterior.holes
+            # As they were given, so that features keep their numbers.
+            order = sorted(range(len(exterior.holes)), key=exterior._firsts[1:].__getitem__)
+            inner += [exterior.holes[k] for k in order]
             exterior = exterior.exterior
         elif not isinstance(exterior, Polygon):
             exterior, *told = read_interface(exterior) or [exterior]
@@ -69,14 +73,24 @@ class Region(PointSet):
         except TypeError:
             raise PolygonError(f"{type(holes).__name__} is not a sequence of holes") from None
         inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
+        firsts: tuple[int, ...] = (0,)
         if inner:
             _check(outer, inner)
-        order = sorted(range(len(inner)), key=lambda k: inner[k].vertices)
-        object.__setattr__(self, "exterior", outer)
-        object.__setattr__(self, "holes", tuple(inner[k] for k in order))
-        # Places in the caller's input, which most never ask for.
-        object.__setattr__(self, "_order", (0, *(k + 1 for k in order)))
-        object.__setattr__(self, "_given", (outer, *inner))
+            firsts = tuple(accumulate(map(_count_given, (outer, *inner[:-1])), initial=0))
+        self._set((outer, *inner), firsts)
+
+    def _set(self, rings: Sequence[Polygon], firsts: Sequence[int]) -> None:
+        """Take the exterior and the holes, and where each begins in the caller's input."""
+        order = [0, *sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)]
+        holes = tuple(rings[k] for k in order[1:])
+        sizes = map(len, (rings[0], *holes[:-1])) if holes else ()
+        for name, value in (
+            ("exterior", rings[0]),
+            ("holes", holes),
+            ("_starts", tuple(accumulate(sizes, initial=0))),
+            ("_firsts", tuple(firsts[k] for k in order)),
+        ):
+            object.__setattr__(self, name, value)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Region is immutable: {name} cannot be set")
@@ -122,13 +136,7 @@ class Region(PointSet):
         return self.exterior.bounding_box
 
     def _image(self, under: AffineMap) -> Region:
-        return self._like([ring._image(under) for ring in (self.exterior, *self.holes)])
-
-    def _like(self, rings: Sequence[Polygon]) -> Region:
-        """The region of other rings, in the order of this one's, which need no checking."""
-        order = sorted(range(1, len(rings)), key=lambda k: rings[k].vertices)
-        holes = tuple(rings[k] for k in order)
-        return _restore(rings[0], holes, (0, *(self._order[k] for k in order)), self._given)
+        return _restore([ring._image(under) for ring in (self.exterior, *self.holes)], self._firsts)
 
     def vertex_index(self, k: int) -> int:
         """Return the index in the caller's input of vertex k, counted through all `rings`.
@@ -138,8 +146,8 @@ class Region(PointSet):
         Raises:
             PolygonError: there is no vertex k; as in a list, those below 0 count from the end.
         """
-        ring, k = self._ring_of(k, "vertex")
-        return self._first_index(self._order[ring]) + self._polygon(ring).vertex_index(k)
+        first, ring, k = self._ring_of(k, "vertex")
+        return first + ring.vertex_index(k)
 
     def edge_index(self, k: int) -> int:
         """Return the index in the caller's input of edge k, from vertex k to the next of its ring.
@@ -149,30 +157,21 @@ class Region(PointSet):
         Raises:
             PolygonError: there is no edge k.
         """
-        ring, k = self._ring_of(k, "edge")
-        return self._first_index(self._order[ring]) + self._polygon(ring).edge_index(k)
+        first, ring, k = self._ring_of(k, "edge")
+        return first + ring.edge_index(k)
 
-    def _first_index(self, ring: int) -> int:
-        """How many vertices the caller gave before those of a ring."""
-        before = self._given[:ring]
-        return sum(1 + max(map(given.edge_index, range(len(given)))) for given in before)
-
-    def _polygon(self, ring: int) -> Polygon:
-        return self.holes[ring - 1] if ring else self.exterior
-
-    def _ring_of(self, k: int, what: str) -> tuple[int, int]:
+    def _ring_of(self, k: int, what: str) -> tuple[int, Polygon, int]:
+        """Where the ring of a feature begins in the caller's input, the ring, the number in it."""
         try:
             k = range(len(self))[k]
         except (TypeError, IndexError):
             raise refuse_number(k, what, len(self)) from None
-        ring = 0
-        while k >= len(self._polygon(ring)):
-            k -= len(self._polygon(ring))
-            ring += 1
-        return ring, k
+        number = bisect_right(self._starts, k) - 1
+        ring = self.holes[number - 1] if number else self.exterior
+        return self._firsts[number], ring, k - self._starts[number]
 
     def __len__(self) -> int:
-        return len(self.exterior) + sum(map(len, self.holes))
+        return self._starts[-1] + len(self.holes[-1] if self.holes else self.exterior)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Region):
@@ -183,7 +182,7 @@ class Region(PointSet):
         return hash((self.exterior, self.holes))
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restore, (self.exterior, self.holes, self._order, self._given)
+        return _restore, ((self.exterior, *self.holes), self._firsts)
 
     def __repr__(self) -> str:
         holes = ", ".join(repr(hole).removeprefix("Polygon(")[:-1] for hole in self.holes)
@@ -211,17 +210,16 @@ class Region(PointSet):
         return put_beside(self._repr_svg_(), rows)
 
 
-def _restore(
-    exterior: Polygon,
-    holes: tuple[Polygon, ...],
-    order: tuple[int, ...],
-    given: tuple[Polygon, ...],
-) -> Region:
+def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
     """Make a copy, which has the numbers of the input and needs no checking."""
-    region = Region(exterior)
-    for name, value in (("holes", holes), ("_order", order), ("_given", given)):
-        object.__setattr__(region, name, value)
+    region = Region.__new__(Region)
+    region._set(rings, firsts)
     return region
+
+
+def _count_given(ring: Polygon) -> int:
+    """How many vertices of a ring the caller gave."""
+    return 1 + max(map(ring.edge_index, range(len(ring))))
 
 
 def walk_rings(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:

@@ -202,6 +202,30 @@ def add_to_all(value: int | Fraction, ints: Sequence[int | Fraction]) -> list[in
     return [value + k for k in ints]
 
 
+def find_simplest_fraction(a: int, b: int, c: int, d: int) -> tuple[int, int]:
+    """Find the fraction of least numerator and denominator strictly between two others.
+
+    Args:
+        a: numerator of the lower bound, at least 0.
+        b: its denominator, positive.
+        c: numerator of the upper bound.
+        d: its denominator; 0 for no upper bound.
+
+    Returns:
+        (p, q), where q/p is the fraction.
+
+    Cost: O(k) divisions for bounds of k bits.
+
+    >>> find_simplest_fraction(314, 100, 315, 100)
+    (7, 22)
+    """
+    whole = a // b
+    if (whole + 1) * d < c:
+        return 1, whole + 1
+    q, p = find_simplest_fraction(d, c - whole * d, b, a - whole * b)
+    return p, q + whole * p
+
+
 def read_any_length(text: str) -> Fraction:
     """Read a number as `to_fraction` does, if it is written out, however long it is.
 

@@ -20,6 +20,7 @@ from typing import Any, TypeVar
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import divide_exactly, negate
 from exactsweep.numbers.point import Edge, Rational, Vertex
+from exactsweep.procedures.made_once import made_once
 
 T = TypeVar("T")
 
@@ -32,24 +33,26 @@ class ChainError(ExactSweepError):
 
 
 class KeptChain(list[Vertex]):
-    """A chain of a polygon that is swept again and again: what was found about it is kept with it.
+    """A chain of a polygon that is swept again and again; it caches what is found about it.
 
-    It must not change. Who asks for it by `inverse`, `measure_width` or `split_chain` of
-    `convex_part` gets what was found the first time.
+    It must not change. `inverse`, `measure_width` and `split_chain` of `convex_part` compute
+    their results for it once.
 
     Attributes:
-        inverted: its inverse; None before somebody asks.
-        width: as `measure_width` has it; -1 before somebody asks.
         parts: what it was split into last, after the unit of the slopes.
     """
 
-    __slots__ = ("inverted", "parts", "width")
+    parts: tuple[Rational | None, list[Any]] | None = None
 
-    def __init__(self, chain: Sequence[Vertex]) -> None:
-        super().__init__(chain)
-        self.inverted: KeptChain | None = None
-        self.width: Rational | None = -1
-        self.parts: tuple[Rational | None, list[Any]] | None = None
+    @made_once
+    def inverted(self) -> KeptChain:
+        """Its inverse."""
+        return KeptChain(_inverse(self))
+
+    @made_once
+    def width(self) -> Rational | None:
+        """Its width, as `measure_width` has it."""
+        return _measure_width(self)
 
 
 def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
@@ -61,15 +64,13 @@ def inverse(chain: Sequence[Vertex]) -> list[Vertex]:
     >>> inverse([(2, 0), (1, 3), (0, 0)])
     [(-2, 0), (-1, -3), (0, 0)]
     """
-    kept = chain if type(chain) is KeptChain else None
-    if kept is not None and kept.inverted is not None:
-        return kept.inverted
-    inverted = [
+    return chain.inverted if type(chain) is KeptChain else _inverse(chain)
+
+
+def _inverse(chain: Sequence[Vertex]) -> list[Vertex]:
+    return [
         (-x, -y) if type(x) is int and type(y) is int else (negate(x), negate(y)) for x, y in chain
     ]
-    if kept is not None:
-        inverted = kept.inverted = KeptChain(inverted)
-    return inverted
 
 
 def reverse(edges: Sequence[tuple[T, T]]) -> list[tuple[T, T]]:
@@ -101,16 +102,14 @@ def measure_width(chain: Sequence[Vertex]) -> Rational | None:
     >>> measure_width([(0, 0), (2, 1), (3, 0)])
     3
     """
-    kept = chain if type(chain) is KeptChain else None
-    if kept is not None and kept.width != -1:
-        return kept.width
+    return chain.width if type(chain) is KeptChain else _measure_width(chain)
+
+
+def _measure_width(chain: Sequence[Vertex]) -> Rational | None:
     kinds = set(map(type, link.from_iterable(chain)))
-    width: Rational | None = None
     if kinds == {int} or (chain and all(issubclass(kind, int) for kind in kinds)):
-        width = chain[-1][0] - chain[0][0]
-    if kept is not None:
-        kept.width = width
-    return width
+        return chain[-1][0] - chain[0][0]
+    return None
 
 
 def split_by_slope(chain: Sequence[Vertex], unit: Rational | None) -> list[SlopedPart]:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections import deque
-from functools import cached_property
-from typing import Any, Literal, Self, TypeVar, overload
-from weakref import ref
+from functools import lru_cache
+from typing import Literal
 
 from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.lattice import Lattice
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.cc import sweep_inner_cc, sweep_outer_cc, trajectory_cc
 from exactsweep.procedures.chain import KeptChain, split
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.envelope import Envelope
+from exactsweep.procedures.made_once import made_once
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
@@ -25,31 +25,6 @@ KEPT_VERTICES = 256
 """Polygons of more vertices do not keep their chains: there the sweep takes far longer."""
 KEPT_POLYGONS = 512
 """So many polygons keep their chains, those that came last: up to 1 kB for each vertex."""
-
-_keeping: deque[ref[Polygon]] = deque()
-"""Who keeps chains, oldest first, each once; some are gone meanwhile."""
-
-T_co = TypeVar("T_co", covariant=True)
-
-
-class made_once(cached_property[T_co]):  # noqa: N801
-    """`functools.cached_property` without the lock that it takes before Python 3.12.
-
-    The lock costs 1 µs each time, which is a fifteenth of a small trajectory.
-    """
-
-    @overload
-    def __get__(self, instance: None, owner: type[Any] | None = None) -> Self: ...
-
-    @overload
-    def __get__(self, instance: object, owner: type[Any] | None = None) -> T_co: ...
-
-    def __get__(self, instance: object, owner: type[Any] | None = None) -> Self | T_co:
-        if instance is None:
-            return self
-        assert self.attrname is not None
-        value = instance.__dict__[self.attrname] = self.func(instance)
-        return value
 
 
 class LowerSweep:
@@ -108,9 +83,8 @@ class LowerSweep:
 def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
     """The bottom and the top chain of a monotone polygon in a frame (Section 2, Figure 2).
 
-    Who nests sweeps each part around many others. So a polygon of few vertices keeps its chains in
-    the last frame, and these what was found about them (see `KeptChain`), until as many others as
-    may keep theirs have come after it.
+    Nesting sweeps each part around many others. So the chains of the small polygons swept last are
+    kept, each with what was found about it (see `KeptChain`).
 
     Args:
         polygon: monotone to the direction of the frame.
@@ -119,24 +93,21 @@ def split_polygon(polygon: Polygon, frame: Frame) -> tuple[list[Vertex], list[Ve
     Returns:
         (bottom, left to right; top, right to left), which must not be changed.
 
-    Cost: O(n) the first time.
+    Cost: O(n).
 
     >>> square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> split_polygon(square, Frame((1, 0), 2))
     ([(0, 0), (2, 0)], [(2, 2), (0, 2)])
     """
-    kept = polygon._chains
-    if kept is not None and kept[0] == frame:
-        bottom, top = kept[1]
-        return bottom, top
-    bottom, top = split(frame.enter(polygon))
-    if len(polygon) <= KEPT_VERTICES:
-        bottom, top = KeptChain(bottom), KeptChain(top)
-        polygon._chains = frame, (bottom, top)
-        if kept is None:
-            _keeping.append(ref(polygon))
-        if len(_keeping) > KEPT_POLYGONS:
-            oldest = _keeping.popleft()()
-            if oldest is not None:
-                oldest._chains = None
-    return bottom, top
+    lattice = polygon.lattice()
+    return _split(lattice, frame) if len(lattice[1]) > KEPT_VERTICES else _keep(lattice, frame)
+
+
+def _split(lattice: Lattice, frame: Frame) -> tuple[list[Vertex], list[Vertex]]:
+    return split(frame.enter(*lattice))
+
+
+@lru_cache(KEPT_POLYGONS)
+def _keep(lattice: Lattice, frame: Frame) -> tuple[KeptChain, KeptChain]:
+    bottom, top = _split(lattice, frame)
+    return KeptChain(bottom), KeptChain(top)

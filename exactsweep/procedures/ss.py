@@ -9,9 +9,11 @@ polygon is made and no union, so that nothing of a partition has to be removed a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import chain
 from typing import NamedTuple
 
+from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
@@ -20,6 +22,7 @@ from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
 from exactsweep.procedures.free_positions import Free, find_free_positions
 from exactsweep.procedures.leeway import find_leeway, frame_outside
+from exactsweep.procedures.obstacles import Obstacles
 
 
 class NoFitSS(NamedTuple):
@@ -70,23 +73,27 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
     """
     moving = _turn(generatrix)
     stretches = find_contact_stretches(directrix, moving)
-    free = _find_free(stretches, directrix, moving, Overlap(directrix, generatrix), scale)
+    free = _find_free(stretches, directrix, moving, Overlap(directrix, generatrix).at, scale)
     (exterior,) = free.around
     return NoFitSS(exterior, sorted(free.within), free.fits)
 
 
-def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
-    """The positions of a part inside a container.
+def inner_fit_ss(
+    container: Rings, part: Rings, scale: int = 1, placed: Sequence[Rings] = ()
+) -> InnerFitSS:
+    """Find the positions of a part inside a container, free of placed shapes.
 
     Args:
         container: its rings, interior on the left: the exterior, and defects as clockwise holes.
         part: the rings of the part.
         scale: as for `no_fit_ss`.
+        placed: the rings of shapes that the part must not overlap either.
 
     Returns:
         Positions of the part's origin; nothing where it does not fit.
 
-    Cost: as for `no_fit_ss`; of contact segments those count that are near the leeway.
+    Cost: as for `no_fit_ss`; of contact segments those count that are near the leeway, and each
+    question is asked of the shapes that are near.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).exact_fits]
@@ -95,12 +102,12 @@ def inner_fit_ss(container: Rings, part: Rings, scale: int = 1) -> InnerFitSS:
     leeway = find_leeway(container, part)
     if leeway.is_empty:
         return InnerFitSS([], [])
-    # What the part must not overlap is the plane outside the container, and each defect.
     outside, moving = [ring[::-1] for ring in container], _turn(part)
-    near = find_contact_stretches(outside, moving, leeway)
+    others = list(chain.from_iterable(placed))
+    near = find_contact_stretches([*outside, *others], moving, leeway)
     stretches = [piece for stretch in near if (piece := stretch.within(leeway))]
-    overlap = Overlap(outside, part, unbounded=True)
-    free = _find_free(stretches, frame_outside(container), moving, overlap, scale)
+    solid = [*frame_outside(container), *others]
+    free = _find_free(stretches, solid, moving, Obstacles(outside, placed, part).at, scale)
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
         inside[_find_holder(loop, free.within)].append(loop)
@@ -113,14 +120,27 @@ def _turn(shape: Rings) -> Rings:
 
 
 def _find_free(
-    stretches: list[Stretch], solid: Rings, moving: Rings, overlap: Overlap, scale: int
+    stretches: list[Stretch],
+    solid: Rings,
+    moving: Rings,
+    overlap: Callable[[Point], bool],
+    scale: int,
 ) -> Free:
     """What contact segments bound: a solid, which is bounded, covers some of them with H."""
     stretches = leave_out_covered(stretches, solid, moving)
     cut_at_crossings(stretches)
-    return find_free_positions(stretches, overlap.at, scale)
+    return find_free_positions(stretches, overlap, scale)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:
-    """Which of some loops without common inner points has a loop inside."""
-    return next(k for k, other in enumerate(exteriors) if Overlap([other], [loop]).at(ORIGIN))
+    """Find the least of some exteriors that have a loop inside.
+
+    None crosses another one or the loop; those that overlap it lie around it or inside.
+    """
+    size = find_doubled_area(loop)
+    around = [
+        (area, k)
+        for k, other in enumerate(exteriors)
+        if (area := find_doubled_area(other)) > size and Overlap([other], [loop]).at(ORIGIN)
+    ]
+    return min(around)[1]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
+from math import isqrt
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
@@ -161,6 +162,7 @@ def report_inner_fit(
     exact = "fits exactly" if f.exact_fits else "does not fit"
     facts = {
         "the part": "fits" if f.regions else exact,
+        **({"placed": str(len(f.placed))} if f.placed else {}),
         "reference": write_pair(f.reference),
         "regions": str(len(f.regions)),
         "exact fits": str(len(f.exact_fits)),
@@ -197,13 +199,13 @@ def _tell(
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *_area(shape.area))
     sizes.add_row(name, "", *_area(area))
-    tables = [_rows(facts, width), sizes]
+    tables = [list_facts(facts, width), sizes]
     if everything:
         # Long numbers take a table a long time.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
         told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
-    return lay_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
+    return lay_out([*tables, *([list_facts(texts, width)] if texts else [])], terminal_width)
 
 
 def _write_point(point: Point) -> str:
@@ -239,7 +241,8 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
 
 
-def _rows(texts: Mapping[str, str], width: int) -> Table:
+def list_facts(texts: Mapping[str, str], width: int) -> Table:
+    """Make a table of names and texts; names take at least so many columns."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -283,3 +286,17 @@ def approximate(value: Fraction) -> str:
         rounded = _APPROXIMATE.divide(Decimal(n), Decimal(d))
     rounded = rounded.normalize(_APPROXIMATE)
     return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded)
+
+
+def take_root(square: Fraction) -> Fraction:
+    """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
+
+    >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
+    (Fraction(1, 2), 1.4142135623730951)
+    """
+    n, d = square.as_integer_ratio()
+    exact = Fraction(isqrt(n), isqrt(d))
+    if exact * exact == square:
+        return exact
+    bits = max(0, 120 + d.bit_length() - n.bit_length())
+    return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)

@@ -82,8 +82,9 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
         f: an InnerFit.
 
     Returns:
-        One object, a name a line: "container", "part", "reference", "regions", each an object,
-        "exterior" and "holes", "exact_fits" and "area", written as by `no_fit_to_json`.
+        One object, a name a line: "container", "part", "placed" if there are placed shapes,
+        "reference", "regions", each an object, "exterior" and "holes", "exact_fits" and "area",
+        written as by `no_fit_to_json`.
 
     Cost: linear in the length of the result.
     """
@@ -91,6 +92,7 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
         {
             "container": _write(write_json_value(f.container)),
             "part": _write(write_json_value(f.part)),
+            **({"placed": _write(list(map(write_json_value, f.placed)))} if f.placed else {}),
             "reference": _write(f.reference),
             "regions": _write([_rings(region) for region in f.regions]),
             "exact_fits": _write(f.exact_fits),

@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 import strategies
 from command import refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from partlist import part_list
+from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_listed_pairs, work
@@ -161,7 +162,7 @@ def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
 
 
 @given(st.lists(strategies.monotone_polygons(), min_size=1, max_size=3), st.integers(1, 9))
-@settings(max_examples=12)
+@examples(12)
 def test_records_do_not_depend_on_the_chunks(polygons: list[Polygon], size: int) -> None:
     named = [NamedPolygon(p) for p in polygons]
     job = take_all_pairs(named, named)

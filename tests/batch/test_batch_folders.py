@@ -14,8 +14,9 @@ import pyarrow.parquet
 import pytest
 from command import refusal, run
 from drawings import every_drawing
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, Region, no_fit_polygon
 from exactsweep.batch import Part, Rounding, take_all_pairs
@@ -102,7 +103,7 @@ def test_rotations_are_exact(tmp_path: Path) -> None:
         assert run("batch", "--all", "a", "b", "-o", "x", "--rotations", wrong).exit_code == 2
 
 
-@settings(max_examples=10)
+@examples(10)
 @given(simple_polygons(), simple_polygons())
 def test_rounded_records_permit_no_overlap(one: Polygon, other: Polygon) -> None:
     d, g = one.rotated((3, 4)), other.rotated((5, 12))

@@ -6,9 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from command import run
-from hypothesis import given, settings
+from hypothesis import given
 from partlist import part_list
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, Region, no_fit_polygon, sweep
 from exactsweep.batch import Part, read_parts, take_all_pairs, take_listed_pairs
@@ -69,7 +70,7 @@ def test_pairs_without_a_shared_direction_are_swept() -> None:
     ]  # fmt: skip
 
 
-@settings(max_examples=10)
+@examples(10)
 @given(simple_polygons(), simple_polygons())
 def test_records_are_what_the_functions_return(g: Polygon, d: Polygon) -> None:
     for what in ("nfp", "loops"):

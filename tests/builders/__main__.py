@@ -1,19 +1,21 @@
-"""Add to the shipped corpus what the builders have more: `python -m tests.builders`.
+"""Add cases to the shipped corpus: `python -m tests.builders [NEW.json ...] [--renew]`.
 
-Nothing that is shipped is changed: where a builder says something else of an id, or no longer has
-it, nothing is written; nor where a certificate of a new case is not proved. With --renew the
-answers, flags and titles are worked out anew, and the inputs stay.
+A file has {"theme": NAME, "cases": [...]}, each case as the corpus writes it, without an answer.
+Answers are computed, and nothing is written unless the certificates of all new cases are proved.
+With --renew all answers, facts and titles are computed anew; the inputs of a shipped id stay.
 """
 
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import click
 
 # The tests import one another by bare names, as pytest sets them up.
 sys.path.extend([str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "support")])
-from builders.theme import THEMES, BuilderError, built, digest, encoded, with_answers, written
+from builders.shipping import ShippingError, digest, encoded, with_answers, written
+from exactsweep.corpus import themes
 from exactsweep.corpus.shipped import read_theme
 
 DATA = Path(__file__).parent.parent.parent / "exactsweep" / "corpus" / "data"
@@ -21,19 +23,23 @@ DIGESTS = Path(__file__).parent / "digests.json"
 
 
 @click.command()
-@click.option("--renew", is_flag=True, help="Work out answers, flags and titles anew.")
-def main(renew: bool) -> None:
-    """Write the themes to the package."""
+@click.argument("new", nargs=-1, type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--renew", is_flag=True, help="Compute all answers, facts and titles anew.")
+def main(new: tuple[Path, ...], renew: bool) -> None:
+    """Write the themes to the package, with the cases of NEW."""
+    added: dict[str, list[dict[str, Any]]] = {name: [] for name in themes()}
+    for path in new:
+        read = json.loads(path.read_text(encoding="utf-8"))
+        if read["theme"] not in added:
+            raise click.ClickException(f"{path}: {read['theme']!r} is no theme")
+        added[read["theme"]] += read["cases"]
     files = {}
     digests: dict[str, str] = {}
-    for name in THEMES:
+    for name, entries in added.items():
+        old = read_theme(DATA, name)
         try:
-            old = read_theme(DATA, name)
-        except FileNotFoundError:
-            old = ""
-        try:
-            cases = with_answers(built(name), old, renew)
-        except BuilderError as error:
+            cases = with_answers(name, old, entries, renew)
+        except ShippingError as error:
             raise click.ClickException(str(error)) from None
         text = written(name, cases)
         digests |= {case.id: digest(case) for case in cases}

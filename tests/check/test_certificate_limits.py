@@ -7,10 +7,11 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from producer import SLOT, UNIT, VALLEY
 from shape_families import untangled
+from tiers import examples
 
 from exactsweep import (
     DirectionError,
@@ -87,7 +88,7 @@ def test_directions_too_long_for_readers_of_json_are_strings() -> None:
 
 
 @given(st.integers(0, 10**9), st.integers(1, 40), st.integers(1, 40))
-@settings(max_examples=40)
+@examples(40)
 def test_loops_are_no_longer_than_their_input_allows(seed: int, above: int, below: int) -> None:
     rng = Random(seed)
 

@@ -6,10 +6,11 @@ from unittest.mock import patch
 
 import pytest
 from cells import Holed, grid
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from shapes import shape_pairs
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import convex
@@ -40,14 +41,14 @@ def _check_pieces(*rings: Polygon) -> int:
     return len(pieces)
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(simple_polygons())
 @example(WEDGE)
 def test_convex_pieces_make_up_a_polygon(polygon: Polygon) -> None:
     assert _check_pieces(polygon) <= len(polygon) - 2
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(shape_pairs())
 def test_convex_pieces_make_up_a_shape_with_holes(pair: tuple[Holed, Holed]) -> None:
     for shape in pair:
@@ -155,7 +156,7 @@ SEGMENTS = st.tuples(*[st.tuples(COORDINATES, COORDINATES)] * 2).filter(
 )
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(COORDINATES, COORDINATES, st.lists(SEGMENTS, min_size=1, max_size=6))
 def test_lattices_of_their_own_change_nothing(x: Fraction, y: Fraction, segments: Any) -> None:
     """Sums of sevenths and thirds, and the same 2,520 * 21 times as large, which all are ints."""

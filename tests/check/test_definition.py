@@ -5,8 +5,9 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check import (
@@ -20,7 +21,7 @@ Pair = tuple[Polygon, Polygon]
 Loop = list[tuple[Any, Any]]
 half = Fraction(1, 2)
 # The reference is slow by design.
-patient = settings(max_examples=50)
+patient = examples(50)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #   #.#   a slot exactly as wide as UNIT

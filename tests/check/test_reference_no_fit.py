@@ -7,9 +7,10 @@ from random import Random
 
 import pytest
 from cells import Holed, doubled, grid, shape_of, verdict_by_counting
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapes import Cells, cell_sets, polyominoes, ringed, shape_pairs
+from tiers import examples
 
 from exactsweep import Point, Polygon, no_fit_polygon
 from exactsweep.check import (
@@ -24,7 +25,7 @@ from exactsweep.check import (
 from exactsweep.corpus.generator.cells import move
 from exactsweep.numbers.point import ORIGIN
 
-patient = settings(max_examples=60)
+patient = examples(60)
 Written = Sequence[tuple[str, str]]
 
 

@@ -7,11 +7,12 @@ from itertools import pairwise, product
 from typing import Any
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from producer import Vertices, edges, find_meetings
 from small_pairs import convex
 from strategies import Ring, monotone_rings
+from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check import point_in_polygon, reference_loops, sums
@@ -55,7 +56,7 @@ def test_sums_of_convex_loops_are_within_if_those_with_common_slopes_are() -> No
     assert min(counts.values()) > 100
 
 
-@settings(max_examples=80)
+@examples(80)
 @given(monotone_rings(), monotone_rings())
 def test_convex_corners_of_a_sum_are_sums_of_corners_with_common_slopes(
     first: Ring, second: Ring
@@ -71,7 +72,7 @@ def test_convex_corners_of_a_sum_are_sums_of_corners_with_common_slopes(
         assert {node[:2] for run in of_sum.runs for _, node, _, _ in run} <= sums
 
 
-@settings(max_examples=80)
+@examples(80)
 @given(st.data())
 def test_sum_within_agrees_with_the_definition(data: st.DataObject) -> None:
     """The lemma: of Q, which is A + B with a vertex moved, dropped, or a notch cut in."""
@@ -212,7 +213,7 @@ def test_a_witness_very_near_to_a_corner_is_found_in_few_steps(
     assert walks < 30
 
 
-@settings(max_examples=80)
+@examples(80)
 @given(monotone_rings(), monotone_rings())
 def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None:
     a, b = Polygon(first), Polygon(second)
@@ -224,7 +225,7 @@ def test_least_height_is_the_limit_of_the_sum(first: Ring, second: Ring) -> None
                 assert min(height for height, _ in walk_heights(of_a, of_b, node, side)) == 0
 
 
-@settings(max_examples=500)
+@examples(500)
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 @example([(0, 1), (2, 0), (0, 0), (1, 2)])
 @example([(0, 0), (0, 1), (2, 0), (2, 1)])

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from families import random_pair
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from producer import (
     SLOT,
@@ -22,6 +22,7 @@ from producer import (
 )
 from strategies import Kind, pairs
 from tampering import report, tamper
+from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import (
@@ -33,7 +34,7 @@ from exactsweep.check import (
 
 
 @pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
-@settings(max_examples=60)
+@examples(60)
 @given(data=st.data())
 def test_certificate_of_a_sweep_is_proved(kind: Kind, data: st.DataObject) -> None:
     generatrix, directrix = data.draw(pairs(kind))
@@ -48,7 +49,7 @@ def test_certificate_is_proved_in_every_shared_direction() -> None:
         assert verify(s.certificate()) == (True, "proved", None), number
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(pairs("CM") | pairs("MM"))
 def test_certificate_from_the_definition_is_proved(pair: tuple[Polygon, Polygon]) -> None:
     """Its lists of drawings are complete; those of `sweep` may be shorter."""
@@ -97,7 +98,7 @@ def test_tampering_is_caught() -> None:
     assert len(tried) > 50
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(st.integers(0, 10**6))
 def test_false_trajectory_of_true_segments_is_refused(seed: int) -> None:
     """Any walk along sums of features has contacts all along; only the lowest one is right."""

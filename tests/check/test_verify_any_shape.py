@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from cells import Holed, grid, shape_of
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from shape_certificates import (
     falsified,
@@ -19,13 +19,14 @@ from shape_certificates import (
 )
 from shapes import cell_sets, polyominoes, shape_pairs
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon
 from exactsweep.check import classify, reference_inner_fit, reference_no_fit, verify
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.geometry.direction import DirectionError, choose_direction
 
-patient = settings(max_examples=40)
+patient = examples(40)
 UNIT = grid("#")
 C = grid("####", "#..#", "#...", "#..#", "####")
 RING = grid("####", "#..#", "#..#", "####")

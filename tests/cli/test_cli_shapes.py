@@ -7,16 +7,18 @@ from typing import Any
 
 import pytest
 from command import HOUSE, NOTCH, refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import simple_polygons
+from tiers import examples
 
-from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep import Polygon, Region, free_positions, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import verify
 from exactsweep.formats import parse_polygon, read_region
 from exactsweep.text.report import report_inner_fit, report_no_fit
 from exactsweep.text.results import inner_fit_to_json, no_fit_to_json
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+BAR = [(0, 0), (10, 0), (10, 1), (0, 1)]
 # A block of 9 x 5 with a hole of 3 x 2, in which the square has 2 x 1 to move, one of 1 x 3, which
 # is exactly as wide as the square, and one of 1 x 1, which it just fills.
 PLATE = Region(
@@ -142,6 +144,23 @@ def test_positions_in_a_container_are_found(files: dict[str, str]) -> None:
     assert [["4", "4"], ["6", "4"]] in found["exact_fits"]
 
 
+def test_placed_shapes_are_kept_clear_of(files: dict[str, str]) -> None:
+    both = ("--placed", files["bar.json"], "--placed", files["square.json"])
+    expected = free_positions(PLATE, [BAR, SQUARE], SQUARE)
+    result = run("ifp", files["plate.json"], files["square.json"], *both)
+    assert result.stdout == report_inner_fit(expected)
+    assert "\nplaced       2\n" in result.stdout
+    shown = run("ifp", files["plate.json"], files["square.json"], *both, "--json").stdout
+    assert shown == inner_fit_to_json(expected)
+    assert [Polygon(shape) for shape in json.loads(shown)["placed"]] == [
+        Polygon(BAR),
+        Polygon(SQUARE),
+    ]
+    files_with_fault = (files["plate.json"], files["square.json"], "--placed", "-")
+    refused = run("ifp", *files_with_fault, stdin="[[0, 0], [1, 1], [1, 0], [0, 1]]")
+    assert "crosses itself" in refusal(refused)
+
+
 def test_a_container_exactly_as_wide_leaves_a_line(files: dict[str, str]) -> None:
     channel = "POLYGON ((0 0, 1 0, 1 4, 0 4, 0 0))"
     shown = run("ifp", "-", files["square.json"], stdin=channel).stdout
@@ -193,7 +212,7 @@ def test_certificates_are_proved(
         assert not verify(tampered).proved
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(simple_polygons(), simple_polygons())
 def test_the_written_answer_is_the_answer(d: Polygon, g: Polygon) -> None:
     n = no_fit_polygon(d, g)

@@ -6,9 +6,10 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import points, simple_rings
+from tiers import examples
 
 from exactsweep import Point, Polygon
 from exactsweep.check.location import locate
@@ -19,7 +20,7 @@ from exactsweep.conform.judge.region import RegionError, add_areas, find_differe
 Ring = Sequence[Point]
 
 SQUARE = points((0, 0), (4, 0), (4, 4), (0, 4))
-patient = settings(max_examples=25)
+patient = examples(25)
 
 
 def any_rings() -> st.SearchStrategy[Ring]:

@@ -6,12 +6,13 @@ from collections.abc import Iterable, Iterator
 
 import pytest
 from judged import CORRECT, FAULTY, SLOT, SQUARE
+from shipped_cases import shipped_cases
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
 from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.process import ProcessPeer
-from exactsweep.corpus import Case, cases
+from exactsweep.corpus import Case
 
 CASES = {
     # An undercut, crossings that are no integers, and a reference point off the origin.
@@ -131,7 +132,7 @@ def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
 
 def test_the_correct_one_is_exact_where_it_is_asked() -> None:
     """It speaks the old protocol: it is not asked of pairs that share no direction."""
-    chosen = [*CASES.values(), *cases()]
+    chosen = [*CASES.values(), *shipped_cases()]
     outcomes = outcomes_of(CORRECT, chosen)
     for case, outcome in zip(chosen, outcomes, strict=True):
         expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
@@ -141,6 +142,6 @@ def test_the_correct_one_is_exact_where_it_is_asked() -> None:
 
 
 def test_the_correct_one_of_any_shape_is_exact_everywhere() -> None:
-    chosen = [*CASES.values(), *cases()]
+    chosen = [*CASES.values(), *shipped_cases()]
     outcomes = outcomes_of([sys.executable, "-m", "exactsweep.conform.examples.shapes"], chosen)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

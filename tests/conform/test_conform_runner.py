@@ -198,7 +198,7 @@ def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.Monkey
     monkeypatch.setattr(judging, "TO_COMPARE", 0.05)
     monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
     peer: Any = CallablePeer(exact, Hello("mine"))
-    outcome = judging.judge_in_time(peer, THIRDS)
+    outcome = judging.judge_case(peer, THIRDS)
     assert outcome.verdict == "undecided"
     assert "comparing it takes more than 0.05 s" in outcome.reason
 

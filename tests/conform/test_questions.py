@@ -6,13 +6,14 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from shipped_cases import shipped_cases
 
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify
 from exactsweep.conform import Verdict, compare, conform, shrink
 from exactsweep.conform.run.protocol import Hello, ProtocolError, adapt, read_hello, write_case_line
 from exactsweep.conform.run.run import Run
-from exactsweep.corpus import Case, cases, find_case, generate
+from exactsweep.corpus import Case, find_case, generate
 from exactsweep.corpus.generator.any_shape import SHAPES
 
 Answer = dict[str, Any]
@@ -249,7 +250,7 @@ def test_a_case_with_holes_is_made_smaller_with_them() -> None:
 
 
 def test_every_case_of_the_corpus_has_a_shape() -> None:
-    for case in cases():
+    for case in shipped_cases():
         holed = bool(case.directrix_holes or case.generatrix_holes)
         assert (case.shapes == "any") == holed == ("hole" in case.flags)
         assert (case.kind == "SS") == (case.shapes in ("simple", "any"))

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
+from shipped_cases import shipped_cases
 
 from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
 from exactsweep.corpus.case import KINDS
@@ -27,7 +28,7 @@ A_THEME = A_CASE.evolve(schema=SCHEMA["$defs"]["theme"])
 
 @pytest.fixture(scope="module")
 def shipped() -> list[Case]:
-    return list(cases())
+    return list(shipped_cases())
 
 
 def theme_file(name: str) -> Any:

@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
+from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus import Case, CaseError, case_from_json, case_to_json
@@ -24,7 +25,7 @@ any_pair = own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
 
 
 @given(any_pair, own.translations(), st.data())
-@settings(max_examples=30)
+@examples(30)
 def test_json_keeps_everything(
     pair: tuple[Polygon, Polygon], reference: Any, data: st.DataObject
 ) -> None:
@@ -38,7 +39,7 @@ def test_json_keeps_everything(
 
 
 @given(any_pair, own.translations())
-@settings(max_examples=40)
+@examples(40)
 def test_answers_are_those_of_the_sweep(pair: tuple[Polygon, Polygon], reference: Any) -> None:
     generatrix, directrix = pair
     case = Case.of("mine-1", "drawn", directrix, generatrix, reference)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from command import EXACTSWEEP, refusal, run, shell
+from shipped_cases import shipped_cases
 
 from exactsweep import Polygon
 from exactsweep.corpus import (
@@ -38,7 +39,7 @@ def read(text: list[str]) -> list[Case]:
 
 
 def test_list_has_a_line_for_each_case() -> None:
-    assert [line.split()[0] for line in lines("list")] == [case.id for case in cases()]
+    assert [line.split()[0] for line in lines("list")] == [case.id for case in shipped_cases()]
     assert lines("list", "--prefix", "fits-square") == [
         "fits-square             CM   12  A square into a slot as wide",
         "fits-square-from-above  CM   12  A square into a slot as wide, from above",
@@ -127,7 +128,7 @@ def test_export_as_geojson_marks_what_doubles_do_not_hold() -> None:
 
 def test_export_as_geojson_is_exact_where_it_says_so() -> None:
     text = run("corpus", "export", "sizes", "spelling", "--format", "geojson").stdout
-    by_id = {case.id: case for case in cases()}
+    by_id = {case.id: case for case in shipped_cases()}
     seen = {True: 0, False: 0, None: 0}
     for feature in json.loads(text)["features"]:
         properties, geometry = feature["properties"], feature["geometry"]

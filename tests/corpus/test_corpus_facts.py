@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.corpus import Case
@@ -98,7 +99,7 @@ def test_flag_is_told(flag: str, inside: Any, outside: Any) -> None:
 
 
 @given(own.pairs("CC") | own.pairs("CM") | own.pairs("MM"), own.translations())
-@settings(max_examples=40)
+@examples(40)
 def test_flags_of_shape_do_not_depend_on_the_place(
     pair: tuple[Polygon, Polygon], by: tuple[Fraction, Fraction]
 ) -> None:

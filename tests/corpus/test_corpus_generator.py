@@ -6,7 +6,7 @@ from hashlib import sha256
 from itertools import islice
 
 import pytest
-from builders.theme import unproved
+from builders.shipping import unproved
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -5,27 +5,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from builders.theme import unproved
-from sfcgal_campaign import ask
+from builders.shipping import again, unproved
+from campaign import ask_sfcgal
 
 from exactsweep import Point, Polygon
 from exactsweep.check import reference_inner_fit, reference_no_fit
-from exactsweep.corpus import Case, cases, themes
+from exactsweep.corpus import cases, themes
 from exactsweep.numbers.point import Fit
-
-# Flags that cannot be seen from a pair.
-TOLD = {
-    "figure",
-    "generated",
-    "lower-bound",
-    "near-fit",
-    "part",
-    "past-failure",
-    "reported",
-    "sliver",
-    "tangent",
-}
-
 
 # Certificates of larger pairs take up to minutes; they were proved when they were built.
 PROVED_QUICKLY = {"CC": 300, "CM": 150, "MM": 150, "SS": 32}
@@ -58,19 +44,7 @@ needs_sfcgal = pytest.mark.skipif(
 @pytest.mark.parametrize("theme", themes())
 def test_answers_and_flags_are_those_of_a_sweep_whose_certificate_is_proved(theme: str) -> None:
     for case in cases(prefix=f"{theme}-"):
-        given = {name: getattr(case, name) for name in ("directrix_holes", "generatrix_holes")}
-        again = Case.of(
-            case.id,
-            case.title,
-            case.directrix_ring,
-            case.generatrix_ring,
-            case.reference,
-            TOLD & {*case.flags},
-            inner_fit=case.inner_regions is not None,
-            note=case.note,
-            **given,
-        )
-        assert again == case, case.id
+        assert again(case) == case, case.id
         if case.size <= PROVED_QUICKLY[case.kind]:
             assert list(unproved(case)) == [], case.id
 
@@ -78,7 +52,7 @@ def test_answers_and_flags_are_those_of_a_sweep_whose_certificate_is_proved(them
 @needs_sfcgal
 def test_answers_are_those_of_another_exact_program() -> None:
     asked = [case for case in cases(max_size=SUMMED_QUICKLY) if case.id not in CRASHING]
-    assert {c.id: said for c, said in zip(asked, ask(asked), strict=True) if said} == {}
+    assert {c.id: said for c, said in zip(asked, ask_sfcgal(asked), strict=True) if said} == {}
 
 
 @needs_sfcgal
@@ -99,7 +73,7 @@ def test_the_other_program_notices_what_is_wrong_and_goes_on_after_a_crash() -> 
     ]
     parts = ("trajectory", "holes", "holes", "", "outer", "unswept", "unswept")
     said = [f"differs: {part}" if part else "crashes: signal 11" for part in parts]
-    assert list(ask(wrong)) == [*said, ""]
+    assert list(ask_sfcgal(wrong)) == [*said, ""]
 
 
 @pytest.mark.parametrize("theme", themes())

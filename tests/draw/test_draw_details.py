@@ -11,10 +11,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from command import EXAMPLE, run
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from tiers import examples
 
 from exactsweep import Polygon, Sweep, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.canvas import style
@@ -192,7 +193,7 @@ def test_the_legend_is_never_higher_than_the_picture(
     require_lower_legend(axes)
 
 
-@settings(max_examples=6)
+@examples(6)
 @given(st.integers(1, 140), st.booleans())
 def test_legends_of_wide_and_high_pictures_are_no_higher(width: int, upright: bool) -> None:
     sides = (Fraction(width, 10), Fraction(1))

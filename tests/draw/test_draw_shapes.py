@@ -7,10 +7,11 @@ from xml.etree import ElementTree
 
 import pytest
 from command import run
-from hypothesis import given, settings
+from hypothesis import given
 from matplotlib.axes import Axes
 from strategies import simple_polygons
 from test_notebook import SVG, Balanced, inside
+from tiers import examples
 
 from exactsweep import (
     InnerFit,
@@ -177,7 +178,7 @@ def test_without_matplotlib_the_refusal_says_how_to_get_it(monkeypatch: pytest.M
             found.plot()
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(simple_polygons(), simple_polygons())
 def test_every_answer_has_a_picture_in_a_notebook(d: Polygon, g: Polygon) -> None:
     for found in (no_fit_polygon(d, g), inner_fit_polygon(d, g)):

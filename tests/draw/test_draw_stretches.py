@@ -2,8 +2,9 @@
 
 from fractions import Fraction
 
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import pairs, points
+from tiers import examples
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import ContactStretch, cut_trajectory
@@ -22,7 +23,7 @@ def swept(pair: tuple[Polygon, Polygon]) -> Sweep:
     return sweep(*pair, reference=("1/3", 2))
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(any_pair)
 def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
@@ -33,7 +34,7 @@ def test_stretches_run_once_round_the_trajectory(pair: tuple[Polygon, Polygon]) 
     assert [corners[vertex] for vertex in s.trajectory.vertices] == list(range(len(s.trajectory)))
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(any_pair)
 def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)
@@ -45,7 +46,7 @@ def test_what_lasts_on_a_stretch_touches_in_its_middle(pair: tuple[Polygon, Poly
         assert flat <= set(stretch.contacts)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(any_pair)
 def test_edges_touch_in_a_segment_and_vertices_in_a_point(pair: tuple[Polygon, Polygon]) -> None:
     s = swept(pair)

@@ -9,8 +9,9 @@ from typing import Any
 from xml.etree import ElementTree
 
 from command import EXAMPLE, PATIENCE
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import pairs, simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.view import make_page
@@ -53,14 +54,14 @@ def inside(picture: ElementTree.Element) -> bool:
     )
 
 
-@settings(max_examples=50)
+@examples(50)
 @given(simple_polygons())
 def test_every_polygon_has_a_picture(polygon: Polygon) -> None:
     assert inside(ElementTree.fromstring(polygon._repr_svg_()))
     Balanced(polygon._repr_html_())
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(pairs("CC") | pairs("CM") | pairs("MM"))
 def test_every_sweep_has_a_picture(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair)

@@ -13,8 +13,9 @@ from typing import Any
 import pytest
 import shapely
 import strategies
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 import exactsweep
 from exactsweep import (
@@ -66,7 +67,7 @@ def test_a_copy_tells_the_same(
         assert all_that_is_told(twin) == told
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(strategies.simple_polygons(), strategies.simple_polygons(), st.data())
 def test_answers_are_equal_if_the_same_was_asked(
     g: Polygon, d: Polygon, data: st.DataObject

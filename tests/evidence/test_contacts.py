@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon, PolygonError, sweep
 from exactsweep.evidence.contact import (
@@ -24,7 +25,7 @@ Pair = tuple[Polygon, Polygon]
 Found = set[tuple[str, int, int]]
 Edge = tuple[Point, Point]
 
-usually = settings(max_examples=40)
+usually = examples(40)
 
 
 def numbered(polygon: Polygon) -> Polygon:
@@ -176,7 +177,7 @@ def test_features_are_numbered_as_given(pair: Pair, data: st.DataObject) -> None
 
 
 @given(own.pairs("CC") | own.pairs("CM"))
-@settings(max_examples=150)
+@examples(150)
 def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pair) -> None:
     """Lemma A.1, for contacts that last, vertical edges of the frame included.
 

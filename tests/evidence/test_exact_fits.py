@@ -4,12 +4,13 @@ import random
 from fractions import Fraction
 from itertools import pairwise, product
 
-import campaign
 import families
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from definition import is_exact_fit
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon, reference_exact_fits
@@ -19,7 +20,7 @@ from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 
-often = settings(max_examples=100)
+often = examples(100)
 
 
 @st.composite
@@ -55,7 +56,7 @@ def test_fits_of_many_rectilinear_pairs_are_fits() -> None:
         s = sweep(pair.generatrix, pair.directrix)
         expected = reference_exact_fits(pair.generatrix, pair.directrix, pair.direction)
         assert s.exact_fits == expected, number
-        assert all(campaign.is_exact_fit(s.generatrix, s.directrix, f) for f in s.exact_fits)
+        assert all(is_exact_fit(s.generatrix, s.directrix, f) for f in s.exact_fits)
         found += len(s.exact_fits)
     assert found > 50
 

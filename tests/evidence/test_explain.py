@@ -6,9 +6,10 @@ from itertools import pairwise, product
 
 import pytest
 import strategies as own
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from many_contacts import FORK, ROOF, STAIRS, STEPS, TABLE
+from tiers import examples
 
 from exactsweep import Point, Polygon, Region, Sweep, sweep
 from exactsweep.check import classify
@@ -24,7 +25,7 @@ SLOT = [(0, 0), (3, 0), (3, 5), (2, 5), (2, 1), (1, 1), (1, 3), (0, 3)]
 # A step that is short against every feature.
 SHORT = Fraction(1, 10**60)
 
-patient = settings(max_examples=60)
+patient = examples(60)
 
 
 def pairs() -> st.SearchStrategy[tuple[Polygon, Polygon]]:

@@ -5,12 +5,14 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-import campaign
 import families
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from definition import find_failure
+from hypothesis import given
 from hypothesis import strategies as st
+from small_pairs import SmallPair
+from tiers import examples
 
 from exactsweep import (
     DirectionError,
@@ -18,6 +20,7 @@ from exactsweep import (
     Point,
     Polygon,
     PolygonError,
+    Region,
     Sweep,
     no_fit_polygon,
     sweep,
@@ -29,8 +32,8 @@ from exactsweep.procedures.chain import find_convex_parts, inverse, list_graph_e
 Pair = tuple[Polygon, Polygon]
 Loops = tuple[Polygon, Polygon, Polygon]
 
-often = settings(max_examples=100)
-seldom = settings(max_examples=40)
+often = examples(100)
+seldom = examples(40)
 each_kind = pytest.mark.parametrize("kind", ["CC", "CM", "MM"])
 any_pair = own.pairs("CC") | own.pairs("CM") | own.pairs("MM")
 
@@ -50,18 +53,26 @@ def edges(polygon: Polygon) -> list[tuple[Point, Point]]:
     return list(zip(v, (*v[1:], v[0]), strict=True))
 
 
+def test_vertices_of_one_ring_are_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[type] = []
+    for kind in (Polygon, Region):
+
+        def note(self: Any, *given: Any, make: Any = kind.__init__) -> None:
+            made.append(type(self))
+            make(self, *given)
+
+        monkeypatch.setattr(kind, "__init__", note)
+    assert sweep(UNIT, UNIT).kind == "CC"
+    assert made == [Polygon, Polygon]
+
+
 @each_kind
 @given(st.data())
 @often
 def test_sweep_is_what_the_definition_says(kind: own.Kind, data: st.DataObject) -> None:
     generatrix, directrix, direction = data.draw(own.turned_pairs(kind))
-    assert campaign.failure_of([*generatrix.vertices], [*directrix.vertices], direction) == ""
-
-
-@pytest.mark.parametrize("first", range(0, 300, 50))
-def test_campaign_begins_without_mismatch(first: int) -> None:
-    for number in range(first, first + 50):
-        assert campaign.try_pair(2, families.FAMILIES, number).failure == "", number
+    pair = SmallPair([[*generatrix.vertices]], [[*directrix.vertices]])
+    assert find_failure(pair, deep=direction[0] % 2 == 0) == ""
 
 
 @pytest.mark.parametrize("name", ["trajectory", "inner", "outer"])

@@ -5,9 +5,10 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from polyominoes import Cells, frame, polyominoes, region
+from tiers import examples
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify, verify
@@ -55,7 +56,7 @@ def feature(rings: list[list[Point]], k: int, event: str) -> tuple[Point, ...]:
     st.booleans(),
     st.integers(0, 5),
 )
-@settings(max_examples=60)
+@examples(60)
 def test_contacts_touch_where_they_are_said_to(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], turns: bool, by: int
 ) -> None:
@@ -87,14 +88,14 @@ def test_contacts_touch_where_they_are_said_to(
 
 
 @given(polyominoes(12, 5), polyominoes(7, 4), st.sampled_from(SHEARS))
-@settings(max_examples=40)
+@examples(40)
 def test_certificates_are_proved(d: Cells, g: Cells, matrix: tuple[int, int, int, int]) -> None:
     s = sweep(region(g, matrix), region(d, matrix))
     assert verify(json.loads(json.dumps(s.certificate()))).reason == "proved"
 
 
 @given(polyominoes(12, 5), polyominoes(7, 4))
-@settings(max_examples=40)
+@examples(40)
 def test_undercuts_holes_and_the_directrix_fill_the_inner_loop(d: Cells, g: Cells) -> None:
     s = shape_sweep(region(g), region(d))
     undercuts = sum((u.polygon.area for u in s.undercuts), Fraction(0))
@@ -157,7 +158,7 @@ def test_the_numbers_of_features_are_those_of_the_input() -> None:
 
 
 @given(polyominoes(10, 4), polyominoes(5, 3))
-@settings(max_examples=30)
+@examples(30)
 def test_steps_go_round_the_trajectory(d: Cells, g: Cells) -> None:
     s = shape_sweep(region(g), region(d))
     steps = explain(s)
@@ -168,7 +169,7 @@ def test_steps_go_round_the_trajectory(d: Cells, g: Cells) -> None:
 
 
 @given(polyominoes(6, 3))
-@settings(max_examples=20)
+@examples(20)
 def test_a_mould_around_its_part(g: Cells) -> None:
     mould = frame(g, 2)
     assume(len(region(g).holes) == 0)
@@ -199,6 +200,10 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
         assert given[_number(shape, outline, k, of_edge=False)] == vertex
         i = _number(shape, outline, k, of_edge=True)
         assert {given[i], following[i]} == set(outline.edge(k))
+    swept = sweep(UNIT, shape).directrix
+    for k, vertex in enumerate(swept.vertices):
+        x, y = given[swept.vertex_index(k)]
+        assert vertex == Point(Fraction(x), Fraction(y))
 
 
 @pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2)])

@@ -8,8 +8,9 @@ from typing import Any
 import families
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon
@@ -22,7 +23,7 @@ from exactsweep.numbers.point import Vertex
 Pair = tuple[Polygon, Polygon]
 Edge = tuple[Point, Point]
 
-often = settings(max_examples=100)
+often = examples(100)
 walled_pairs = st.integers(0, 10**9).map(
     lambda seed: families.random_pair(random.Random(seed), ["same", "mould", "walls"])
 )
@@ -155,13 +156,13 @@ def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
 
 
 @given(own.pairs("CC"))
-@settings(max_examples=30)
+@examples(30)
 def test_convex_polygons_have_no_undercuts(pair: Pair) -> None:
     assert sweep(*pair).undercuts == ()
 
 
 @given(any_pair, own.translations())
-@settings(max_examples=50)
+@examples(50)
 def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fraction]) -> None:
     generatrix, directrix = pair
     s, moved = sweep(generatrix, directrix), sweep(generatrix, directrix.translated(by))
@@ -172,7 +173,7 @@ def test_undercuts_move_with_the_directrix(pair: Pair, by: tuple[Fraction, Fract
 
 
 @given(own.turned_pairs("MM"), st.booleans())
-@settings(max_examples=50)
+@examples(50)
 def test_undercuts_do_not_depend_on_the_frame(
     pair: tuple[Polygon, Polygon, Any], exchanged: bool
 ) -> None:

@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 import strategies
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon, limits, sweep
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
@@ -81,7 +82,7 @@ def is_finite_decimal(value: Fraction) -> bool:
 
 
 @given(strategies.pairs("CC"))
-@settings(max_examples=50)
+@examples(50)
 def test_wkt_loops_read_back_or_are_refused(pair: tuple[Polygon, Polygon]) -> None:
     result = sweep(*pair)
     loops = [result.trajectory, result.inner, result.outer]
@@ -118,7 +119,7 @@ def test_wkt_refuses_what_is_no_finite_decimal() -> None:
 
 
 @given(strategies.pairs("CM"), strategies.translations())
-@settings(max_examples=50)
+@examples(50)
 def test_json_of_a_sweep_holds_everything(
     pair: tuple[Polygon, Polygon], reference: tuple[Fraction, Fraction]
 ) -> None:

@@ -6,10 +6,11 @@ from math import cos, radians, sin
 
 import pytest
 import strategies
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from test_formats_curves import distance
 from test_formats_dxf import Tags, dxf, line, polyline
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
@@ -19,7 +20,7 @@ from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
 
-fewer = settings(max_examples=30)
+fewer = examples(30)
 small = st.fractions(-9, 9, max_denominator=10)
 points = st.builds(Point, small, small)
 

@@ -10,14 +10,14 @@ from itertools import pairwise
 from math import atan2, comb, cos, pi, sin, tau
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp
+from tiers import examples
 
 from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
-from exactsweep.formats.curved.arc import find_unit_point
 from exactsweep.formats.curved.curves import (
     bound_root,
     find_arc_center,
@@ -27,9 +27,10 @@ from exactsweep.formats.curved.curves import (
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
+from exactsweep.geometry.turn import find_unit_point
 from exactsweep.numbers.point import Point
 
-fewer = settings(max_examples=25)
+fewer = examples(25)
 small = st.fractions(-9, 9, max_denominator=10)
 points = st.builds(Point, small, small)
 tolerances = st.sampled_from([Fraction(1), Fraction(1, 7), Fraction(1, 100)])

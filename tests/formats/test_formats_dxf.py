@@ -8,8 +8,9 @@ import pytest
 import strategies
 from ezdxf.entities.polyline import Polyline
 from ezdxf.layouts.layout import Modelspace
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import (
@@ -96,7 +97,7 @@ def test_what_is_on_paper_is_not_read() -> None:
     assert parse_polygon(text.getvalue()) == SQUARE
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(strategies.simple_polygons(), st.randoms(use_true_random=False))
 def test_lines_in_any_order_are_joined_exactly(polygon: Polygon, random: object) -> None:
     points = [(f"{x}e-7", f"{y}e-7") for x, y in polygon.lattice()[1]]
@@ -250,7 +251,7 @@ def test_old_code_pages_and_binary_files(tmp_path: Path) -> None:
         read_polygons(str(path))
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(strategies.simple_polygons())
 def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
     whole = Polygon(polygon.lattice()[1])

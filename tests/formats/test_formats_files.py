@@ -11,8 +11,9 @@ import pytest
 import shapely
 import strategies
 from command import refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import NumberError, Polygon, PolygonError, Region
 from exactsweep.formats import (
@@ -41,14 +42,14 @@ several = st.lists(parts, min_size=1, max_size=4)
 
 
 @given(several)
-@settings(max_examples=40)
+@examples(40)
 def test_exact_json_comes_back_whole(polygons: list[NamedPolygon]) -> None:
     assert parse_polygons(format_polygons(polygons, "json")) == polygons
 
 
 @pytest.mark.parametrize("form", DECIMALS)
 @given(polygons=several, exponent=st.integers(-40, 40))
-@settings(max_examples=30)
+@examples(30)
 def test_decimals_come_back_whole(
     form: str, polygons: Sequence[NamedPolygon], exponent: int
 ) -> None:
@@ -94,7 +95,7 @@ def test_nothing_and_no_format_are_refused() -> None:
 
 
 @given(strategies.simple_polygons(), st.integers(0, 6))
-@settings(max_examples=50)
+@examples(50)
 def test_rounding_says_what_it_changed(polygon: Polygon, places: int) -> None:
     named = NamedRegion(Region(polygon))
     try:
@@ -196,7 +197,7 @@ def test_arrays_of_fractions_come_back_whole(polygon: Polygon) -> None:
 
 
 @given(strategies.simple_polygons())
-@settings(max_examples=50)
+@examples(50)
 def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
     exact = all(Fraction(float(c)) == c for vertex in polygon.vertices for c in vertex)
     if exact:
@@ -213,7 +214,7 @@ def test_floats_come_back_whole_or_are_refused(polygon: Polygon) -> None:
 
 
 @given(strategies.simple_polygons())
-@settings(max_examples=50)
+@examples(50)
 def test_int64_comes_back_whole_or_is_refused(polygon: Polygon) -> None:
     if all(c.denominator == 1 and abs(c) < 2**63 for v in polygon.vertices for c in v):
         assert from_numpy(to_numpy(polygon, "int64")) == polygon

@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 import shapely
 from cells import shape_of
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon, PolygonError, Region
 from exactsweep.corpus.generator.cells import Cell, connect
@@ -205,7 +206,7 @@ def have_common_edges(found: list[Box]) -> bool:
     return len(set(seen)) < len(seen)
 
 
-@settings(max_examples=300)
+@examples(300)
 @given(boxes, st.booleans())
 def test_the_fill_rules_are_those_of_counting(found: list[Box], even_odd: bool) -> None:
     rule = "evenodd" if even_odd else "nonzero"

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 import shapely
 from cells import Holed, shape_of
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapes import SHEARS, cell_sets
+from tiers import examples
 
 from exactsweep import Region
 from exactsweep.formats import (
@@ -43,7 +44,7 @@ DECIMAL = (Fraction(1), Fraction(3, 8), Fraction(10**30), Fraction(1, 10**30))
 names = st.none() | st.sampled_from(["a", "b&<", "7"])
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(regions((*DECIMAL, Fraction(2, 3))), names)
 def test_exact_json_comes_back_whole(region: Region, name: str | None) -> None:
     named = NamedRegion(region, name)
@@ -52,7 +53,7 @@ def test_exact_json_comes_back_whole(region: Region, name: str | None) -> None:
 
 
 @pytest.mark.parametrize("form", HOLDING)
-@settings(max_examples=60)
+@examples(60)
 @given(region=regions(DECIMAL), name=names)
 def test_decimals_come_back_whole(form: str, region: Region, name: str | None) -> None:
     assert parse_region(format_polygons([region], form)) == region
@@ -61,14 +62,14 @@ def test_decimals_come_back_whole(form: str, region: Region, name: str | None) -
     assert parse_regions(format_polygons([named, other], form)) == [named, other]
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(regions(DECIMAL[:2]))
 def test_holes_of_svg_do_not_depend_on_the_fill_rule(region: Region) -> None:
     text = format_polygons([region], "svg")
     assert parse_region(text.replace("evenodd", "nonzero")) == region
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(regions(DECIMAL[:2]))
 def test_shapely_has_the_same_region(region: Region) -> None:
     made = to_shapely(region)

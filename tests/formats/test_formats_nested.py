@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 from cells import shape_of
 from command import refusal, run
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon, Region
 from exactsweep.corpus.generator.cells import Cell, connect
@@ -47,7 +48,7 @@ def test_layers_are_nested_apart() -> None:
     assert parse_region(text, "cut", nested=True) == Region(square(0, 9), [square(1, 2)])
 
 
-@settings(max_examples=100)
+@examples(100)
 @given(
     st.sets(st.tuples(st.integers(0, 6), st.integers(0, 6)), min_size=1),
     st.randoms(use_true_random=False),

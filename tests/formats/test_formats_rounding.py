@@ -4,14 +4,15 @@ from fractions import Fraction
 
 import pytest
 import strategies
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Point, Polygon, Region
 from exactsweep.check import classify
 from exactsweep.formats.rounding import Rounded, contains, round_region
 
-fewer = settings(max_examples=60)
+fewer = examples(60)
 
 
 def turned(polygon: Polygon, divisor: int) -> Region:

@@ -3,8 +3,9 @@ from fractions import Fraction
 
 import pytest
 import strategies
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
@@ -12,7 +13,7 @@ from exactsweep.formats.curved.svg_transform import read_transform
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
 
-fewer = settings(max_examples=40)
+fewer = examples(40)
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
 

@@ -7,8 +7,9 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
@@ -25,7 +26,7 @@ from exactsweep.geometry.direction import (
 
 Vector = tuple[int, int]
 
-often = settings(max_examples=100)
+often = examples(100)
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 #  ____     a notch from the left: vertical lines
@@ -129,7 +130,7 @@ def on_arc(u: Vector, first: Vector, last: Vector) -> bool:
 
 
 @given(own.convex_polygons())
-@settings(max_examples=30)
+@examples(30)
 def test_convex_is_monotone_to_all(polygon: Polygon) -> None:
     found = find_monotone_directions(polygon)
     assert str(found) == "all directions"
@@ -255,7 +256,7 @@ def test_directions_of_ints_and_fractions_are_reduced() -> None:
 
 
 @given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
-@settings(max_examples=30)
+@examples(30)
 def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
     a, b, c = map(find_monotone_directions, polygons)
 

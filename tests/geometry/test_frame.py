@@ -21,7 +21,7 @@ TRIANGLE = Polygon([(0, 0), (2, HALF), (1, 3)])
 def test_what_enters_a_frame_leaves_it_where_it_was(direction: Vector, scale: int) -> None:
     frame = Frame(direction, scale)
     p, q = direction
-    entered = frame.enter(TRIANGLE)
+    entered = frame.enter(*TRIANGLE.lattice())
     assert entered == [
         (scale * (p * x + q * y), scale * (p * y - q * x)) for x, y in TRIANGLE.vertices
     ]

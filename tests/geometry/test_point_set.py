@@ -165,7 +165,6 @@ def test_unrelated_denominators_are_mapped_exactly() -> None:
 @pytest.mark.parametrize(
     ("action", "message"),
     [
-        (lambda p: p.rotated(45), "by 45 degrees, except for multiples of 90"),
         (lambda p: p.rotated((1, 1)), r"\(1, 1\) has no rational length"),
         (lambda p: p.rotated((0, 0)), r"\(0, 0\) has no rational length but 0"),
         (lambda p: p.rotated("left"), "'left' is not a number"),

@@ -1,6 +1,8 @@
 """Regions: what is taken, what is refused and how, and that equal sets are equal."""
 
 import pickle
+import sys
+from collections import Counter
 from fractions import Fraction
 
 import pytest
@@ -10,6 +12,7 @@ from polyominoes import Cells, polyominoes, region, rings
 
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.region import number_features
 from exactsweep.numbers.point import Vertex
 
 SQUARE = [(0, 0), (9, 0), (9, 9), (0, 9)]
@@ -241,3 +244,35 @@ def test_few_edges_of_a_region_are_tried_against_each_other(
     holes = [[(k, 3), (k + 1, 3), (k, 4)] for k in range(2, 90, 2)]
     assert len(Region([*teeth, (100, 9), (0, 9)], holes)) == 3 * len(holes) + 103
     assert tried < 3 * len(holes)
+
+
+def plate(count: int) -> Region:
+    """A plate with holes in a row, given from right to left."""
+    holes = [[(3 * k + 1, 1), (3 * k + 3, 1), (3 * k + 1, 2)] for k in reversed(range(count))]
+    return Region([(0, 0), (3 * count + 1, 0), (3 * count + 1, 3), (0, 3)], holes)
+
+
+def test_features_are_numbered_in_time_in_proportion_to_them() -> None:
+    """Told by the calls that it takes, and not by the clock."""
+
+    def count_calls(region: Region) -> int:
+        calls = Counter[str]()
+        before = sys.getprofile()
+        sys.setprofile(lambda frame, event, argument: calls.update([event]))
+        try:
+            number_features(region)
+        finally:
+            sys.setprofile(before)
+        return calls.total()
+
+    few, many = count_calls(plate(100)), count_calls(plate(400))
+    assert few < many < 5 * few
+
+
+def test_a_region_of_a_region_numbers_its_features_alike() -> None:
+    one = Region(SQUARE, [OTHER, SMALL[::-1]])
+    again, more = Region(one), Region(one, [[(7, 1), (8, 1), (8, 2)]])
+    for k in range(len(one)):
+        assert again.vertex_index(k) == one.vertex_index(k)
+        assert again.edge_index(k) == one.edge_index(k)
+    assert number_features(one)[0].items() < number_features(more)[0].items()

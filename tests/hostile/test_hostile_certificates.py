@@ -1,6 +1,6 @@
 """Certificates that are false, of all kinds: none is proved.
 
-`python -m tests.tampering` and `python -m tests.shapes_campaign` try as many as one likes.
+`python -m tests.tampering` and `python -m tests.campaign` try as many as one likes.
 """
 
 from collections.abc import Iterator

@@ -82,6 +82,8 @@ VALID: dict[str, dict[str, Any]] = {
     "sweep": {**PAIR, "direction": (1, 0), "reference": (0, 0)},
     "no_fit_polygon": {"stationary": UNIT, "orbiting": UNIT, "reference": (0, 0)},
     "inner_fit_polygon": {"container": UNIT, "part": UNIT, "reference": (0, 0)},
+    "distance_squared": {"a": UNIT, "b": UNIT},
+    "free_positions": {"container": UNIT, "placed": [], "part": UNIT, "reference": (0, 0)},
     "limits": {"max_digits": None, "max_mib": None},
     "batch.read_parts": {"path": "p.json", **OPTIONS},
     "batch.take_all_pairs": {
@@ -155,13 +157,21 @@ VALID: dict[str, dict[str, Any]] = {
     "draw.read_suffix": {"path": "a.svg"},
     "draw.save": {"figure": FIGURE, "path": "a.svg"},
     "draw.save_svg": {"figure": FIGURE},
-    "formats.format_polygons": {"polygons": PARTS, "form": "wkt", "fits": (), "decimals": False},
+    "formats.format_polygons": {
+        "polygons": PARTS,
+        "form": "wkt",
+        "fits": (),
+        "decimals": False,
+        "coordinates": None,
+    },
     "formats.from_numpy": {"array": np.array(UNIT)},
     "formats.from_shapely": {"geometry": shapely.box(0, 0, 1, 1)},
+    "formats.from_wkt": {"text": "POLYGON ((0 0, 1 0, 0 1, 0 0))"},
     "formats.parse_polygon": CHOSEN,
     "formats.parse_polygons": {"text": TEXT, **OPTIONS},
     "formats.parse_region": CHOSEN,
     "formats.parse_regions": {"text": TEXT, **OPTIONS},
+    "formats.parts_from_shapely": {"geometries": [shapely.box(0, 0, 1, 1)]},
     "formats.read_certificate": {"path": "p.json"},
     "formats.read_polygon": {"path": "p.json", **OPTIONS},
     "formats.read_polygons": {"path": "p.json", **OPTIONS},
@@ -226,7 +236,7 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
         },
     ),
     (no_fit_polygon(UNIT, UNIT), {"plot": PLOTTED}),
-    (inner_fit_polygon(HOLED, UNIT), {"plot": PLOTTED}),
+    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
 ]
 
 

@@ -8,12 +8,13 @@ from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from mutations import MUTATIONS, mutated
+from tiers import examples
 
 from exactsweep.cli import main
 from exactsweep.corpus.generator.prng import Prng
@@ -200,7 +201,7 @@ def test_the_same_figure_gives_the_same_bytes(figure: PaperFigure, tmp_path: Pat
     assert b"<image" not in svg
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(st.lists(st.tuples(st.integers(1, 40), st.integers(1, 40)), min_size=1, max_size=4))
 def test_panels_of_any_size_share_one_unit(sizes: list[tuple[int, int]]) -> None:
     boxes = [sheet.Extent((0, 0), size, "title") for size in sizes]

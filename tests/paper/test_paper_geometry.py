@@ -3,8 +3,9 @@
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import sweep
 from exactsweep.corpus.generator.growing import (
@@ -160,7 +161,7 @@ def test_terraces_have_order_mn_undercuts(m: int, n: int, undercuts: int) -> Non
     assert lower_undercuts(s) == undercuts >= (m - 4) // 3 * ((n - 4) // 2)
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(st.integers(0, 10**6), st.sampled_from(["CC", "CM", "MM"]))
 def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind: str) -> None:
     assert kernel_is_literal(draw_pair(Prng(str(seed)), kind)) == ""

@@ -6,8 +6,9 @@ from math import inf
 
 import pytest
 import strategies as own
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Rational, Vertex
@@ -19,7 +20,7 @@ from exactsweep.procedures.envelope import Envelope, take_edges
 from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
-usually = settings(max_examples=100)
+usually = examples(100)
 
 
 def steps(*chains: list[Vertex]) -> list[Vertex]:

@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Vertex
@@ -27,7 +28,7 @@ from exactsweep.procedures.chain import (
 from exactsweep.procedures.cm import sweep_inner_cm, sweep_outer_cm, trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
-usually = settings(max_examples=100)
+usually = examples(100)
 
 steps = st.lists(st.tuples(own.tiny(0, 2), own.tiny(-2, 2)), min_size=1, max_size=9)
 

@@ -8,8 +8,9 @@ from typing import Any
 import families
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Vertex
@@ -19,7 +20,7 @@ from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
 Chain = list[Vertex]
-usually = settings(max_examples=100)
+usually = examples(100)
 
 
 @given(own.pairs("CM"))

@@ -7,7 +7,8 @@ import pytest
 
 from exactsweep import sweep
 from exactsweep.evidence.swept import Swept, pause_collector
-from exactsweep.procedures.lower_sweep import LowerSweep, made_once
+from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.made_once import made_once
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 

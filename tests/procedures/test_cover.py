@@ -4,9 +4,10 @@ from fractions import Fraction
 
 import pytest
 from covered import find_free, list_corners, rings
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import point_in_polygon
@@ -20,7 +21,7 @@ MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
-@settings(max_examples=60)
+@examples(60)
 def test_each_corner_of_a_square_that_is_covered_is_overlapped(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
 ) -> None:
@@ -31,7 +32,7 @@ def test_each_corner_of_a_square_that_is_covered_is_overlapped(
 
 
 @given(polyominoes(9, 4), polyominoes(7, 3), MATRICES, st.integers(2, 20))
-@settings(max_examples=60)
+@examples(60)
 def test_what_is_covered_does_not_matter(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
 ) -> None:
@@ -59,7 +60,7 @@ def test_a_large_square_is_covered_but_for_its_border() -> None:
 
 
 @given(polyominoes(9, 4), MATRICES, st.integers(1, 8))
-@settings(max_examples=15)
+@examples(15)
 def test_points_are_all_of_the_interior(
     cells: Cells, matrix: tuple[int, int, int, int], side: int
 ) -> None:

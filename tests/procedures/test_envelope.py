@@ -6,8 +6,9 @@ from random import Random
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Rational, Vertex
@@ -18,7 +19,7 @@ from exactsweep.procedures.envelope import GAP, Envelope, value
 from exactsweep.procedures.lower_envelope import lower_envelope_cm, lower_envelope_mm
 
 Chain = list[Vertex]
-usually = settings(max_examples=100)
+usually = examples(100)
 half, third = Fraction(1, 2), Fraction(1, 3)
 
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from hypothesis import settings
+from tiers import examples
 
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.counting import make_counted, watch_operations
@@ -13,7 +13,7 @@ from exactsweep.procedures.envelope import GAP, Envelope, find_crossing, find_po
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 
 Chain = list[Vertex]
-usually = settings(max_examples=100)
+usually = examples(100)
 half, third = Fraction(1, 2), Fraction(1, 3)
 
 

@@ -5,8 +5,9 @@ from fractions import Fraction
 
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.numbers.point import Vertex
@@ -18,7 +19,7 @@ from exactsweep.procedures.mm import sweep_mm, trajectory_mm
 Half = list[Vertex]
 Trajectory = Callable[[Half, Half], Half]
 Boundaries = Callable[[Half, Half, Half], tuple[Half, Half]]
-usually = settings(max_examples=100)
+usually = examples(100)
 
 # Of G's top and D's bottom the trajectory; of G's top and bottom and D's bottom what is swept.
 TRAJECTORY: dict[str, Trajectory] = {

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import copy
 import pickle
-from collections import Counter, deque
+from collections import Counter
 from fractions import Fraction
 from typing import Any
-from weakref import ref
 
 import pytest
 import strategies as own
@@ -19,10 +18,11 @@ from exactsweep.geometry.frame import Frame
 from exactsweep.procedures import chain, convex_part, lower_sweep
 from exactsweep.procedures.chain import KeptChain, find_convex_parts, inverse, measure_width
 from exactsweep.procedures.convex_part import measure_unit, split_chain
-from exactsweep.procedures.lower_sweep import KEPT_VERTICES, split_polygon
+from exactsweep.procedures.lower_sweep import KEPT_POLYGONS, KEPT_VERTICES, split_polygon
 
 SCALES = [Fraction(1), Fraction(1, 3), Fraction(1, 7), Fraction(1000), Fraction(10**9 + 7, 2)]
 NOTCH = Polygon([(0, 0), (6, 0), (6, 3), (4, 3), (3, 1), (2, 3), (0, 3)])
+FRAME = Frame((1, 0), 1)
 BARGE = Polygon([(0, 2), (1, 0), (2, 1), (3, 0), (4, 2), (2, 3)])
 
 
@@ -72,6 +72,11 @@ def test_the_answer_is_that_of_the_same_direction_and_lattice() -> None:
     assert (
         split_polygon(diamond, Frame((0, 1), 1)) != kept != split_polygon(diamond, Frame((1, 0), 2))
     )
+
+
+@pytest.fixture(autouse=True)
+def _nothing_kept() -> None:
+    lower_sweep._keep.cache_clear()
 
 
 @pytest.fixture
@@ -146,18 +151,11 @@ def test_a_kept_chain_is_the_chain(polygon: Polygon) -> None:
             assert measure_width(kept) == measure_width(plain)
             assert inverse(inverse(kept)) == plain
         assert inverse(kept) is inverse(kept)
-        for again in (copy.deepcopy(kept), pickle.loads(pickle.dumps(kept))):
-            assert again == kept
-            assert (again.inverted, again.width) == (kept.inverted, kept.width)
 
 
 def keeps(polygon: Polygon) -> bool:
-    """Whether a polygon that was split before is not split again."""
-    frame = Frame((1, 0), 1)
-    return (
-        polygon._chains is not None
-        and split_polygon(polygon, frame)[0] is split_polygon(polygon, frame)[0]
-    )
+    """Whether a polygon that is split is not split again."""
+    return split_polygon(polygon, FRAME)[0] is split_polygon(polygon, FRAME)[0]
 
 
 def test_only_polygons_of_few_vertices_keep_their_chains() -> None:
@@ -166,31 +164,29 @@ def test_only_polygons_of_few_vertices_keep_their_chains() -> None:
         teeth = [(k, -(k % 2)) for k in range(count - 1)]
         polygon = Polygon([*teeth, (0, count)])
         assert len(polygon) == count
-        split_polygon(polygon, Frame((1, 0), 1))
         assert keeps(polygon) == (count == KEPT_VERTICES)
 
 
-def test_only_the_polygons_split_last_keep_their_chains(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So that a list of parts takes no more memory than these."""
-    monkeypatch.setattr(lower_sweep, "KEPT_POLYGONS", 3)
-    monkeypatch.setattr(lower_sweep, "_keeping", deque())
-    frame = Frame((1, 0), 1)
-    polygons = [forget(NOTCH) for _ in range(5)]
-    for polygon in polygons:
-        split_polygon(polygon, frame)
-    assert [keeps(polygon) for polygon in polygons] == [False, False, True, True, True]
-    # Those that are gone take a place until it is their turn, and nothing else.
-    gone, last = ref(polygons[3]), polygons[4]
-    del polygons[3:], polygon
-    assert gone() is None
-    split_polygon(polygons[0], frame)
-    split_polygon(polygons[1], frame)
-    assert [keeps(polygon) for polygon in polygons] == [True, True, False]
-    assert keeps(last)
-    # Who is split again, on another lattice, takes no second place.
-    for k in range(9):
-        split_polygon(last, Frame((1, 0), 1 + k % 2))
-    assert [keeps(polygon) for polygon in polygons] == [True, True, False]
+def test_an_equal_polygon_made_anew_shares_what_is_kept() -> None:
+    assert split_polygon(NOTCH, FRAME)[0] is split_polygon(forget(NOTCH), FRAME)[0]
+    assert split_polygon(NOTCH, FRAME) != split_polygon(NOTCH.scaled(2), FRAME)
+
+
+def test_only_the_chains_asked_for_last_are_kept() -> None:
+    """So that a list of parts takes no more memory than these, wherever the parts come from."""
+    first = split_polygon(NOTCH, FRAME)[0]
+    for k in range(KEPT_POLYGONS):
+        split_polygon(pickle.loads(pickle.dumps(BARGE.translated((k, 0)))), FRAME)
+    again = split_polygon(NOTCH, FRAME)[0]
+    assert again is not first
+    assert again == first
+
+
+def test_a_swept_polygon_is_pickled_as_one_that_was_not() -> None:
+    polygon = forget(NOTCH)
+    before = pickle.dumps(polygon)
+    assert sweep(polygon, BARGE).direction
+    assert pickle.dumps(polygon) == before
 
 
 def test_a_copy_of_a_swept_polygon_is_the_polygon() -> None:

@@ -6,9 +6,10 @@ from typing import Any
 
 import pytest
 from covered import find_free, list_corners, rings
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, polyominoes
+from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.geometry.overlap import Overlap, Rings
@@ -38,7 +39,7 @@ def stretches(draw: st.DrawFn) -> Stretch:
 
 
 @given(stretches(), SMALL, st.integers(0, 4), SMALL, st.integers(0, 4))
-@settings(max_examples=150)
+@examples(150)
 def test_what_is_cut_away_lies_outside(
     stretch: Stretch, left: int, width: int, low: int, height: int
 ) -> None:
@@ -124,7 +125,7 @@ def test_a_part_that_is_too_long_or_too_high_has_no_leeway(
 
 
 @given(polyominoes(14, 4), polyominoes(4, 2), MATRICES, st.integers(1, 20))
-@settings(max_examples=60)
+@examples(60)
 def test_what_is_beyond_or_covered_does_not_matter(
     d: Cells, g: Cells, matrix: tuple[int, int, int, int], columns: int
 ) -> None:

@@ -6,7 +6,8 @@ from fractions import Fraction
 import families
 import pytest
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
+from tiers import examples
 
 from exactsweep import Polygon, sweep
 from exactsweep.check.definition import reference_loops
@@ -20,7 +21,7 @@ from exactsweep.procedures.mm import outer_mm, sweep_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
 
 Pair = tuple[Polygon, Polygon]
-usually = settings(max_examples=100)
+usually = examples(100)
 
 
 @given(own.pairs("MM"))

@@ -5,10 +5,11 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from polyominoes import Cells, Matrix, frame, free_cells, polyominoes, region, unit_edges
 from strategies import pairs
+from tiers import examples
 
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
@@ -69,6 +70,17 @@ def test_holes_come_in_order() -> None:
     plate += [room[::-1] for room in rooms]
     corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).holes]
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
+
+
+def test_a_region_may_lie_in_the_hole_of_another() -> None:
+    """A part around a defect of the container is not in the region around both."""
+    container = Region(box(0, 0, 20, 20), [box(9, 9, 10, 10)])
+    f = inner_fit_polygon(container, Region(box(0, 0, 5, 5), [box(1, 1, 4, 4)]))
+    assert f.regions == (
+        Region(box(0, 0, 15, 15), [box(4, 4, 10, 10)]),
+        Region(box(6, 6, 8, 8)),
+    )
+    assert f.exact_fits == ()
 
 
 # A cave of 2 x 2 with a door in its right wall, from y = 1 to 2 or to less.
@@ -224,7 +236,7 @@ def test_a_polyomino_in_its_own_mould(g: Cells, matrix: Matrix, width: int) -> N
 
 
 @given(polyominoes(8, 4), polyominoes(5, 3), st.sampled_from([10**30, 10**-30]))
-@settings(max_examples=20)
+@examples(20)
 def test_size_does_not_matter(d: Cells, g: Cells, factor: float) -> None:
     scale = Fraction(factor) if factor > 1 else Fraction(1, 10**30)
 

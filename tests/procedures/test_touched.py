@@ -4,7 +4,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 import strategies as own
-from hypothesis import given, settings
+from hypothesis import given
+from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.check import reference_loops
@@ -22,7 +23,7 @@ def height(chain: list[Vertex], x: Fraction) -> Fraction:
 
 
 @given(own.pairs("MM"))
-@settings(max_examples=100)
+@examples(100)
 def test_outside_the_gaps_the_inner_loop_is_the_directrix(pair: tuple[Polygon, Polygon]) -> None:
     (_, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     inner, _ = split(reference_loops(*pair, (1, 0)).inner)

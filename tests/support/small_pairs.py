@@ -1,23 +1,26 @@
-"""Small pairs of all classes, drawn afresh or bred from pairs that are known to do what is rare.
+"""Small pairs of all classes, drawn afresh or bred from others; shapes are lists of rings.
 
-Shapes are lists of rings of ints, the exterior first, so that they go into a journal as they are.
+The exterior comes first; coordinates are ints.
 """
 
 from collections.abc import Callable
+from fractions import Fraction
+from math import lcm
 from random import Random
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import families
 from cells import shape_of
 from shape_families import untangled
 
+from exactsweep import Polygon, Region
+from exactsweep.check import point_in_polygon
 from exactsweep.check.monotone import has_shared_direction
-from exactsweep.corpus.generator.cells import grow
+from exactsweep.corpus.generator.cells import connect, grow
 from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
 
-Vertex = tuple[int, int]
-Ring = list[Vertex]
+Ring = list[tuple[Any, Any]]
 Shape = list[Ring]
 Draw = Callable[[Random], Shape]
 FARTHEST = 2**40  # from the origin, along either axis
@@ -103,6 +106,49 @@ def draw_shapeless(rng: Random) -> SmallPair:
     return _placed(rng, pair)
 
 
+def draw_touching(rng: Random) -> SmallPair:
+    """A pair whose D has rings that touch, in a vertex of both or one in an edge of the other."""
+    while not _has_touching_rings(directrix := rng.choice([_pinched, _dented])(rng)):
+        pass
+    generatrix = rng.choice([convex, convex, monotone, clump, _pinched])(rng)
+    return _placed(rng, SmallPair(generatrix, directrix))
+
+
+def _pinched(rng: Random) -> Shape:
+    """Squares around holes that meet in corners."""
+    width, height = rng.randint(4, 6), rng.randint(3, 5)
+    cells = {(x, y) for x in range(width) for y in range(height)}
+    left_out = {cell for cell in sorted(cells) if rng.random() < 0.3}
+    shape = shape_of(connect(cells - left_out or cells))
+    return [[*ring.vertices] for ring in (shape.exterior, *shape.holes)]
+
+
+def _dented(rng: Random) -> Shape:
+    """A square with triangles and squares cut out, as many as leave it in one piece."""
+    side = rng.randint(4, 8)
+    rings: Shape = [[(0, 0), (side, 0), (side, side), (0, side)]]
+    for _ in range(rng.randint(4, 12)):
+        points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.choice([3, 4]))]
+        hole = [*take_hull(points)]
+        try:
+            Region(rings[0], [*rings[1:], hole])
+        except PolygonError:
+            continue
+        rings.append(hole)
+    return rings
+
+
+def _has_touching_rings(shape: Shape) -> bool:
+    region = Region(shape[0], shape[1:])
+    return any(
+        point_in_polygon(p, other) == 0
+        for ring in region.rings
+        for other in region.rings
+        if other is not ring
+        for p in ring
+    )
+
+
 def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> SmallPair:
     generatrix, directrix = (_draw_shape(rng, shapes) for shapes in rng.choice(classes))
     if rng.random() < 0.1:
@@ -113,7 +159,12 @@ def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> Sma
 def shares_direction(pair: SmallPair) -> bool:
     """Whether both are monotone to one direction; with holes they are not."""
     rings = [*pair.generatrix, *pair.directrix]
-    return len(rings) == 2 and has_shared_direction([tuple(ring) for ring in rings])
+    if len(rings) > 2:
+        return False
+    corners = [Polygon(ring).vertices for ring in rings]
+    scale = lcm(*(Fraction(c).denominator for ring in corners for p in ring for c in p))
+    lattice = [tuple((int(x * scale), int(y * scale)) for x, y in ring) for ring in corners]
+    return has_shared_direction(lattice)
 
 
 def _draw_shape(rng: Random, shapes: list[Draw]) -> Shape:

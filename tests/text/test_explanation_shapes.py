@@ -4,8 +4,9 @@ import json
 from pathlib import Path
 
 from command import run
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, Region, sweep
 from exactsweep.text.explanation import tell
@@ -119,7 +120,7 @@ def test_fits_are_told_with_what_touches() -> None:
     assert len(document["exact_fit_contacts"][0]) >= 4
 
 
-@settings(max_examples=15)
+@examples(15)
 @given(simple_polygons(), simple_polygons())
 def test_every_sweep_is_told(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d)

@@ -12,8 +12,9 @@ from typing import Any
 import pytest
 from command import EXAMPLE, HOUSE, NOTCH, refusal, run
 from contacts import between, without_parts
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import pairs, points
+from tiers import examples
 
 from exactsweep import Point, Polygon, Sweep, sweep
 from exactsweep.draw import Scale
@@ -45,7 +46,7 @@ def places(flat: list[float]) -> list[tuple[float, float]]:
     return list(zip(flat[::2], flat[1::2], strict=True))
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(any_pair)
 def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(3, "1/7"))
@@ -61,7 +62,7 @@ def test_stops_run_once_round_and_hold_all_landmarks(pair: tuple[Polygon, Polygo
         assert hanging in positions
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(any_pair)
 def test_contacts_between_and_at_stops_are_true(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair)
@@ -94,7 +95,7 @@ def test_large_sweeps_say_that_vertices_that_meet_make_no_stops(
     assert [stop.position for stop in find_stops(EXAMPLE)] == list(EXAMPLE.trajectory.vertices)
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(any_pair)
 def test_the_page_puts_g_where_it_is(pair: tuple[Polygon, Polygon]) -> None:
     s = sweep(*pair, reference=(10**40, "1/3"))

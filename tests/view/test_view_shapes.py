@@ -5,9 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from contacts import between, without_parts
-from hypothesis import given, settings
+from hypothesis import given
 from shown import Open, Shown
 from strategies import points, simple_polygons
+from tiers import examples
 
 from exactsweep import Polygon, Region, sweep
 from exactsweep.view.data import find_stops, gather_page_data, list_tracks, track_stops
@@ -45,7 +46,7 @@ def track_of(shown: Shown) -> str:
     return name
 
 
-@settings(max_examples=15)
+@examples(15)
 @given(simple_polygons(), simple_polygons())
 def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) -> None:
     s = sweep(g, d, reference=(1, "1/3"))

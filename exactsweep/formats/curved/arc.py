@@ -17,6 +17,7 @@ from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.curves import bound_root, flatten_arc
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
+from exactsweep.geometry.turn import find_unit_point
 from exactsweep.numbers.point import ORIGIN, Point
 
 _PI_DIGITS = 120
@@ -68,52 +69,6 @@ def to_degrees(radians: Fraction) -> Fraction:
     if abs(radians) > _MAX_TURN:
         raise FormatError(f"an angle beyond {_MAX_TURN} radians")
     return radians * 180 / _pi()
-
-
-def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
-    """Find a rational point of the unit circle near an angle.
-
-    Args:
-        degrees: the angle.
-        allowed: how far it may be from the point at exactly that angle.
-
-    Returns:
-        A Point of the circle.
-
-    Example:
-        >>> find_unit_point(Fraction(270), Fraction(1))
-        Point(x=Fraction(0, 1), y=Fraction(-1, 1))
-    """
-    quarter, rest = divmod(degrees % 360, 90)
-    t = _half_tangent(rest, allowed / 2) if rest else Fraction(0)
-    # A step of t is at most two steps on the circle.
-    c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
-    for _ in range(quarter):
-        c, s = -s, c
-    return Point(c, s)
-
-
-def _half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
-    """Find a decimal that is no farther from the tangent of half the angle than allowed."""
-    from mpmath import iv
-    from mpmath.libmp import to_rational
-
-    digits = 3
-    while allowed * 10**digits < 4:
-        digits += 1
-    before = iv.prec
-    try:
-        iv.prec = 4 * digits + 64
-        angle = iv.pi * iv.mpf(degrees.numerator) / (180 * iv.mpf(degrees.denominator))
-        low, high = (
-            Fraction(*map(int, to_rational(end)))
-            for end in (iv.sin(angle) / (1 + iv.cos(angle)))._mpi_
-        )
-    finally:
-        iv.prec = before
-    found = round((low + high) / 2, digits)
-    assert max(high - found, found - low) <= allowed
-    return found
 
 
 @cache

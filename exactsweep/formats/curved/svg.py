@@ -64,7 +64,11 @@ def parse_svg(text: str, reading: Reading) -> list[Candidate]:
         >>> [(found.name, str(found.polygon())) for found in parse_svg(text, Reading())]
         [('a', '(0, 0) (2, 0) (2, 1/2)')]
     """
-    root = parse_xml(text)
+    return read_svg(parse_xml(text), reading)
+
+
+def read_svg(root: Element, reading: Reading) -> list[Candidate]:
+    """Find the outlines of an SVG document that `parse_xml` parsed, as `parse_svg` does."""
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)

@@ -1,0 +1,43 @@
+"""JSON of the CG:SHOP challenge 2024, maximum polygon packing.
+
+Polygons are lists of x and of y, which solutions only move. At most `quantity` of an item may be
+placed, and none need be. A solution has no polygons: its instance has them.
+
+Source: the verifier of the challenge, `CG-SHOP/pyutils24`.
+"""
+
+from __future__ import annotations
+
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.node import Data, JsonNode
+
+
+def read_instance(document: JsonNode) -> NestingInstance:
+    """Read the container and the items of an instance; raises FormatError."""
+    parts = {}
+    for k, item in enumerate((document / "items").each()):
+        allowed = {"demand": item.get("quantity", "1").whole, "turns": ["0"], "mirrored": False}
+        parts[str(k)] = {"id": str(k), **_polygon(item), **allowed}
+    containers = {"container": _polygon(document / "container")}
+    return NestingInstance("cgshop", parts, {}, containers, {}, ())
+
+
+def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
+    """Read a solution to an instance; raises FormatError."""
+    names = "item_indices", "x_translations", "y_translations"
+    indices, xs, ys = ([*(document / name).each()] for name in names)
+    if not len(indices) == len(xs) == len(ys):
+        raise FormatError(f"$: {', '.join(names)} are not of one length")
+    placements = []
+    for index, x, y in zip(indices, xs, ys, strict=True):
+        find_named(instance.parts, index, "item")
+        placements.append(STANDING | {"part": index.name, "move": [x.number, y.number]})
+    return [FilledSheet(instance.containers["container"], placements)]
+
+
+def _polygon(value: JsonNode) -> Data:
+    xs, ys = ([one.value for one in (value / axis).each()] for axis in "xy")
+    if len(xs) != len(ys):
+        raise FormatError(f"{value.path}: {len(xs)} x and {len(ys)} y")
+    return {"exterior": JsonNode([[x, y] for x, y in zip(xs, ys, strict=True)], value.path).ring}

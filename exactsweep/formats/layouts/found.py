@@ -1,0 +1,107 @@
+"""Layouts found in a file, and the instance that they answer."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.layouts.node import Data, JsonNode
+from exactsweep.numbers.number import quote
+
+STANDING: Data = {"turn": "0", "move": ["0", "0"]}
+"""Where a part stands as it is drawn."""
+
+
+class FoundLayout(NamedTuple):
+    """A layout of a file.
+
+    Attributes:
+        name: which one of several it is; "" where it is the only one.
+        data: Layout JSON, for `exactsweep.layout.Layout.from_json`.
+        notes: what the reader passed over, a sentence each.
+    """
+
+    name: str
+    data: Data
+    notes: tuple[str, ...] = ()
+
+
+class NestingInstance(NamedTuple):
+    """The question that a layout answers.
+
+    Attributes:
+        kind: "jagua", "packingsolver" or "cgshop", after the program whose format it is.
+        parts: by id, each as in Layout JSON, with the demand that may be placed at most.
+        least: by id, how many have to be placed.
+        containers: by id, each as in Layout JSON; none where a strip has a free width.
+        rest: what goes into each layout as it is: "spacing", "margin".
+        notes: what was passed over.
+    """
+
+    kind: str
+    parts: dict[str, Data]
+    least: dict[str, int]
+    containers: dict[str, Data]
+    rest: Data
+    notes: tuple[str, ...]
+
+
+class FilledSheet(NamedTuple):
+    """A container with what is placed in it, before parts and demands are added.
+
+    Attributes:
+        container: as in Layout JSON.
+        placements: likewise.
+        copies: how many such sheets there are.
+        rest: as of a NestingInstance, for this sheet alone.
+    """
+
+    container: Data
+    placements: list[Data]
+    copies: int = 1
+    rest: Mapping[str, Any] = MappingProxyType({})
+
+
+def make_layouts(
+    sheets: Sequence[FilledSheet], instance: NestingInstance, notes: Sequence[str] = ()
+) -> list[FoundLayout]:
+    """Make a layout of each sheet.
+
+    The sheets share one demand: each is asked for what is placed on it, up to what is left, and the
+    last one for what has to be placed and is not. So the sum is as wanted exactly if no sheet has a
+    part missing or too many.
+    """
+    spare = {name: part.get("demand") for name, part in instance.parts.items()}
+    wanted = dict(instance.least)
+    found = []
+    for k, sheet in enumerate(sheets):
+        placed = Counter(placement["part"] for placement in sheet.placements)
+        parts = []
+        for name, part in instance.parts.items():
+            number, most = placed[name], spare[name]
+            if most is not None:
+                asked = number if number * sheet.copies <= most else most // sheet.copies
+                spare[name] = most - min(most, number * sheet.copies)
+                wanted[name] = max(0, wanted.get(name, 0) - number * sheet.copies)
+                if k == len(sheets) - 1:
+                    asked += wanted[name]
+                part = {**part, "demand": asked}
+                if not asked and not number:
+                    continue
+            parts.append(part)
+        data = {"container": sheet.container, "parts": parts, "placements": sheet.placements}
+        copies = f", {sheet.copies} copies" if sheet.copies > 1 else ""
+        name = f"sheet {k}{copies}" if len(sheets) > 1 else ""
+        said = (*instance.notes, *notes)
+        found.append(FoundLayout(name, {**data, **instance.rest, **sheet.rest}, said))
+    return found
+
+
+def find_named(things: Mapping[str, Any], name: JsonNode, what: str) -> Any:
+    """Return the one of some things that has a name; raises FormatError if there is none."""
+    if name.name not in things:
+        raise FormatError(f"{name.path}: there is no {what} {quote(name.name)}")
+    return things[name.name]

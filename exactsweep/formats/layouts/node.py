@@ -1,0 +1,106 @@
+"""A place in a JSON document, which refuses with its path to be read as what it is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple, NoReturn
+
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import describe_kind, read_number, read_point
+from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.point import Point
+
+Data = dict[str, Any]
+
+
+class JsonNode(NamedTuple):
+    """A value that `parse_json` returned, and the JSON path to it."""
+
+    value: object
+    path: str = "$"
+
+    def has(self, name: str) -> bool:
+        """Whether this is an object with such a member; null counts as none."""
+        return isinstance(self.value, Mapping) and self.value.get(name) is not None
+
+    def __truediv__(self, name: str) -> JsonNode:
+        """Return a member that has to be there."""
+        if not isinstance(self.value, Mapping):
+            self.refuse(f"{describe_kind(self.value)}, not an object")
+        if not self.has(name):
+            raise FormatError(f"{self.path} has no {quote(name)}")
+        return JsonNode(self.value[name], f"{self.path}.{name}")
+
+    def get(self, name: str, default: object) -> JsonNode:
+        """Return a member, or what stands for it."""
+        return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
+
+    def each(self) -> Iterator[JsonNode]:
+        """Yield the entries of a list."""
+        if not isinstance(self.value, list):
+            self.refuse(f"{describe_kind(self.value)}, not a list")
+        for k, entry in enumerate(self.value):
+            yield JsonNode(entry, f"{self.path}[{k}]")
+
+    @property
+    def fraction(self) -> Fraction:
+        """The number that this is."""
+        return read_number(self.value, self.path)
+
+    @property
+    def number(self) -> str:
+        """The number that this is, as it is written."""
+        read_number(self.value, self.path)
+        return str(self.value)
+
+    @property
+    def whole(self) -> int:
+        """The whole number that this is."""
+        if self.fraction.denominator != 1:
+            self.refuse(f"{quote(self.value)}, not a whole number")
+        return int(self.fraction)
+
+    @property
+    def name(self) -> str:
+        """The name that this is; numbers are names, too."""
+        if not isinstance(self.value, str):
+            self.refuse(f"{describe_kind(self.value)}, not a string or a number")
+        return self.value
+
+    @property
+    def pair(self) -> list[str]:
+        """The two numbers of a list, as they are written."""
+        numbers = [entry.number for entry in self.each()]
+        if len(numbers) != 2:
+            raise FormatError(f"{self.path} has {len(numbers)} coordinates, not 2")
+        return numbers
+
+    @property
+    def ring(self) -> list[list[str]]:
+        """The vertices of a list of points, as Layout JSON has them."""
+        return write_ring([read_point(*point) for point in self.each()])
+
+    @property
+    def is_true(self) -> bool:
+        """Whether this is true, which it may be or not."""
+        if not isinstance(self.value, bool):
+            self.refuse(f"{describe_kind(self.value)}, not true or false")
+        return self.value
+
+    def refuse(self, reason: str) -> NoReturn:
+        """Raise FormatError: what this is."""
+        raise FormatError(f"{self.path} is {reason}")
+
+
+def write_ring(points: Sequence[Point]) -> list[list[str]]:
+    """Write points as Layout JSON has them, without a last one that repeats the first."""
+    closed = len(points) > 1 and points[0] == points[-1]
+    return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
+
+
+def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> Data:
+    """Write a rectangle as Layout JSON has it."""
+    right, top = left + width, low + height
+    corners = (left, low), (right, low), (right, top), (left, top)
+    return {"exterior": write_ring([Point(*corner) for corner in corners])}

@@ -1,0 +1,142 @@
+"""JSON of packingsolver's irregular problems.
+
+An item is mirrored, x to -x, turned counter-clockwise about its origin, in degrees, then moved. A
+solution draws `item_shapes` in place, rounded; they are read only where no instance is given.
+
+Source: `irregular/instance_builder.cpp` and `irregular/solution.cpp`; `shape.hpp` of fontanf/shape.
+"""
+
+from __future__ import annotations
+
+from exactsweep.formats.curved.affine import IDENTITY
+from exactsweep.formats.curved.curves import flatten_arc
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.layouts.found import STANDING, FilledSheet, NestingInstance, find_named
+from exactsweep.formats.layouts.node import Data, JsonNode, write_box, write_ring
+from exactsweep.formats.reading import Reading
+from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.point import Point
+
+
+def read_instance(document: JsonNode, reading: Reading) -> NestingInstance:
+    """Read the item types and bin types of an instance; raises FormatError."""
+    notes: list[str] = []
+    optional = document.get("objective", "").name.lower() == "knapsack"
+    parts, least, containers = {}, {}, {}
+    for k, item in enumerate((document / "item_types").each()):
+        shapes = [*(item / "shapes").each()] if item.has("shapes") else [item]
+        if len(shapes) != 1:
+            raise FormatError(f"{item.path}: {len(shapes)} shapes together are not one part")
+        part = {"id": str(k), **_shape(shapes[0], reading), **_allowed(item, notes)}
+        copies, few = item.get("copies", "1").whole, item.get("copies_min", "-1").whole
+        if copies >= 0:
+            part["demand"] = copies
+        least[str(k)] = few if few >= 0 else 0 if optional else copies
+        parts[str(k)] = part
+    for k, bin in enumerate((document / "bin_types").each()):
+        container = _shape(bin, reading)
+        margin = bin.get("item_bin_minimum_spacing", "0")
+        for defect in bin.get("defects", []).each():
+            container.setdefault("holes", []).append(_shape(defect, reading)["exterior"])
+            apart = defect.get("item_defect_minimum_spacing", "0")
+            if apart.fraction != margin.fraction:
+                notes.append(f"{defect.path}: its own spacing, {apart.value}, is not looked at")
+        containers[str(k)] = container | {"margin": margin.number}
+    spacing = document.get("parameters", {}).get("item_item_minimum_spacing", "0").number
+    rest = {"spacing": spacing}
+    return NestingInstance("packingsolver", parts, least, containers, rest, tuple(notes))
+
+
+def read_sheets(document: JsonNode, instance: NestingInstance) -> list[FilledSheet]:
+    """Read the bins of a solution to an instance; raises FormatError."""
+    found = []
+    for bin in (document / "bins").each():
+        container = dict(find_named(instance.containers, bin / "id", "bin type"))
+        rest = {"margin": container.pop("margin")}
+        placements = []
+        for item in (bin / "items").each():
+            find_named(instance.parts, item / "id", "item type")
+            x, y, turn = ((item / name).number for name in ("x", "y", "angle"))
+            placement = {"part": (item / "id").name, "turn": turn, "move": [x, y]}
+            mirrored = item.get("mirror", False).is_true
+            placements.append(placement | ({"mirrored": True} if mirrored else {}))
+        found.append(FilledSheet(container, placements, bin.get("copies", "1").whole, rest))
+    return found
+
+
+def read_drawn(document: JsonNode) -> tuple[NestingInstance, list[FilledSheet]]:
+    """Read the bins of a solution as they are drawn in it, each item a part of its own."""
+    parts: dict[str, Data] = {}
+    sheets = []
+    for bin in (document / "bins").each():
+        container = _drawn(bin)
+        holes = [_drawn(defect)["exterior"] for defect in bin.get("defects", []).each()]
+        placements = []
+        for item in (bin / "items").each():
+            for shape in (item / "item_shapes").each():
+                name = str(len(parts))
+                parts[name] = {"id": name, **_drawn(shape)}
+                placements.append(STANDING | {"part": name})
+        sheets.append(FilledSheet(container | {"holes": holes}, placements))
+    note = "without the instance, items are judged as the solution draws them, rounded"
+    return NestingInstance("packingsolver", parts, {}, {}, {}, (note,)), sheets
+
+
+def _allowed(item: JsonNode, notes: list[str]) -> Data:
+    """Read which turns are allowed, where they are single angles, and whether mirrored."""
+    ranges, mirrored = [], item.get("allow_mirroring", False).is_true
+    for one in item.get("allowed_rotations", []).each():
+        ranges.append(((one / "start").fraction, (one / "end").fraction))
+        mirrored |= one.get("mirror", False).is_true
+    found: Data = {} if mirrored else {"mirrored": False}
+    if all(low == high for low, high in ranges):
+        found["turns"] = [format_fraction(low) for low, _ in ranges] or ["0"]
+    elif all(high - low < 360 for low, high in ranges):
+        notes.append(f"{item.path}: whether turns are in its ranges is not looked at")
+    return found
+
+
+def _shape(value: JsonNode, reading: Reading) -> Data:
+    found = {"exterior": _outline(value, reading)}
+    holes = [_outline(hole, reading) for hole in value.get("holes", []).each()]
+    return found | ({"holes": holes} if holes else {})
+
+
+def _outline(value: JsonNode, reading: Reading) -> list[list[str]]:
+    kind = (value / "type").name
+    if kind == "polygon":
+        return (value / "vertices").ring
+    if kind == "general":
+        corners = []
+        for element in (value / "elements").each():
+            _require_line(element)
+            corners.append((element / "start").value)
+        return JsonNode(corners, f"{value.path}.elements").ring
+    x, y = (value.get(name, "0").fraction for name in "xy")
+    if kind == "rectangle":
+        box = write_box(x, y, (value / "width").fraction, (value / "height").fraction)
+        found: list[list[str]] = box["exterior"]
+        return found
+    if kind == "circle":
+        start = Point(x + (value / "radius").fraction, y)
+        return write_ring(flatten_arc(Point(x, y), start, start, True, IDENTITY, reading))
+    raise FormatError(f"{value.path}.type: {quote(kind)} is not a shape")
+
+
+def _drawn(value: JsonNode) -> Data:
+    """Read what a solution draws: "shape", a list of elements, and a list of these as "holes"."""
+    holes = [_drawn_ring(hole) for hole in value.get("holes", []).each()]
+    return {"exterior": _drawn_ring(value / "shape"), "holes": holes}
+
+
+def _drawn_ring(elements: JsonNode) -> list[list[str]]:
+    points = []
+    for element in elements.each():
+        _require_line(element)
+        points.append([(element / name).value for name in ("xs", "ys")])
+    return JsonNode(points, elements.path).ring
+
+
+def _require_line(element: JsonNode) -> None:
+    if (element / "type").name.lower() not in ("linesegment", "line_segment", "l"):
+        raise FormatError(f"{element.path}: an arc between two rounded ends is not read")

@@ -1,0 +1,208 @@
+"""Layouts of any program, in whichever format the content shows."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, Unpack
+
+from exactsweep.formats.candidate import Candidate, choose
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import parse_json
+from exactsweep.formats.files import read_text, show_path
+from exactsweep.formats.folder import make_unique
+from exactsweep.formats.layouts import cgshop, jagua, packingsolver
+from exactsweep.formats.layouts.found import (
+    STANDING,
+    FoundLayout,
+    NestingInstance,
+    make_layouts,
+)
+from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
+from exactsweep.formats.layouts.node import Data, JsonNode
+from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.reading import Options, Reading
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import quote
+
+Instance = tuple[NestingInstance, Fraction | None]
+
+
+@tells_arguments
+def read_layout(
+    path: str,
+    *,
+    instance: str | None = None,
+    container: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
+) -> dict[str, Any]:
+    """Read the only layout of a file, as `read_layouts` does.
+
+    Returns:
+        Layout JSON.
+
+    Raises:
+        FormatError: as by `read_layouts`, or there are several.
+    """
+    found = read_layouts(
+        path, instance=instance, container=container, tolerance=tolerance, **options
+    )
+    if len(found) > 1:
+        raise FormatError(f"{show_path(path)}: {len(found)} layouts, not one")
+    return found[0].data
+
+
+@tells_arguments
+def read_layouts(
+    path: str,
+    *,
+    instance: str | None = None,
+    container: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
+) -> list[FoundLayout]:
+    """Read the layouts of a file, or of standard input.
+
+    Args:
+        path: a path, or "-" for standard input. Layout JSON; solutions of sparrow, jagua-rs and
+            spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
+            and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
+        instance: the file of the instance that a solution answers; needed where the solution does
+            not hold it. It says what is to be placed how often, and which turns are allowed.
+        container: which outline of a drawing is the container, by name, index or layer; if left
+            out, the one whose box is around all others.
+        tolerance: as for `exactsweep.formats.parse_polygons`.
+        options: likewise.
+
+    Returns:
+        list of FoundLayout, one for each sheet; their data is Layout JSON.
+
+    Raises:
+        FormatError: not a layout; the message names the file and says where.
+
+    Cost: linear in the length of the text.
+    """
+    known = None
+    if instance is not None:
+        try:
+            document = JsonNode(parse_json(read_text(instance)))
+            known = _read_instance(document, Reading(tolerance, **options))
+        except ValueError as error:
+            raise FormatError(f"{show_path(instance)}: {error}") from None
+        if known is None:
+            raise FormatError(f"{show_path(instance)}: not an instance of a nesting program")
+    try:
+        return _parse(read_text(path), known, container, Reading(tolerance, **options))
+    except ValueError as error:
+        raise FormatError(f"{show_path(path)}: {error}") from None
+
+
+def _parse(
+    text: str, known: Instance | None, container: str | None, reading: Reading
+) -> list[FoundLayout]:
+    first = text.lstrip()[:1]
+    if container is None and first == "{":
+        found = _read_json(JsonNode(parse_json(text)), known, reading)
+        if found:
+            return found
+    if container is None and first == "<" and reading.unit is None:
+        from exactsweep.formats.curved.xml import parse_xml
+
+        nest = read_nest(parse_xml(text), reading)
+        if nest is not None:
+            drawn, sheets = nest
+            if known is None:
+                return make_layouts(sheets, drawn)
+            return make_layouts(sheets, known[0], _compare_parts(drawn, known[0]))
+    if known is not None:
+        raise FormatError("not a solution to an instance")
+    return [_draw_layout(text, container, reading)]
+
+
+def _read_json(document: JsonNode, known: Instance | None, reading: Reading) -> list[FoundLayout]:
+    """Read a document; nothing if it is none of a nesting program."""
+    if all(map(document.has, ("container", "parts", "placements"))):
+        return [FoundLayout("", _with_counts(document))]
+    instance, height = known or _read_instance(document, reading) or (None, None)
+    kind = None if instance is None else instance.kind
+    if document.get("type", "").value == "cgshop2024_solution":
+        if instance is None or kind != "cgshop":
+            raise FormatError(
+                "a solution without its polygons, which its instance has (--instance)"
+            )
+        return make_layouts(cgshop.read_sheets(document, instance), instance)
+    if document.has("bins") and not document.has("items"):
+        if instance is None or kind != "packingsolver":
+            instance, sheets = packingsolver.read_drawn(document)
+            return make_layouts(sheets, instance)
+        return make_layouts(packingsolver.read_sheets(document, instance), instance)
+    if any(map(document.has, ("solution", "placed_items", "layout", "layouts"))):
+        if instance is None or kind != "jagua":
+            raise FormatError("a solution without its items, which its instance has (--instance)")
+        return make_layouts(jagua.read_sheets(document, instance, height), instance)
+    if instance is not None:
+        raise FormatError("an instance without a solution: nothing is placed")
+    return []
+
+
+def _with_counts(document: JsonNode) -> Data:
+    """Make ints of demands, which `parse_json` leaves as text."""
+    parts = []
+    for part in (document / "parts").each():
+        counts = {"demand": (part / "demand").whole} if part.has("demand") else {}
+        parts.append({**part.value, **counts} if isinstance(part.value, dict) else part.value)
+    assert isinstance(document.value, dict)
+    return {**document.value, "parts": parts}
+
+
+def _read_instance(document: JsonNode, reading: Reading) -> Instance | None:
+    """Read an instance, and the height of its strip, if it has one."""
+    if document.has("item_types"):
+        return packingsolver.read_instance(document, reading), None
+    if document.get("type", "").value == "cgshop2024_instance":
+        return cgshop.read_instance(document), None
+    if document.has("items"):
+        return jagua.read_instance(document), jagua.find_height(document)
+    return None
+
+
+def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
+    """Say which parts a drawing has that its instance has not, or has otherwise."""
+    notes = []
+    for name, part in drawn.parts.items():
+        if name not in known.parts:
+            raise FormatError(f"its instance has no part {quote(name)}")
+        keys = ("exterior", "holes")
+        if any(part.get(key, []) != known.parts[name].get(key, []) for key in keys):
+            notes.append(f"part {name} is drawn otherwise than in its instance, which counts")
+    return notes
+
+
+def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:
+    """Make a layout of a drawing, each outline a part where it stands."""
+    options: Options = {"join": reading.join, "unit": reading.unit}
+    outlines = [*parse_candidates(text, reading.tolerance, **options)]
+    notes = [f"left out: {one.fault}" for one in outlines if one.fault]
+    outlines = [one for one in outlines if not one.fault]
+    around = _find_around(outlines) if container is None else choose(outlines, container)
+    rest = [one for one in outlines if one is not around]
+    if reading.nested:
+        rest = nest_candidates(rest, reading.nested)
+    names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
+    parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
+    placements = [STANDING | {"part": name} for name in names]
+    data: Data = {"container": write_rings(around), "parts": parts, "placements": placements}
+    return FoundLayout("", data, tuple(notes))
+
+
+def _find_around(outlines: list[Candidate]) -> Candidate:
+    boxes = []
+    for one in outlines:
+        xs, ys = zip(*one.vertices(), strict=True)
+        boxes.append((min(xs), min(ys), -max(xs), -max(ys)))
+    least = [min(sides) for sides in zip(*boxes, strict=True)]
+    around = [one for one, box in zip(outlines, boxes, strict=True) if [*box] == least]
+    if len(around) != 1:
+        raise FormatError("no outline is around all others; name the container (--container)")
+    return around[0]

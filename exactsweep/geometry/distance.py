@@ -1,0 +1,255 @@
+"""The least distance of two shapes, squared, with two points that have it.
+
+(1) Shapes meet if and only if their boundaries meet, or a vertex of one exterior lies in the other
+    shape. Two closed shapes that meet, but not in their boundaries, lie one inside the other, or
+    one surrounds the other in a hole; of those in a hole the interiors are disjoint.
+(2) Shapes that do not meet are nearest in their boundaries, and two segments that do not meet are
+    nearest at an end of one of them. So the squared distance is the quotient of a squared cross
+    product and a squared length: rational.
+(3) The edges of each boundary are the leaves of a binary tree of boxes. The distance of two boxes
+    is at most that of what they hold. Pairs of boxes are opened in the order of their distances, so
+    the search ends at the first pair no nearer than the best edges found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from heapq import heappop, heappush
+from typing import NamedTuple
+
+from exactsweep.geometry.given import share_lattice, to_region
+from exactsweep.geometry.overlap import Rings, is_inside, touch
+from exactsweep.geometry.region import Region, Vertices
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import divide_exactly
+from exactsweep.numbers.point import Edge, Point, Rational, Vertex
+
+_EdgeBox = tuple[Rational, Rational, Rational, Rational]
+_NearestRatio = tuple[Rational, Rational]
+
+
+class SquaredDistance(NamedTuple):
+    """The squared distance of two shapes.
+
+    Attributes:
+        value: the square, 0 if and only if the shapes have a point in common.
+        points: a point of the first shape and one of the second that have this distance.
+    """
+
+    value: Fraction
+    points: tuple[Point, Point]
+
+
+@tells_arguments
+def distance_squared(a: Region | Vertices, b: Region | Vertices) -> SquaredDistance:
+    """Find the squared distance of two shapes, and two points that have it.
+
+    Args:
+        a: a Polygon, a Region or the vertices of a polygon; closed, with its interior.
+        b: likewise.
+
+    Returns:
+        The square, 0 where the shapes meet, and the two nearest points, one of each shape; any two
+        of them where there are several.
+
+    Raises:
+        PolygonError: a polygon is not simple; the message begins with its name.
+        NumberError: a coordinate is not an exact number; likewise.
+
+    Cost: O((m + n) log(m + n)) where few edges are nearly nearest; O(m n log(m n)) at worst.
+
+    Example:
+        >>> square, triangle = [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (3, 3), (0, 3)]
+        >>> distance = distance_squared(square, triangle)
+        >>> distance.value, distance.points[1]
+        (Fraction(1, 2), Point(x=Fraction(3, 2), y=Fraction(3, 2)))
+    """
+    scale, (first, second) = share_lattice([to_region(a, "a"), to_region(b, "b")])
+    found = find_nearest(EdgeTree(first), EdgeTree(second))
+    assert found is not None
+    value, (p, q) = found
+    return SquaredDistance(value / scale**2, (_leave(p, scale), _leave(q, scale)))
+
+
+class EdgeTree:
+    """The edges of a shape in a binary tree of boxes.
+
+    Args:
+        rings: the rings of a bounded shape, its interior on the left, the exterior first.
+
+    Attributes:
+        levels: the boxes (left, right, low, high): those of the edges, then of every two
+            neighbours of the level before, up to one box.
+
+    Cost: O(n).
+    """
+
+    def __init__(self, rings: Rings) -> None:
+        self.rings = rings
+        self.edges: list[Edge] = [
+            edge for ring in rings for edge in zip((ring[-1], *ring[:-1]), ring, strict=True)
+        ]
+        boxes = [
+            (min(px, qx), max(px, qx), min(py, qy), max(py, qy))
+            for (px, py), (qx, qy) in self.edges
+        ]
+        self.levels: list[list[_EdgeBox]] = [boxes]
+        while len(boxes) > 1:
+            boxes = [_unite(boxes[k : k + 2]) for k in range(0, len(boxes), 2)]
+            self.levels.append(boxes)
+
+
+def find_nearest(
+    first: EdgeTree, second: EdgeTree, below: Rational | None = None
+) -> SquaredDistance | None:
+    """Find two nearest points of two shapes.
+
+    Args:
+        first: a shape.
+        second: another one, on the same lattice.
+        below: if given, distances are of interest whose square is less.
+
+    Returns:
+        The squared distance and the points, on the lattice of the shapes or between; None where the
+        square is not below the bound.
+
+    Cost: as for `distance_squared`.
+
+    >>> square, other = [[(0, 0), (1, 0), (1, 1), (0, 1)]], [[(3, 0), (4, 0), (3, 5)]]
+    >>> find_nearest(EdgeTree(square), EdgeTree(other), below=4) is None
+    True
+    """
+    common = _find_vertex_inside(first, second)
+    if common is not None:
+        return None if below == 0 else SquaredDistance(Fraction(0), (common, common))
+    best: _NearestRatio | None = None if below is None else (below, 1)
+    nearest: tuple[Edge, Edge] | None = None
+    up, over = len(first.levels) - 1, len(second.levels) - 1
+    apart = _measure_boxes(first.levels[up][0], second.levels[over][0])
+    heap = [(apart, up, 0, over, 0)]
+    while heap:
+        apart, up, i, over, j = heappop(heap)
+        if best is not None and apart * best[1] >= best[0]:
+            break
+        if up == over == 0:
+            edges = first.edges[i], second.edges[j]
+            if apart == 0 and (point := _find_common_point(*edges)) is not None:
+                return SquaredDistance(Fraction(0), (point, point))
+            n, d, _, _ = find_nearest_ends(*edges)
+            if best is None or n * best[1] < best[0] * d:
+                best, nearest = (n, d), edges
+            continue
+        # The tree with more levels left is opened, so that boxes are about as large.
+        lower, across = (up - 1, over) if up >= over else (up, over - 1)
+        mine = range(2 * i, min(2 * i + 2, len(first.levels[lower]))) if lower < up else (i,)
+        theirs = range(2 * j, min(2 * j + 2, len(second.levels[across]))) if lower == up else (j,)
+        for k in mine:
+            for h in theirs:
+                apart = _measure_boxes(first.levels[lower][k], second.levels[across][h])
+                if best is None or apart * best[1] < best[0]:
+                    heappush(heap, (apart, lower, k, across, h))
+    if nearest is None:
+        return None
+    n, d, p, q = find_nearest_ends(*nearest)
+    return SquaredDistance(divide_exactly(n, d), (p, q))
+
+
+def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
+    """A vertex of one exterior that is an inner point of the other shape."""
+    for one, other in ((first, second), (second, first)):
+        x, y = one.rings[0][0]
+        left, right, low, high = other.levels[-1][0]
+        if left < x < right and low < y < high and is_inside((2 * x, 2 * y), other.rings):
+            return Point(Fraction(x), Fraction(y))
+    return None
+
+
+def _unite(boxes: Sequence[_EdgeBox]) -> _EdgeBox:
+    if len(boxes) == 1:
+        return boxes[0]
+    (left, right, low, high), (west, east, south, north) = boxes
+    return min(left, west), max(right, east), min(low, south), max(high, north)
+
+
+def _measure_boxes(a: _EdgeBox, b: _EdgeBox) -> Rational:
+    """The squared distance of two boxes."""
+    left, right, low, high = a
+    west, east, south, north = b
+    dx = max(0, left - east, west - right)
+    dy = max(0, low - north, south - high)
+    return dx * dx + dy * dy
+
+
+def _find_common_point(edge: Edge, other: Edge) -> Point | None:
+    """A point of two segments, if they meet."""
+    (a, b), (p, q) = edge, other
+    shared = touch(a, b, p, q)
+    if shared == []:
+        return None
+    if shared is None:
+        (ax, ay), (bx, by), (px, py), (qx, qy) = a, b, p, q
+        of_a = (qx - px) * (ay - py) - (qy - py) * (ax - px)
+        of_b = (qx - px) * (by - py) - (qy - py) * (bx - px)
+        if of_a != of_b:
+            along = divide_exactly(of_a, of_a - of_b)
+            return Point(ax + along * (bx - ax), ay + along * (by - ay))
+        # They run along each other.
+        shared = [max(min(a, b), min(p, q))]
+    x, y = shared[0]
+    return Point(Fraction(x), Fraction(y))
+
+
+def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Rational, Rational, Point, Point]:
+    """Return the squared distance of two segments that do not meet, as n / d, and two points.
+
+    >>> n, d, p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    >>> (n, d), (int(p.x), int(p.y)), (int(q.x), int(q.y))
+    ((4, 4), (1, 0), (1, 1))
+    """
+    (a, b), (p, q) = edge, other
+    n, d, end, ahead, side = min(
+        (
+            (*measure_to_edge(end, side), end, ahead, side)
+            for ahead, side, ends in ((True, other, (a, b)), (False, edge, (p, q)))
+            for end in ends
+        ),
+        key=lambda found: divide_exactly(found[0], found[1]),
+    )
+    x, y = end
+    at, foot = Point(Fraction(x), Fraction(y)), find_foot(end, side)
+    return (n, d, at, foot) if ahead else (n, d, foot, at)
+
+
+def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
+    """Return the squared distance of a point from a segment, as n / d.
+
+    >>> measure_to_edge((0, 2), ((1, 1), (2, 0))), measure_to_edge((0, 0), ((2, 0), (0, 2)))
+    ((2, 1), (16, 8))
+    """
+    (px, py), ((ax, ay), (bx, by)) = point, edge
+    dx, dy, x, y = bx - ax, by - ay, px - ax, py - ay
+    along, length = x * dx + y * dy, dx * dx + dy * dy
+    if along <= 0:
+        return x * x + y * y, 1
+    if along >= length:
+        return (x - dx) ** 2 + (y - dy) ** 2, 1
+    return (dx * y - dy * x) ** 2, length
+
+
+def find_foot(point: Vertex, edge: Edge) -> Point:
+    """Return the point of a segment that is nearest to a point; the segment may be a point.
+
+    >>> find_foot((0, 0), ((2, 0), (0, 2)))
+    Point(x=Fraction(1, 1), y=Fraction(1, 1))
+    """
+    (px, py), ((ax, ay), (bx, by)) = point, edge
+    dx, dy = bx - ax, by - ay
+    length = dx * dx + dy * dy
+    along = divide_exactly((px - ax) * dx + (py - ay) * dy, length) if length else Fraction(0)
+    along = min(max(along, Fraction(0)), Fraction(1))
+    return Point(ax + along * dx, ay + along * dy)
+
+
+def _leave(point: Point, scale: int) -> Point:
+    return Point(point.x / scale, point.y / scale)

@@ -1,0 +1,214 @@
+"""Turns of the plane: exact ones, and rational ones as near an angle as one likes.
+
+(1) The cosine and the sine of a rational number of degrees are both rational for multiples of 90
+    only (Niven); every other turn with both rational is given by them.
+(2) With t = tan(a/2), ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2)) is the point of the unit circle at
+    the angle a. A step of t is a step of at most twice its length along the circle. So an interval
+    for the tangent, which interval arithmetic proves, bounds how far a rational turn is off.
+(3) A turn that is off by e on the unit circle moves a point at distance r from the origin to a
+    place at most e r from where the true turn moves it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt, lcm
+from typing import NamedTuple
+
+from exactsweep.geometry.reading import read_point
+from exactsweep.numbers.number import (
+    NumberError,
+    abridge,
+    find_simplest_fraction,
+    format_fraction,
+    to_fraction,
+)
+from exactsweep.numbers.point import Point
+
+_ZERO, _ONE = Fraction(0), Fraction(1)
+_QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
+
+
+class RationalTurn(NamedTuple):
+    """The cosine and the sine of a turn, and how far they are from the turn that was asked for.
+
+    Attributes:
+        cosine: a Fraction.
+        sine: a Fraction; both squares add up to 1.
+        error: a bound on the distance from the true point of the unit circle, 0 for an exact turn.
+    """
+
+    cosine: Fraction
+    sine: Fraction
+    error: Fraction
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A counter-clockwise turn about the origin.
+
+    Attributes:
+        degrees: at least 0 and less than 360; None for a turn that only its cosine and sine give.
+        exact: the cosine and the sine, where these are rational, else None.
+    """
+
+    degrees: Fraction | None
+    exact: tuple[Fraction, Fraction] | None
+
+    def near(self, bits: int) -> RationalTurn:
+        """Return a rational turn off by at most 2**-bits; the turn itself, where it is rational.
+
+        Cost: O(bits^2); computed once for each number of bits.
+
+        >>> read_turn(180).near(1)
+        RationalTurn(cosine=Fraction(-1, 1), sine=Fraction(0, 1), error=Fraction(0, 1))
+        >>> print(*read_turn(45).near(8))
+        697/985 696/985 1/256
+        """
+        if self.exact is not None:
+            return RationalTurn(*self.exact, _ZERO)
+        assert self.degrees is not None
+        return find_rational_turn(self.degrees, bits)
+
+    def __str__(self) -> str:
+        if self.degrees is not None:
+            return f"{abridge(self.degrees)} degrees"
+        assert self.exact is not None
+        return f"the turn with cosine {abridge(self.exact[0])} and sine {abridge(self.exact[1])}"
+
+    def to_json(self) -> str | list[str]:
+        """Return the degrees as a string, or the cosine and the sine as a list of two."""
+        if self.degrees is not None:
+            return format_fraction(self.degrees)
+        assert self.exact is not None
+        return [format_fraction(part) for part in self.exact]
+
+
+def read_turn(by: object) -> Turn:
+    """Read a turn.
+
+    Args:
+        by: degrees; or a pair of numbers, the direction to which the X axis is turned, of rational
+            length, such as (3, 4) or, the same, ("3/5", "4/5").
+
+    Returns:
+        A Turn; equal turns are equal, whichever way they are given.
+
+    Raises:
+        NumberError: a direction of irrational length; no number.
+
+    >>> read_turn((0, 2)) == read_turn("-270"), read_turn((3, 4)).exact
+    (True, (Fraction(3, 5), Fraction(4, 5)))
+    """
+    if not isinstance(by, Iterable) or isinstance(by, str):
+        degrees = to_fraction(by) % 360
+        quarters, rest = divmod(degrees, 90)
+        return Turn(degrees, None if rest else _QUARTERS[quarters])
+    x, y = read_point(by, "direction")
+    scale = lcm(x.denominator, y.denominator)
+    square = int(x * scale) ** 2 + int(y * scale) ** 2
+    length = isqrt(square)
+    if not length or length * length != square:
+        raise NumberError(
+            f"the direction ({abridge(x)}, {abridge(y)}) has no rational length but 0; "
+            "(3, 4) and (5, 12) have one"
+        )
+    exact = x * scale / length, y * scale / length
+    return Turn(Fraction(90 * _QUARTERS.index(exact)) if exact in _QUARTERS else None, exact)
+
+
+@lru_cache(maxsize=1024)
+def find_rational_turn(degrees: Fraction, bits: int) -> RationalTurn:
+    """Find a rational turn of few digits that is off by at most 2**-bits, by (2).
+
+    Args:
+        degrees: any angle.
+        bits: at least 1.
+
+    Returns:
+        A RationalTurn; exact for multiples of 90.
+
+    Example:
+        >>> find_rational_turn(Fraction(270), 9)
+        RationalTurn(cosine=Fraction(0, 1), sine=Fraction(-1, 1), error=Fraction(0, 1))
+    """
+    quarter, rest = divmod(degrees % 360, 90)
+    if not rest:
+        return RationalTurn(*_QUARTERS[quarter], _ZERO)
+    off = Fraction(1, 2 ** (bits + 1))
+    low, high = bound_half_tangent(rest, bits + 4)
+    # Nothing strictly between these is farther than `off` from anything in [low, high].
+    (a, b), (c, d) = (t.as_integer_ratio() for t in (high - off, low + off))
+    q, p = find_simplest_fraction(max(a, 0), b if a > 0 else 1, c, d)
+    return RationalTurn(*_to_circle(Fraction(p, q), quarter), 2 * off)
+
+
+def find_unit_point(degrees: Fraction, allowed: Fraction) -> Point:
+    """Find a rational point of the unit circle near an angle, by a decimal as the half tangent.
+
+    Args:
+        degrees: the angle.
+        allowed: how far it may be from the point at exactly that angle.
+
+    Returns:
+        A Point of the circle.
+
+    Example:
+        >>> find_unit_point(Fraction(270), Fraction(1))
+        Point(x=Fraction(0, 1), y=Fraction(-1, 1))
+    """
+    quarter, rest = divmod(degrees % 360, 90)
+    return _to_circle(_round_half_tangent(rest, allowed / 2) if rest else _ZERO, quarter)
+
+
+def _to_circle(t: Fraction, quarters: int) -> Point:
+    """The point of the circle for the tangent of half an angle, turned by some quarters."""
+    c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    for _ in range(quarters):
+        c, s = -s, c
+    return Point(c, s)
+
+
+def _round_half_tangent(degrees: Fraction, allowed: Fraction) -> Fraction:
+    """Find a decimal that is no farther from the tangent of half the angle than allowed."""
+    digits = 3
+    while allowed * 10**digits < 4:
+        digits += 1
+    low, high = bound_half_tangent(degrees, 4 * digits)
+    found = round((low + high) / 2, digits)
+    assert max(high - found, found - low) <= allowed
+    return found
+
+
+def bound_half_tangent(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """Bound the tangent of half an angle from both sides, by interval arithmetic.
+
+    Args:
+        degrees: from 0 to 90.
+        bits: the bounds differ by at most 2**-bits.
+
+    Returns:
+        The lower and the upper bound.
+
+    >>> low, high = bound_half_tangent(Fraction(60), 9)
+    >>> 3 * low**2 < 1 < 3 * high**2, high - low < Fraction(1, 512)
+    (True, True)
+    """
+    from mpmath import iv
+    from mpmath.libmp import to_rational
+
+    before = iv.prec
+    try:
+        iv.prec = bits + 64
+        angle = iv.pi * iv.mpf(degrees.numerator) / (180 * iv.mpf(degrees.denominator))
+        low, high = (
+            Fraction(*map(int, to_rational(end)))
+            for end in (iv.sin(angle) / (1 + iv.cos(angle)))._mpi_
+        )
+    finally:
+        iv.prec = before
+    assert 2**bits * (high - low) <= 1
+    return low, high

@@ -1,0 +1,176 @@
+"""Faults of layouts: what is wrong, which placements, what proves it, and how bad it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+from exactsweep.geometry.distance import find_foot
+from exactsweep.layout.solid import Solid, share_scale
+from exactsweep.layout.verdict import find_witness
+from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.point import Point
+from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
+from exactsweep.words import count, write_pair
+
+if TYPE_CHECKING:
+    from exactsweep.geometry.polygon import Polygon
+    from exactsweep.layout.board import Board
+
+FaultKind = Literal[
+    "overlap", "outside", "too close", "missing", "surplus", "turn", "mirror", "shape", "undecided"
+]
+"""What may be wrong, the worst first."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Something wrong with a layout.
+
+    Attributes:
+        kind: "overlap": two placed parts overlap; "outside": a placed part is not inside the
+            container, or overlaps a defect; "too close": two placed parts are nearer than the
+            spacing, or one is nearer than the margin to the boundary of the container or of a
+            defect; "missing", "surplus": there are fewer or more placements of a part than its
+            demand; "turn", "mirror": a placement is turned or mirrored as its part may not be;
+            "shape": a part is not simple, so that its placements are not judged; "undecided": turns
+            by an angle without a rational turn decide nothing within the bound.
+        placements: the numbers of the placements, ascending.
+        part: the id of the part, for "missing", "surplus" and "shape".
+        reason: the refusal of a part that is not simple, or what is undecided.
+        number: how many placements are missing, or are too many.
+        distance_squared: for "too close".
+        bound: how far off the placed parts may be because of angles that have no rational turn; 0
+            if all turns are exact. What proves a fault holds for the true turns, whatever it is;
+            `move` may be off by the bound.
+    """
+
+    kind: FaultKind
+    placements: tuple[int, ...] = ()
+    part: str | None = None
+    reason: str = ""
+    number: int = 0
+    distance_squared: Fraction | None = None
+    bound: Fraction = Fraction(0)
+    _nearest: tuple[Point, ...] = field(default=(), repr=False)
+    _board: Board | None = field(default=None, repr=False, compare=False)
+    _bits: int = field(default=0, repr=False, compare=False)
+    _wall: int = field(default=0, repr=False, compare=False)
+
+    @property
+    def wall(self) -> int:
+        """The solid that one placement is wrong with: 0 the outside, k the defect k - 1."""
+        return self._wall
+
+    @cached_property
+    def points(self) -> tuple[Point, ...]:
+        """The points that prove it.
+
+        "overlap": a point inside both parts. "outside": a point inside the part that is outside of
+        the container or inside a defect. "too close": the two nearest points, the second one of the
+        other part, of the container's boundary or of a defect. None for any other kind.
+        """
+        if self.kind not in ("overlap", "outside"):
+            return self._nearest
+        a, b = self.find_pair(self._bits)
+        found = find_witness(a, b)
+        assert found is not None
+        return (found.point,)
+
+    def find_pair(self, bits: int) -> tuple[Solid, Solid]:
+        """Return the two solids that a fault is about, on one lattice.
+
+        The second one of a fault with one placement is the outside or a defect.
+        """
+        board = self._board
+        assert board is not None
+        first = board.solid(self.placements[0], bits)
+        if len(self.placements) > 1:
+            return share_scale(first, board.solid(self.placements[1], bits))
+        return share_scale(first, board.around[self._wall])
+
+    @cached_property
+    def move(self) -> Point | None:
+        """The shortest move that repairs an "overlap" or "outside"; else None.
+
+        For an overlap it frees the last of the placements from the first, whatever else is around.
+        For a part outside it moves it into the container, free of defects; None where it does not
+        fit in at all, as it is turned.
+
+        Cost: that of `no_fit_polygon` or of `inner_fit_polygon`, when it is first read.
+        """
+        if self.kind not in ("overlap", "outside"):
+            return None
+        assert self._board is not None
+        k = self.placements[-1]
+        moved, at = self._board.turned(k, self._bits), self._board.layout.placements[k].move
+        loops: Iterable[Polygon]
+        if self.kind == "outside":
+            inner = inner_fit_polygon(self._board.layout.container, moved)
+            loops = [ring for one in inner.regions for ring in (one.exterior, *one.holes)]
+            fits = inner.exact_fits
+        else:
+            j = self.placements[0]
+            fixed, there = self._board.turned(j, self._bits), self._board.layout.placements[j].move
+            at = Point(at.x - there.x, at.y - there.y)
+            no_fit = no_fit_polygon(stationary=fixed, orbiting=moved)
+            loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
+        edges = [
+            (a, b)
+            for loop in loops
+            for a, b in zip(loop.vertices, (*loop.vertices[1:], loop.vertices[0]), strict=True)
+        ]
+        moves = [
+            Point(foot.x - at.x, foot.y - at.y)
+            for foot in (find_foot(at, edge) for edge in (*edges, *fits))
+        ]
+        return min(moves, key=lambda by: (by.x * by.x + by.y * by.y, by), default=None)
+
+    @property
+    def depth_squared(self) -> Fraction | None:
+        """The squared length of `move`, if there is one."""
+        return None if self.move is None else self.move.x**2 + self.move.y**2
+
+    def to_json(self) -> dict[str, Any]:
+        """Write the fault as plain JSON data, numbers as strings."""
+        data: dict[str, Any] = {"kind": self.kind, "placements": list(self.placements)}
+        if self.part is not None:
+            data["part"] = self.part
+        if self.reason:
+            data["reason"] = self.reason
+        if self.number:
+            data["number"] = self.number
+        if self.points:
+            data["points"] = [[format_fraction(c) for c in point] for point in self.points]
+        if self.distance_squared is not None:
+            data["distance_squared"] = format_fraction(self.distance_squared)
+        if self.move is not None:
+            data["move"] = [format_fraction(c) for c in self.move]
+        if self.bound:
+            data["bound"] = format_fraction(self.bound)
+        return data
+
+    def __str__(self) -> str:
+        named = " and ".join(map(str, self.placements))
+        if self.kind == "overlap":
+            return f"placements {named} overlap at {write_pair(self.points[0])}"
+        if self.kind == "outside":
+            return f"placement {named} is outside at {write_pair(self.points[0])}"
+        if self.kind == "too close":
+            assert self.distance_squared is not None
+            near = "placements" if len(self.placements) > 1 else "the container and placement"
+            return (
+                f"{near} {named} are too close: squared distance {abridge(self.distance_squared)}"
+            )
+        if self.kind == "missing":
+            return f"{count(self.number, 'placement')} of part {self.part} missing"
+        if self.kind == "surplus":
+            return f"{count(self.number, 'placement')} of part {self.part} too many"
+        if self.kind == "shape":
+            return f"part {self.part} is not simple: {self.reason}"
+        if self.kind == "undecided":
+            return f"placements {named}: {self.reason}"
+        return f"placement {named}: {self.reason}"

@@ -1,0 +1,197 @@
+"""Layouts judged, exactly: valid, or what is wrong with them.
+
+A layout is valid if every placed part lies in the container, as closed sets; no two interiors meet;
+any two are at least the spacing apart, and at least the margin from the boundary of the container
+and of its defects; demand, turns and mirroring are as allowed; and all parts are simple.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, get_args
+
+from exactsweep.layout.board import BITS, Board
+from exactsweep.layout.certificate import write_certificate
+from exactsweep.layout.closest import NearestPair, find_nearest_pair
+from exactsweep.layout.fault import Fault, FaultKind
+from exactsweep.layout.layout import Layout
+from exactsweep.layout.meeting import Relation
+from exactsweep.layout.verdict import PairVerdict, judge_pair
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import abridge
+from exactsweep.words import count
+
+
+class Judgement:
+    """The faults of a layout, and more that is found when it is first read; see `judge_layout`.
+
+    Attributes:
+        layout: the Layout.
+        faults: tuple of Fault, by kind in the order of `FaultKind`, then by placement.
+        contacts: pairs of placements whose parts touch without overlap, sorted.
+    """
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self._board = Board(layout)
+        contacts: list[tuple[int, int]] = []
+        faults = [
+            *_judge_pairs(self._board, contacts),
+            *_judge_container(self._board),
+            *_judge_rules(layout),
+        ]
+        order = get_args(FaultKind)
+        self.faults = tuple(sorted(faults, key=lambda f: (order.index(f.kind), f.placements)))
+        self.contacts = tuple(sorted(contacts))
+
+    def certificate(self) -> dict[str, Any]:
+        """Return plain JSON data that prove the verdict, as `check/CERTIFICATES.md` describes them.
+
+        Raises:
+            LayoutError: the layout is not valid, and what is wrong with it has no proof: all of it
+                is undecided, or is a hole of a part that is not inside it.
+
+        Cost: see `write_certificate`.
+        """
+        return write_certificate(self._board, self.faults)
+
+    @property
+    def valid(self) -> bool:
+        """Whether there is no fault, and nothing undecided."""
+        return not self.faults
+
+    @cached_property
+    def density(self) -> Fraction:
+        """The area of the placed parts that are simple, over that of the container."""
+        parts, placed = self.layout.part_by_id, self._board.placed
+        areas = Counter(self.layout.placements[k].part for k in placed)
+        total = add_up(
+            number * region.area for id, number in areas.items() if (region := parts[id].region)
+        )
+        return total / self.layout.container.area
+
+    @cached_property
+    def distance(self) -> NearestPair | None:
+        """The least squared distance of two placed parts, and where; None if fewer than two are.
+
+        Overlaps and contacts have distance 0. Where turns have no rational value it may be off by
+        the bound.
+
+        Cost: about that of finding the pairs of boxes that are as near.
+        """
+        return find_nearest_pair(self._board)
+
+    def __repr__(self) -> str:
+        what = ", ".join(f"{n} {kind}" for kind, n in Counter(f.kind for f in self.faults).items())
+        return (
+            f"<Judgement of {count(len(self.layout.placements), 'placement')}: {what or 'valid'}>"
+        )
+
+
+@tells_arguments
+def judge_layout(layout: Layout) -> Judgement:
+    """Judge a layout, exactly.
+
+    Args:
+        layout: a Layout.
+
+    Returns:
+        A Judgement.
+
+    Cost: O(n log n + k) for n placements, k pairs of which have boxes that meet, or are nearer than
+    the spacing; and for each of these what `meet` takes.
+
+    Example:
+        >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+        >>> layout = Layout.from_json({
+        ...     "container": {"exterior": [["0", "0"], ["2", "0"], ["2", "1"], ["0", "1"]]},
+        ...     "parts": [{"id": "tile", "exterior": square}],
+        ...     "placements": [
+        ...         {"part": "tile", "turn": "0", "move": ["0", "0"]},
+        ...         {"part": "tile", "turn": "0", "move": ["0.9", "0"]},
+        ...     ],
+        ... })
+        >>> judgement = judge_layout(layout)
+        >>> judgement.valid, judgement.density
+        (False, Fraction(1, 1))
+        >>> (fault,) = judgement.faults
+        >>> print(fault, fault.move)
+        placements 0 and 1 overlap at (19/20,1/2) Point(x=Fraction(1, 10), y=Fraction(0, 1))
+    """
+    return Judgement(layout)
+
+
+def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Fault]:
+    """The faults of pairs of placements; pairs that touch are added to the contacts."""
+    spacing, solid = board.layout.spacing, board.solid
+    for k, j in board.list_near(spacing):
+        found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), BITS, spacing)  # noqa: B023
+        if found.meeting is Relation.CONTACT:
+            contacts.append((k, j))
+        if found.meeting is not Relation.APART or found.too_close is not False:
+            yield from _name_faults(board, (k, j), found, "overlap")
+
+
+def _judge_container(board: Board) -> Iterator[Fault]:
+    """The faults of placements against the outside and the defects, at most one each."""
+    if not board.placed:
+        return
+    margin, solid = board.layout.margin, board.solid
+    for k in board.placed:
+        worst: list[tuple[Fraction, Fault]] = []
+        for wall, fixed in enumerate(board.around):
+            found = judge_pair(lambda bits: (solid(k, bits), fixed), BITS, margin)  # noqa: B023
+            faults = _name_faults(board, (k,), found, "outside", wall)
+            rank = Fraction(-1) if found.gap is None else found.gap.square
+            worst += ((rank, fault) for fault in faults)
+        if worst:
+            yield min(worst, key=lambda found: found[0])[1]
+
+
+def _name_faults(
+    board: Board, placements: tuple[int, ...], found: PairVerdict, kind: FaultKind, wall: int = 0
+) -> Iterator[Fault]:
+    bound = found.slack
+    if found.meeting is None or found.too_close is None:
+        what = "overlap" if found.meeting is None else "distance"
+        reason = f"the {what} is undecided within {abridge(bound)}"
+        yield Fault("undecided", placements, reason=reason, bound=bound)
+    elif found.meeting is Relation.OVERLAP:
+        yield Fault(kind, placements, bound=bound, _board=board, _bits=found.bits, _wall=wall)
+    elif found.too_close:
+        assert found.gap is not None
+        square, points = found.gap
+        yield Fault(
+            "too close",
+            placements,
+            distance_squared=square,
+            bound=bound,
+            _nearest=points,
+            _board=board,
+            _bits=found.bits,
+            _wall=wall,
+        )
+
+
+def _judge_rules(layout: Layout) -> Iterator[Fault]:
+    """The faults of parts, and of placements by themselves."""
+    placements: dict[str, list[int]] = {part.id: [] for part in layout.parts}
+    for k, placement in enumerate(layout.placements):
+        placements[placement.part].append(k)
+        part = layout.part_by_id[placement.part]
+        if part.turns is not None and placement.turn not in part.turns:
+            reason = f"part {part.id} may not be turned by {placement.turn}"
+            yield Fault("turn", (k,), part.id, reason)
+        if part.mirrored is False and placement.mirrored:
+            yield Fault("mirror", (k,), part.id, f"part {part.id} may not be mirrored")
+    for part in layout.parts:
+        its = tuple(placements[part.id])
+        if part.region is None:
+            yield Fault("shape", its, part.id, part.refusal)
+        if part.demand is not None and len(its) != part.demand:
+            kind: FaultKind = "missing" if len(its) < part.demand else "surplus"
+            yield Fault(kind, its, part.id, number=abs(part.demand - len(its)))

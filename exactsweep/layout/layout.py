@@ -1,0 +1,231 @@
+"""Layouts as values: a container, parts, and where copies of the parts are placed in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.region import Region
+from exactsweep.geometry.turn import Turn
+from exactsweep.layout.reading import (
+    LayoutError,
+    read_flag,
+    read_gap,
+    read_id,
+    read_list,
+    read_object,
+    read_rings,
+    read_turn,
+    read_vertex,
+)
+from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.point import Loop, Point
+
+
+@dataclass(frozen=True)
+class LayoutPart:
+    """A part to be placed, with what is allowed.
+
+    Attributes:
+        id: its name, one of its own in the layout.
+        exterior: its vertices as they were given, a tuple of Point.
+        holes: the vertices of each hole.
+        demand: how many placements there should be; None if any number may be.
+        turns: the turns that are allowed, a tuple of Turn; None if all are.
+        mirrored: whether a placement may be mirrored; None if it may.
+    """
+
+    id: str
+    exterior: Loop
+    holes: tuple[Loop, ...] = ()
+    demand: int | None = None
+    turns: tuple[Turn, ...] | None = None
+    mirrored: bool | None = None
+
+    @classmethod
+    def from_json(cls, data: object, path: str) -> LayoutPart:
+        """Read a part; the path is for messages."""
+        found = read_object(
+            data, path, ("id", "exterior"), ("holes", "demand", "turns", "mirrored")
+        )
+        exterior, holes = read_rings(found, path)
+        demand, turns = found.get("demand"), found.get("turns")
+        if demand is not None and (type(demand) is not int or demand < 0):
+            raise LayoutError(f"{path}.demand is {quote(demand)}, not an integer of 0 or more")
+        return cls(
+            read_id(found["id"], f"{path}.id"),
+            exterior,
+            holes,
+            demand,
+            None if turns is None else read_list(turns, f"{path}.turns", read_turn),
+            read_flag(found.get("mirrored"), f"{path}.mirrored"),
+        )
+
+    @cached_property
+    def region(self) -> Region | None:
+        """The part as a Region; None if its rings do not bound one, as `refusal` says."""
+        return self._read[0]
+
+    @cached_property
+    def refusal(self) -> str:
+        """The reason why the part is no Region; empty if it is one."""
+        return self._read[1]
+
+    @cached_property
+    def _read(self) -> tuple[Region | None, str]:
+        try:
+            return Region(self.exterior, self.holes), ""
+        except PolygonError as error:
+            # Without holes there is one ring, which needs no name.
+            return None, str(error) if self.holes else str(error).removeprefix("exterior: ")
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A copy of a part, mirrored (x to -x) first, turned about its origin, then moved.
+
+    Attributes:
+        part: the id of the part.
+        turn: a Turn.
+        move: a Point.
+        mirrored: whether it is.
+    """
+
+    part: str
+    turn: Turn
+    move: Point
+    mirrored: bool = False
+
+    @classmethod
+    def from_json(cls, data: object, path: str) -> Placement:
+        """Read a placement; the path is for messages."""
+        found = read_object(data, path, ("part", "turn", "move"), ("mirrored",))
+        return cls(
+            read_id(found["part"], f"{path}.part"),
+            read_turn(found["turn"], f"{path}.turn"),
+            read_vertex(found["move"], f"{path}.move"),
+            read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
+        )
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Placements of parts in a container; `from_json` reads one.
+
+    Attributes:
+        container: a Region, whose holes are defects.
+        parts: a tuple of LayoutPart, each with an id of its own.
+        placements: a tuple of Placement.
+        spacing: how far apart any two placed parts should be, at least 0.
+        margin: how far each should be from the container's boundary and its defects, at least 0.
+    """
+
+    container: Region
+    parts: tuple[LayoutPart, ...]
+    placements: tuple[Placement, ...]
+    spacing: Fraction = Fraction(0)
+    margin: Fraction = Fraction(0)
+
+    @classmethod
+    def from_json(cls, data: object) -> Layout:
+        """Read a layout from plain JSON data, as `layout.schema.json` beside this module has it.
+
+        Args:
+            data: a dict. Numbers are read by `to_fraction`: strings such as "1/3" and "0.1", ints,
+                or floats, which are taken as the binary values that they are.
+
+        Returns:
+            A Layout. Parts need not be simple polygons; the judge says which are not.
+
+        Raises:
+            LayoutError: anything else; the message names what is wrong, such as
+                "placements[3].turn".
+
+        Cost: linear.
+
+        Example:
+            >>> square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+            >>> layout = Layout.from_json({
+            ...     "container": {"exterior": [["0", "0"], ["2", "0"], ["2", "1"], ["0", "1"]]},
+            ...     "parts": [{"id": "tile", "exterior": square, "demand": 2}],
+            ...     "placements": [{"part": "tile", "turn": "0", "move": ["1", "0"]}],
+            ... })
+            >>> layout.placements[0].move
+            Point(x=Fraction(1, 1), y=Fraction(0, 1))
+        """
+        fields = ("container", "parts", "placements"), ("spacing", "margin")
+        found = read_object(data, "the layout", *fields)
+        parts = read_list(found["parts"], "parts", LayoutPart.from_json)
+        numbers: dict[str, int] = {}
+        for k, part in enumerate(parts):
+            if (other := numbers.setdefault(part.id, k)) < k:
+                raise LayoutError(f"parts[{k}].id: parts[{other}] is {quote(part.id)}, too")
+        placements = read_list(found["placements"], "placements", Placement.from_json)
+        for k, placement in enumerate(placements):
+            if placement.part not in numbers:
+                raise LayoutError(
+                    f"placements[{k}].part: no part has the id {quote(placement.part)}"
+                )
+        return cls(
+            _read_container(found["container"]),
+            parts,
+            placements,
+            read_gap(found.get("spacing", 0), "spacing"),
+            read_gap(found.get("margin", 0), "margin"),
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Write the layout as plain JSON data, all numbers as strings; `from_json` reads it.
+
+        Cost: linear.
+        """
+        return {
+            "container": _write_rings(
+                self.container.exterior.vertices, [hole.vertices for hole in self.container.holes]
+            ),
+            "parts": [_write_part(part) for part in self.parts],
+            "placements": [
+                {
+                    "part": placement.part,
+                    "turn": placement.turn.to_json(),
+                    "mirrored": placement.mirrored,
+                    "move": [format_fraction(c) for c in placement.move],
+                }
+                for placement in self.placements
+            ],
+            "spacing": format_fraction(self.spacing),
+            "margin": format_fraction(self.margin),
+        }
+
+    @cached_property
+    def part_by_id(self) -> Mapping[str, LayoutPart]:
+        """The parts by their ids."""
+        return {part.id: part for part in self.parts}
+
+
+def _read_container(data: object) -> Region:
+    rings = read_rings(read_object(data, "container", ("exterior",), ("holes",)), "container")
+    try:
+        return Region(*rings)
+    except PolygonError as error:
+        raise LayoutError(f"container: {error}") from None
+
+
+def _write_part(part: LayoutPart) -> dict[str, Any]:
+    data: dict[str, Any] = {"id": part.id, **_write_rings(part.exterior, part.holes)}
+    if part.demand is not None:
+        data["demand"] = part.demand
+    if part.turns is not None:
+        data["turns"] = [turn.to_json() for turn in part.turns]
+    if part.mirrored is not None:
+        data["mirrored"] = part.mirrored
+    return data
+
+
+def _write_rings(exterior: Loop, holes: Any) -> dict[str, Any]:
+    rings = [[[format_fraction(c) for c in point] for point in ring] for ring in (exterior, *holes)]
+    return {"exterior": rings[0], "holes": rings[1:]}

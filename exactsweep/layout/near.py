@@ -1,0 +1,84 @@
+"""Boxes that meet, found without looking at all pairs.
+
+The plane is halved again and again, along the axis that cuts fewer boxes; a box goes to each half
+that it meets. (1) Two boxes that meet have a least common corner, the greater of their left ends
+and of their low ends, and that lies in one half only. So each pair is found once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from exactsweep.layout.solid import LatticeBox
+
+_FEW = 12
+"""As many boxes are compared one by one."""
+
+_Numbered = tuple[int, int, int, int, int]
+
+
+def find_near(boxes: Sequence[LatticeBox], reach: int = 0) -> Iterator[tuple[int, int]]:
+    """Find the pairs of boxes that meet, or are within reach in both coordinates.
+
+    Args:
+        boxes: on one lattice.
+        reach: how far apart the ranges of x, and of y, of a pair may be.
+
+    Yields:
+        Pairs of numbers, the lesser one first; each pair once.
+
+    Cost: O(n log n + k) for n boxes and k pairs, if boxes are not much longer than they are apart.
+
+    >>> sorted(find_near([(0, 1, 0, 1), (1, 2, 1, 2), (3, 4, 0, 9), (3, 9, 2, 3)], 1))
+    [(0, 1), (1, 2), (1, 3), (2, 3)]
+    """
+    numbered = [
+        (left, right + reach, low, high + reach, k)
+        for k, (left, right, low, high) in enumerate(boxes)
+    ]
+    # Each with the west and the south border of its cell, if it has one.
+    piles: list[tuple[list[_Numbered], int | None, int | None]] = [(numbered, None, None)]
+    while piles:
+        pile, west, south = piles.pop()
+        halves = _halve(pile) if len(pile) > _FEW else None
+        if halves is None:
+            yield from _compare(pile, west, south)
+            continue
+        axis, middle, lesser, greater = halves
+        piles.append((lesser, west, south))
+        piles.append((greater, middle, south) if axis == 0 else (greater, west, middle))
+
+
+def _halve(
+    pile: list[_Numbered],
+) -> tuple[int, int, list[_Numbered], list[_Numbered]] | None:
+    """The better of the two ways to halve a pile; None if neither makes it much smaller."""
+    best = None
+    least = 7 * len(pile) // 4
+    for axis in (0, 2):
+        middle = sorted(box[axis] for box in pile)[len(pile) // 2]
+        lesser = [box for box in pile if box[axis] < middle]
+        greater = [box for box in pile if box[axis + 1] >= middle]
+        size = len(lesser) + len(greater)
+        if size < least and len(lesser) < len(pile) > len(greater):
+            best, least = (axis, middle, lesser, greater), size
+    return best
+
+
+def _compare(
+    pile: list[_Numbered], west: int | None, south: int | None
+) -> Iterator[tuple[int, int]]:
+    """The pairs of a pile that meet and have their least common corner in its cell."""
+    pile.sort()
+    for k, (_, right, low, high, number) in enumerate(pile):
+        for i in range(k + 1, len(pile)):
+            left, _, other_low, other_high, other = pile[i]
+            if left > right:
+                break
+            if (
+                low <= other_high
+                and other_low <= high
+                and (west is None or left >= west)
+                and (south is None or low >= south or other_low >= south)
+            ):
+                yield (number, other) if number < other else (other, number)

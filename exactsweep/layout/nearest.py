@@ -1,0 +1,104 @@
+"""The least distance of two solids that do not overlap, among the edges that are near enough.
+
+The least squared distance of two segments that do not meet is that of an end of one from the other
+one: the quotient of two ints.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+from typing import NamedTuple
+
+from exactsweep.geometry.distance import find_nearest_ends, measure_to_edge
+from exactsweep.geometry.overlap import touch
+from exactsweep.layout.pieces import IntVertex
+from exactsweep.layout.solid import BoxedEdge, Solid
+from exactsweep.numbers.point import Point, Rational
+
+
+class NearestPoints(NamedTuple):
+    """The squared distance of two solids, and where they are so near.
+
+    Attributes:
+        square: the squared distance.
+        points: a point of the boundary of each.
+    """
+
+    square: Fraction
+    points: tuple[Point, Point]
+
+
+def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
+    """Find the least distance of the boundaries of two solids, if its square is below a bound.
+
+    Args:
+        a: a solid.
+        b: another one, on the same lattice, that does not overlap it.
+        below: the bound on the squared distance, more than 0.
+
+    Returns:
+        A NearestPoints, or None.
+
+    Cost: O(k h) for k edges of one and h edges of the other that are within the bound of the box of
+    the other solid.
+    """
+    scale = a.scale
+    bound = below * scale * scale
+    n: Rational = bound.numerator
+    d: Rational = bound.denominator
+    reach = isqrt(n // d) + 1
+    x, y = b.x - a.x, b.y - a.y
+    left, right, low, high = a.form.box
+    west, east, south, north = b.form.box
+    ours = a.form.near((west + x - reach, east + x + reach, south + y - reach, north + y + reach))
+    around = (left - x - reach, right - x + reach, low - y - reach, high - y + reach)
+    theirs = b.form.near(around) if ours else []
+    best: tuple[BoxedEdge, BoxedEdge] | None = None
+    for e in theirs:
+        left, right, low, high = e[0] + x, e[1] + x, e[2] + y, e[3] + y
+        farthest, nearest = right + reach, left - reach
+        for f in ours:
+            if f[0] > farthest:
+                break
+            if f[1] < nearest:
+                continue
+            across = left - f[1] if left > f[1] else f[0] - right if f[0] > right else 0
+            up = low - f[3] if low > f[3] else f[2] - high if f[2] > high else 0
+            if (across * across + up * up) * d >= n:
+                continue
+            square, length = _measure_edges(((f[4], f[5]), (f[6], f[7])), _move(e, x, y))
+            if square * d < n * length:
+                n, d, best = square, length, (f, e)
+                reach = isqrt(n // d) + 1
+                farthest, nearest = right + reach, left - reach
+    if best is None:
+        return None
+    one, other = _move(best[0], 0, 0), _move(best[1], x, y)
+    if n:
+        _, _, p, q = find_nearest_ends(one, other)
+    else:
+        # Solids that do not overlap touch in a vertex of one of them.
+        p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
+    return NearestPoints(
+        Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
+        (a.leave(p[0] + a.x, p[1] + a.y), a.leave(q[0] + a.x, q[1] + a.y)),
+    )
+
+
+def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
+    return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
+
+
+def _measure_edges(
+    one: tuple[IntVertex, IntVertex], other: tuple[IntVertex, IntVertex]
+) -> tuple[Rational, Rational]:
+    """The squared distance of two edges as a quotient."""
+    if touch(*one, *other) != []:
+        return 0, 1
+    n, d = measure_to_edge(one[0], other)
+    for end, edge in ((one[1], other), (other[0], one), (other[1], one)):
+        square, length = measure_to_edge(end, edge)
+        if square * d < n * length:
+            n, d = square, length
+    return n, d

@@ -1,0 +1,106 @@
+"""Plain JSON data read field by field; every refusal names the field."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import TypeVar
+
+from exactsweep.geometry.reading import read_point
+from exactsweep.geometry.turn import Turn
+from exactsweep.geometry.turn import read_turn as make_turn
+from exactsweep.numbers.error import ExactSweepError, name_refusals
+from exactsweep.numbers.number import NumberError, abridge, quote, to_fraction
+from exactsweep.numbers.point import Loop, Point
+
+_Value = TypeVar("_Value")
+
+
+class LayoutError(ExactSweepError):
+    """Data that are no layout; the message names the part or placement, and the field."""
+
+
+def read_object(
+    data: object, path: str, needed: Sequence[str], others: Sequence[str]
+) -> Mapping[str, object]:
+    """Require an object with all fields that are needed and no unknown ones."""
+    if not isinstance(data, Mapping):
+        raise LayoutError(f"{path} is {quote(data)}, not an object")
+    for name in needed:
+        if name not in data:
+            raise LayoutError(f'{path} has no "{name}"')
+    for name in data:
+        if name not in needed and name not in others:
+            known = ", ".join([*needed, *others])
+            raise LayoutError(f"{path} has a field {quote(name)}; it may have {known}")
+    return data
+
+
+def read_list(data: object, path: str, read: Callable[[object, str], _Value]) -> tuple[_Value, ...]:
+    """Read a list, each item by a function of the item and its path."""
+    if not isinstance(data, list | tuple):
+        raise LayoutError(f"{path} is {quote(data)}, not a list")
+    return tuple(read(one, f"{path}[{k}]") for k, one in enumerate(data))
+
+
+def read_rings(data: Mapping[str, object], path: str) -> tuple[Loop, tuple[Loop, ...]]:
+    """Read the exterior and the holes of an object."""
+    exterior = read_ring(data["exterior"], f"{path}.exterior")
+    return exterior, read_list(data.get("holes", ()), f"{path}.holes", read_ring)
+
+
+def read_ring(data: object, path: str) -> Loop:
+    """Read a list of pairs of numbers."""
+    return read_list(data, path, read_vertex)
+
+
+def read_vertex(data: object, path: str) -> Point:
+    """Read a pair of numbers."""
+    try:
+        return read_point(data, path)  # type: ignore[arg-type]
+    except ExactSweepError as error:
+        raise LayoutError(str(error)) from None
+
+
+def read_number(data: object, path: str) -> Fraction:
+    """Read a number as `to_fraction` does."""
+    try:
+        with name_refusals(path):
+            return to_fraction(data)
+    except NumberError as error:
+        raise LayoutError(str(error)) from None
+
+
+def read_gap(data: object, path: str) -> Fraction:
+    """Read a number that is not negative."""
+    found = read_number(data, path)
+    if found < 0:
+        raise LayoutError(f"{path} is {abridge(found)}, less than 0")
+    return found
+
+
+def read_turn(data: object, path: str) -> Turn:
+    """Read degrees, or the exact cosine and sine."""
+    if isinstance(data, list | tuple):
+        cosine, sine = read_vertex(data, path)
+        if cosine * cosine + sine * sine != 1:
+            raise LayoutError(
+                f"{path}: ({abridge(cosine)}, {abridge(sine)}) is not a cosine and a sine: "
+                "the squares do not add up to 1"
+            )
+        return make_turn((cosine, sine))
+    return make_turn(read_number(data, path))
+
+
+def read_id(data: object, path: str) -> str:
+    """Read a string."""
+    if not isinstance(data, str):
+        raise LayoutError(f"{path} is {quote(data)}, not a string")
+    return data
+
+
+def read_flag(data: object, path: str) -> bool | None:
+    """Read true, false or nothing."""
+    if data is not None and not isinstance(data, bool):
+        raise LayoutError(f"{path} is {quote(data)}, not true or false")
+    return data

@@ -1,0 +1,207 @@
+"""Solids: placed parts, the outside of the container and its defects, as ints on a lattice.
+
+(1) The outside of the container, within a frame around everything, and each defect are solids as
+    placed parts are: no part may overlap them. So one question, asked of two solids, is all.
+(2) All solids are on one lattice, if its scale has no more than 1024 bits. Turns by many unrelated
+    angles would make it longer than the numbers themselves; then each pair has its own lattice.
+(3) A solid whose turn is off by e on the unit circle is off by e r, where r is how far the part
+    reaches from its origin. That is its *slack*: each point of its boundary is within the slack of
+    one of the true boundary, and the other way round. Certificates have sums of coordinates for e
+    and r instead of roots: 3/2 e, which is more than 2^(1/2) e, and |x| + |y| for r.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import cached_property
+from math import lcm
+from typing import NamedTuple
+
+from exactsweep.geometry.overlap import is_inside_edges
+from exactsweep.geometry.region import Region
+from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, cut_to_convex, find_hull
+from exactsweep.numbers.point import Point, Rational
+
+LatticeBox = tuple[int, int, int, int]
+"""Left, right, low and high."""
+
+
+class BoxedEdge(NamedTuple):
+    """An edge with its box, and its place: the number of its ring, and its number in the ring."""
+
+    left: int
+    right: int
+    low: int
+    high: int
+    ax: int
+    ay: int
+    bx: int
+    by: int
+    ring: int
+    number: int
+
+
+class LatticeForm:
+    """A shape on a lattice, its interior on the left of its rings; many solids share it.
+
+    Args:
+        rings: the exterior first.
+        cut: gives the convex pieces that make it up.
+    """
+
+    def __init__(
+        self, rings: Sequence[IntRing], cut: Callable[[], list[ConvexRing]] | None = None
+    ) -> None:
+        self.rings = rings
+        self._cut = cut or (lambda: cut_to_convex(rings))
+        xs, ys = zip(*rings[0], strict=True)
+        self.box: LatticeBox = min(xs), max(xs), min(ys), max(ys)
+        self._scaled: dict[int, LatticeForm] = {1: self}
+
+    def scaled(self, factor: int) -> LatticeForm:
+        """Return the form on a lattice that is so many times as fine. Cost: O(n), once."""
+        found = self._scaled.get(factor)
+        if found is None:
+            found = LatticeForm(
+                [_scale(ring, factor) for ring in self.rings],
+                lambda: [_scale(piece, factor) for piece in self.pieces],
+            )
+            self._scaled[factor] = found
+        return found
+
+    @cached_property
+    def edges(self) -> list[BoxedEdge]:
+        """The edges, by the left ends of their boxes."""
+        found = []
+        for k, ring in enumerate(self.rings):
+            ax, ay = ring[-1]
+            for i, (bx, by) in enumerate(ring):
+                left, right = (ax, bx) if ax < bx else (bx, ax)
+                low, high = (ay, by) if ay < by else (by, ay)
+                number = (i or len(ring)) - 1
+                found.append(BoxedEdge(left, right, low, high, ax, ay, bx, by, k, number))
+                ax, ay = bx, by
+        found.sort()
+        return found
+
+    @cached_property
+    def _lefts(self) -> tuple[list[int], int]:
+        """The left ends of the edges, and the greatest width of one."""
+        return [edge[0] for edge in self.edges], max(edge[1] - edge[0] for edge in self.edges)
+
+    @cached_property
+    def hull(self) -> list[IntVertex]:
+        """The corners of the convex hull, counter-clockwise."""
+        return find_hull(self.rings[0])
+
+    @cached_property
+    def pieces(self) -> list[ConvexRing]:
+        """Convex pieces that make up the form."""
+        return self._cut()
+
+    def near(self, box: LatticeBox) -> list[BoxedEdge]:
+        """Return the edges whose boxes meet a box.
+
+        Cost: O(log n), and for each edge that begins in the x-range of the box, or to the left of
+        it by no more than the widest edge is wide.
+        """
+        left, right, low, high = box
+        lefts, widest = self._lefts
+        first, last = bisect_left(lefts, left - widest), bisect_right(lefts, right)
+        return [
+            edge
+            for edge in self.edges[first:last]
+            if edge[1] >= left and edge[2] <= high and edge[3] >= low
+        ]
+
+    def holds(self, x: Rational, y: Rational) -> bool:
+        """Whether a point, given times two, is inside and not on the boundary.
+
+        Cost: as for `near`.
+        """
+        left, right, low, high = self.box
+        if not (2 * left < x < 2 * right and 2 * low < y < 2 * high):
+            return False
+        lefts, widest = self._lefts
+        first, last = bisect_left(lefts, x // 2 - widest), bisect_right(lefts, -(-x // 2))
+        edges = (((e[4], e[5]), (e[6], e[7])) for e in self.edges[first:last])
+        return is_inside_edges((x, y), edges)
+
+
+class Solid(NamedTuple):
+    """A form at a place of a lattice.
+
+    Attributes:
+        form: on the lattice.
+        x: how far it is moved.
+        y: likewise.
+        scale: of the lattice.
+        slack: a bound on how far each point of it is from its true place, by (3).
+    """
+
+    form: LatticeForm
+    x: int
+    y: int
+    scale: int
+    slack: Fraction
+
+    @property
+    def box(self) -> LatticeBox:
+        """The box of the solid at its place."""
+        left, right, low, high = self.form.box
+        return left + self.x, right + self.x, low + self.y, high + self.y
+
+    def on(self, scale: int) -> Solid:
+        """Return the solid on a finer lattice, whose scale is a multiple of this one's."""
+        factor = scale // self.scale
+        if factor == 1:
+            return self
+        return Solid(self.form.scaled(factor), self.x * factor, self.y * factor, scale, self.slack)
+
+    @property
+    def pieces(self) -> list[ConvexRing]:
+        """The convex pieces at their place."""
+        x, y = self.x, self.y
+        return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
+
+    def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
+        """Return a point of the lattice, or between, in the plane."""
+        return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
+
+
+def _scale(ring: IntRing, factor: int) -> list[IntVertex]:
+    return [(x * factor, y * factor) for x, y in ring]
+
+
+def make_form(
+    region: Region, cut: Callable[[int], list[ConvexRing]] | None = None
+) -> tuple[int, LatticeForm]:
+    """Return the scale of a region's lattice and its form there.
+
+    Args:
+        region: a Region.
+        cut: gives its convex pieces on a lattice, if they are known.
+
+    Cost: O(n).
+    """
+    scale, rings = region.lattice()
+    return scale, LatticeForm(rings, cut and (lambda: cut(scale)))  # type: ignore[arg-type]
+
+
+def measure_slack(region: Region, error: Fraction) -> Fraction:
+    """Return how far a region is off whose turn is off by an error, by (3). Cost: O(n).
+
+    >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
+    Fraction(21, 200)
+    """
+    return max(abs(x) + abs(y) for x, y in region.exterior.vertices) * error * 3 / 2
+
+
+def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:
+    """Return two solids on one lattice."""
+    if a.scale == b.scale:
+        return a, b
+    scale = lcm(a.scale, b.scale)
+    return a.on(scale), b.on(scale)

@@ -1,0 +1,123 @@
+"""Campaigns begin without a mismatch, and notice answers that are wrong."""
+
+import importlib.util
+from random import Random
+from types import SimpleNamespace
+from typing import Any
+
+import campaign
+import pytest
+from click.testing import CliRunner
+from definition import find_failure
+from shape_families import SHAPES
+from small_pairs import SmallPair, shrink
+
+from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+
+SQUARE = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
+SLOT = [[(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]]
+# Contacts where rings touch are not all found yet.
+NAMES = ["monotone", "small", "shapes"]
+CAVE = [[(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_campaigns_begin_without_mismatch(name: str) -> None:
+    assert campaign.by_definition(name, 2, range(20)) == [""] * 20
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", NAMES)
+def test_campaigns_go_on_without_mismatch(name: str) -> None:
+    assert campaign.by_definition(name, 3, range(200)) == [""] * 200
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("family", SHAPES)
+def test_every_family_of_shapes_agrees_with_the_definition(family: str) -> None:
+    for number in range(6):
+        pair = campaign.draw_shapes(Random(f"2:{number}"), (family,))
+        assert find_failure(pair, deep=number == 0) == "", number
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("pysfcgal") is None, reason="pysfcgal is not installed"
+)
+def test_another_program_agrees() -> None:
+    said = campaign.by_sfcgal("small", 2, range(10))
+    assert [words for words in said if not words.startswith("crashes")] == [""] * 9
+
+
+class Wrong(SimpleNamespace):
+    """A sweep in which some attributes are replaced."""
+
+    right: Any
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.right, name)
+
+
+@pytest.mark.parametrize(
+    ("directrix", "changed", "failure"),
+    [
+        (SLOT, {}, ""),
+        (SLOT, {"exact_fits": ()}, "exact fits, swept in direction (1, 0)"),
+        (SLOT, {"outer": Polygon(SLOT[0])}, "outer, swept in direction (1, 0)"),
+        (SLOT, {"undercuts": ()}, "areas of the undercuts"),
+        (SLOT, {"contacts": ((),)}, "an edge of the trajectory without contact"),
+        (SLOT, {"kind": "SS"}, "kind SS"),
+        (CAVE, {}, ""),
+        (CAVE, {"unswept": (Polygon(SLOT[0]),)}, "swept area"),
+        (CAVE, {"exterior": Polygon(SLOT[0])}, "no-fit polygon"),
+        (CAVE, {"holes": (Polygon(SLOT[0]),)}, "no-fit polygon"),
+        (CAVE, {"regions": (Region(SLOT[0]),)}, "inner fit"),
+    ],
+)
+def test_wrong_answers_are_noticed(directrix: Any, changed: Any, failure: str) -> None:
+    def falsely(right: Any) -> Any:
+        return lambda *shapes, **options: Wrong(right=right(*shapes, **options), **changed)
+
+    kernel = SimpleNamespace(
+        Polygon=Polygon,
+        Region=Region,
+        sweep=falsely(sweep),
+        no_fit_polygon=falsely(no_fit_polygon),
+        inner_fit_polygon=falsely(inner_fit_polygon),
+    )
+    assert find_failure(SmallPair(SQUARE, directrix), deep=True, kernel=kernel) == failure
+
+
+def test_an_error_is_a_mismatch() -> None:
+    kernel = SimpleNamespace(Polygon=Polygon)
+    assert find_failure(SmallPair(SQUARE, SLOT), kernel=kernel).startswith("AttributeError")
+
+
+def test_a_failing_pair_is_shrunk() -> None:
+    """What fails while D has a concave corner ends as a least polygon that has one."""
+    least = shrink(SmallPair(SLOT, CAVE), lambda pair: not Polygon(pair.directrix[0]).is_convex)
+    assert [len(ring) for shape in least for ring in shape] == [3, 4]
+
+
+def test_a_mismatch_is_told_with_its_pair_and_ends_with_exit_code_1(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def by_size(name: str, seed: int, numbers: range) -> list[str]:
+        return ["" if number % 3 else "wrong" for number in numbers]
+
+    monkeypatch.setitem(campaign.REFERENCES, "definition", by_size)
+    monkeypatch.setattr(campaign, "ProcessPoolExecutor", InThisProcess)
+    result = CliRunner().invoke(campaign.main, ["small", "--pairs", "2", "--seed", "4"])
+    assert result.exit_code == 1
+    assert "pair 4:0: wrong" in result.output
+    assert "small, definition, seed 4: 1 monotone; 1 mismatches" in result.output
+
+
+class InThisProcess:
+    def __init__(self, workers: int) -> None:
+        self.map = map
+
+    def __enter__(self) -> "InThisProcess":
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        return None

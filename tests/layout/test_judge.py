@@ -1,0 +1,127 @@
+"""Layouts judged: answers worked out by hand."""
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from known_layouts import FAULTY, SHEET, TILE, TRIANGLE, VALID
+from layouts import box, lay, put
+
+from exactsweep import Point
+from exactsweep.layout import Layout, judge_layout
+
+
+def kinds(layout: Layout) -> list[tuple[str, tuple[int, ...]]]:
+    return [(fault.kind, fault.placements) for fault in judge_layout(layout).faults]
+
+
+def point(x: Any, y: Any) -> Point:
+    return Point(Fraction(x), Fraction(y))
+
+
+@pytest.mark.parametrize("name", VALID)
+def test_right_layouts_are_not_convicted(name: str) -> None:
+    judgement = judge_layout(VALID[name])
+    assert judgement.faults == ()
+    assert judgement.valid
+
+
+@pytest.mark.parametrize("name", FAULTY)
+def test_faults_are_found_and_no_others(name: str) -> None:
+    layout, expected = FAULTY[name]
+    assert kinds(layout) == expected
+    assert not judge_layout(layout).valid
+
+
+def test_an_overlap_is_proved_and_measured() -> None:
+    layout = lay(SHEET, {"t": TRIANGLE}, put("t", (1, 1)), put("t", (5, 3), 180))
+    (fault,) = judge_layout(layout).faults
+    # Both hypotenuses have the direction (4, -3): the second one lies 4/5 inside the first one.
+    assert fault.move == point("12/25", "16/25")
+    assert fault.depth_squared == Fraction(16, 25)
+    (inside,) = fault.points
+    first = layout.parts[0].region
+    assert first is not None
+    assert first.translated((1, 1)).contains(inside, strictly=True)
+    assert first.rotated(180).translated((5, 3)).contains(inside, strictly=True)
+
+
+def test_the_shortest_move_may_be_onto_an_exact_fit() -> None:
+    # The block, 2 by 2, is a little off a hole of just its size.
+    hole = {"exterior": box(0, 0, 20, 20), "holes": [box(9, 9, 11, 11)]}
+    layout = lay(
+        box(0, 0, 20, 20), {"r": hole, "b": box(0, 0, 2, 2)}, put("r"), put("b", ("9.01", 9))
+    )
+    (fault,) = judge_layout(layout).faults
+    assert fault.move == point("-1/100", 0)
+
+
+def test_a_part_outside_is_moved_back_in() -> None:
+    layout = lay(SHEET, {"t": TILE}, put("t", (12, 4)), put("t", (12, 13)))
+    first, second = judge_layout(layout).faults
+    assert (first.move, second.move) == (point(-3, 0), point(-3, -4))
+    assert first.points[0].x > 10
+
+
+def test_a_part_that_does_not_fit_has_no_move() -> None:
+    (fault,) = judge_layout(lay(SHEET, {"t": box(0, 0, 11, 1)}, put("t"))).faults
+    assert fault.move is None
+    assert fault.depth_squared is None
+
+
+def test_a_part_as_wide_as_the_container_is_moved_onto_an_exact_fit() -> None:
+    (fault,) = judge_layout(lay(SHEET, {"t": box(0, 0, 10, 1)}, put("t", ("0.1", 4)))).faults
+    assert fault.move == point("-1/10", 0)
+
+
+def test_too_close_has_its_nearest_points() -> None:
+    layout = lay(SHEET, {"t": TILE}, put("t"), put("t", (4, 5)), spacing=6)
+    (fault,) = judge_layout(layout).faults
+    assert fault.distance_squared == 25
+    assert fault.points == (point(1, 1), point(4, 5))
+    assert fault.move is None
+    (fault,) = judge_layout(lay(SHEET, {"t": TILE}, put("t", (2, 8)), margin="1.5")).faults
+    assert fault.distance_squared == 1
+    assert [p.y for p in fault.points] == [9, 10]
+
+
+def test_contacts_distance_and_density() -> None:
+    layout = lay(box(0, 0, 4, 4), {"t": TILE}, put("t"), put("t", (1, 0)), put("t", (3, 3)))
+    judgement = judge_layout(layout)
+    assert judgement.contacts == ((0, 1),)
+    assert judgement.distance is not None
+    assert judgement.distance.square == 0
+    assert judgement.distance.placements == (0, 1)
+    assert judgement.density == Fraction(3, 16)
+    apart = judge_layout(lay(SHEET, {"t": TILE}, put("t"), put("t", (4, 5)), put("t", (9, 9))))
+    assert apart.distance is not None
+    assert apart.distance.square == 25
+    assert apart.distance.placements == (0, 1)
+    assert apart.distance.points == (point(1, 1), point(4, 5))
+    assert judge_layout(lay(SHEET, {"t": TILE}, put("t"))).distance is None
+
+
+def test_overlaps_are_no_contacts_and_have_distance_zero() -> None:
+    judgement = judge_layout(lay(SHEET, {"t": TILE}, put("t"), put("t", ("1/2", 0))))
+    assert judgement.contacts == ()
+    assert judgement.distance is not None
+    assert judgement.distance.square == 0
+
+
+def test_faults_as_json() -> None:
+    layout = lay(
+        SHEET,
+        {"t": {"exterior": TILE, "demand": 3}, "bow": [(0, 0), (1, 1), (1, 0), (0, 1)]},
+        put("t"),
+        put("t", ("1/2", 0)),
+    )
+    overlap, missing, shape = (fault.to_json() for fault in judge_layout(layout).faults)
+    assert overlap == {
+        "kind": "overlap",
+        "placements": [0, 1],
+        "points": [["3/4", "1/2"]],
+        "move": ["1/2", "0"],
+    }
+    assert missing == {"kind": "missing", "placements": [0, 1], "part": "t", "number": 1}
+    assert shape["part"] == "bow"
+    assert "edges 0 and 2 cross" in shape["reason"]

@@ -1,0 +1,219 @@
+"""Everything that the kernel answers for a pair, compared with the definition."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import product
+from random import Random
+from typing import Any
+
+import tampering
+from shape_certificates import falsified
+from small_pairs import Shape, SmallPair, shares_direction
+
+import exactsweep
+from exactsweep import DirectionError, Point
+from exactsweep.check import (
+    classify,
+    point_in_polygon,
+    reference_exact_fits,
+    reference_inner_fit,
+    reference_loops,
+    reference_no_fit,
+    reference_swept,
+    verify,
+)
+from exactsweep.numbers.point import Vertex
+
+Fit = tuple[Point, Point]
+FALSIFIED = 4  # changes of each certificate
+DIRECTIONS = [(1, 0), (0, 1), (1, 1), (1, -1), (3, 4), (1, -2), (3, -1)]
+
+
+def find_failure(pair: SmallPair, *, deep: bool = False, kernel: Any = exactsweep) -> str:
+    """Say what differs from the definition, or nothing; `deep`: of all answers, not loops alone."""
+    checks: list[Callable[[SmallPair, Any], Iterator[str]]] = [_loops]
+    if deep:
+        checks += [_inner_fit, _reasons, _certificates, _reference]
+    try:
+        s = kernel.sweep(*_shapes(pair, kernel))
+        return next((failure for check in checks for failure in check(pair, (kernel, s))), "")
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+
+
+def _loops(pair: SmallPair, answered: Any) -> Iterator[str]:
+    kernel, s = answered
+    g, d = _shapes(pair)
+    if shares_direction(pair) != (s.kind != "SS"):
+        yield f"kind {s.kind}"
+    if s.kind == "SS":
+        n = kernel.no_fit_polygon(*reversed(_shapes(pair, kernel)))
+        if (n.exterior.vertices, _vertices(n.holes), n.exact_fits) != reference_no_fit(d, g):
+            yield "no-fit polygon"
+        return
+    for name, loop in reference_loops(g, d, s.direction)._asdict().items():
+        if getattr(s, name).vertices != loop:
+            yield f"{name}, swept in direction {s.direction}"
+    if s.exact_fits != reference_exact_fits(g, d, s.direction):
+        yield f"exact fits, swept in direction {s.direction}"
+
+
+def _inner_fit(pair: SmallPair, answered: Any) -> Iterator[str]:
+    kernel, s = answered
+    g, d = _shapes(pair)
+    f = kernel.inner_fit_polygon(*reversed(_shapes(pair, kernel)))
+    regions = tuple((r.exterior.vertices, _vertices(r.holes)) for r in f.regions)
+    if (regions, f.exact_fits) != reference_inner_fit(d, g):
+        yield "inner fit"
+    if s.kind == "SS":
+        if (s.outer.vertices, s.inner.vertices, _vertices(s.unswept)) != reference_swept(d, g):
+            yield "swept area"
+    elif (s.trajectory.vertices, (), s.exact_fits) != reference_no_fit(d, g):
+        yield "the two definitions differ"
+
+
+def _reasons(pair: SmallPair, answered: Any) -> Iterator[str]:
+    kernel, s = answered
+    g, d = _shapes(pair)
+    if not all(s.contacts):
+        yield "an edge of the trajectory without contact"
+    # Features are numbered as they are given here.
+    touching = kernel.sweep(*(_shape(_rings(shape), kernel) for shape in (g, d)))
+    for t in (*s.trajectory.vertices, *(end for fit in s.exact_fits for end in fit)):
+        if {*touching.contacts_at(t)} != find_contacts(_rings(g), _rings(d), t):
+            yield f"contacts at {t}"
+    for fit in s.exact_fits:
+        if not is_exact_fit(g, d, fit):
+            yield f"{fit} is no exact fit"
+    if s.kind == "SS":
+        return
+    if sum(u.polygon.area for u in s.undercuts) + d.area != s.inner.area:
+        yield "areas of the undercuts"
+    for undercut in s.undercuts:
+        if classify(d, undercut.polygon, (0, 0)).verdict != "CONTACT":
+            yield f"{undercut.polygon} is no pocket of D"
+        for extreme in undercut.extremes:
+            if point_in_polygon(extreme, d) or point_in_polygon(extreme, s.inner):
+                yield f"{extreme} is no extreme contact point"
+        for position in undercut.positions:
+            if point_in_polygon(position, s.trajectory):
+                yield f"{position} closes an undercut but is not on the trajectory"
+    for direction in DIRECTIONS:
+        try:
+            other = kernel.sweep(*_shapes(pair, kernel), direction=direction)
+        except DirectionError:
+            continue
+        for name in ("trajectory", "inner", "outer", "exact_fits"):
+            if getattr(other, name) != getattr(s, name):
+                yield f"{name}, swept in direction {direction}"
+
+
+def _certificates(pair: SmallPair, answered: Any) -> Iterator[str]:
+    """Certificates are proved, and not once they are changed in one place."""
+    kernel, s = answered
+    rng = Random(repr(pair))
+    shapes = _shapes(pair, kernel)
+    answers = [s, kernel.inner_fit_polygon(shapes[1], shapes[0])]
+    if s.kind == "SS":
+        answers.append(kernel.no_fit_polygon(shapes[1], shapes[0]))
+    for answer in answers:
+        certificate = answer.certificate()
+        if not (result := verify(certificate)).proved:
+            yield f"certificate: {result.reason}"
+        change = falsified if "claim" in certificate else tampering.changes
+        changed = list(change(certificate, rng))
+        for name, false in rng.sample(changed, min(FALSIFIED, len(changed))):
+            if verify(false).proved:
+                yield f"proved, though changed: {name}"
+
+
+def _reference(pair: SmallPair, answered: Any) -> Iterator[str]:
+    """The references agree with `classify`, at positions on the loops and between."""
+    g, d = _shapes(pair)
+    true = reference_no_fit(d, g)
+    rng = Random(repr(pair))
+    loops = (true.exterior, *true.holes)
+    points = [p for loop in (*loops, *true.exact_fits) for p in loop]
+    for _ in range(10):
+        p, q = rng.choice(points), rng.choice(points)
+        t = Point((p.x + q.x) / 2, (p.y + q.y) / 2)
+        sides = [point_in_polygon(t, loop) for loop in loops]
+        if 0 in sides or any(_is_on(t, fit) for fit in true.exact_fits):
+            verdict = "CONTACT"
+        else:
+            verdict = "OVERLAP" if sides.count(1) == 1 else "FREE"
+        if (found := classify(d, g, t).verdict) != verdict:
+            yield f"classify says {found} at {t}, not {verdict}"
+
+
+def is_exact_fit(generatrix: Any, directrix: Any, fit: Fit) -> bool:
+    """Whether both ends and the midpoint of a segment touch, and what is just beside overlaps."""
+    (ax, ay), (bx, by) = fit
+    x, y = (ax + bx) / 2, (ay + by) / 2
+    dx, dy = (by - ay) / 10**40, (ax - bx) / 10**40
+    touching = all(classify(directrix, generatrix, t).verdict == "CONTACT" for t in (*fit, (x, y)))
+    if (ax, ay) == (bx, by):
+        return touching
+    beside = ((x + dx, y + dy), (x - dx, y - dy))
+    return touching and all(classify(directrix, generatrix, t).verdict == "OVERLAP" for t in beside)
+
+
+def find_contacts(
+    generatrix: Sequence[Sequence[Vertex]], directrix: Sequence[Sequence[Vertex]], t: Vertex
+) -> set[tuple[str, int, int]]:
+    """List the contacts of G + t with D by trying all pairs of features.
+
+    Vertices are numbered ring by ring, and edge i runs from vertex i.
+    """
+    moved = [[(x + t[0], y + t[1]) for x, y in ring] for ring in generatrix]
+    (corners, sides), (others, walls) = (_features(rings) for rings in (moved, directrix))
+    found = {("VV", i, j) for (i, v), (j, w) in product(corners, others) if v == w}
+    found |= {("EV", i, j) for (i, e), (j, w) in product(sides, others) if _is_inside(w, e)}
+    found |= {("VE", i, j) for (i, v), (j, f) in product(corners, walls) if _is_inside(v, f)}
+    found |= {("EE", i, j) for (i, e), (j, f) in product(sides, walls) if _run_along(e, f)}
+    return found
+
+
+Edge = tuple[Vertex, Vertex]
+
+
+def _features(
+    rings: Sequence[Sequence[Vertex]],
+) -> tuple[list[tuple[int, Vertex]], list[tuple[int, Edge]]]:
+    plain = [[(x, y) for x, y in ring] for ring in rings]
+    vertices = [v for ring in plain for v in ring]
+    edges = [e for ring in plain for e in zip(ring, ring[1:] + ring[:1], strict=True)]
+    return list(enumerate(vertices)), list(enumerate(edges))
+
+
+def _cross(a: Vertex, b: Vertex, c: Vertex) -> Any:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _is_inside(p: Vertex, edge: Edge) -> bool:
+    return min(edge) < p < max(edge) and _cross(*edge, p) == 0
+
+
+def _run_along(e: Edge, f: Edge) -> bool:
+    in_line = _cross(*e, f[0]) == _cross(*e, f[1]) == 0
+    return in_line and max(min(e), min(f)) < min(max(e), max(f))
+
+
+def _is_on(t: Point, fit: Fit) -> bool:
+    return t in fit or _is_inside(t, fit)
+
+
+def _rings(shape: Any) -> list[list[Vertex]]:
+    rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
+    return [[*ring.vertices] for ring in rings]
+
+
+def _shapes(pair: SmallPair, kernel: Any = exactsweep) -> tuple[Any, Any]:
+    return _shape(pair.generatrix, kernel), _shape(pair.directrix, kernel)
+
+
+def _shape(shape: Shape | list[list[Vertex]], kernel: Any) -> Any:
+    return kernel.Region(shape[0], shape[1:]) if shape[1:] else kernel.Polygon(shape[0])
+
+
+def _vertices(loops: Any) -> Any:
+    return tuple(loop.vertices for loop in loops)

@@ -1,0 +1,10 @@
+"""The shipped corpus, read once in a process."""
+
+from functools import cache
+
+from exactsweep.corpus import Case, cases
+
+
+@cache
+def shipped_cases() -> tuple[Case, ...]:
+    return tuple(cases())
