@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 import click
@@ -10,8 +11,10 @@ from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
-from exactsweep.formats import show_path
+from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
+from exactsweep.formats.folder import find_files
+from exactsweep.formats.polygons import split_choice
 from exactsweep.formats.size import FAULT
 from exactsweep.numbers.number import format_fraction
 from exactsweep.words import count
@@ -139,6 +142,7 @@ def batch_command(
 
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
+    _require_new(output, [path for path in (pairs, parts, *(lists or ())) if path is not None])
     job = _job(pairs, lists, parts, what, rounding, rotations, reading)
     done = 0
     try:
@@ -170,6 +174,15 @@ def batch_command(
         say_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
         raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
+
+
+def _require_new(output: str, paths: Sequence[str]) -> None:
+    """Refuse to write over what is read."""
+    files = (file for path in paths for file in find_files(split_choice(path)[0]))
+    read = {os.path.realpath(file) for file in files if file != "-"}
+    for name in (output, f"{output}.part", f"{output}.job"):
+        if os.path.realpath(name) in read:
+            raise FormatError(f"{show_path(name)}: read and written by the same batch")
 
 
 def _job(
