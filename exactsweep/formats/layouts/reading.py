@@ -20,7 +20,8 @@ from exactsweep.formats.layouts.found import (
 from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
 from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.polygons import name_file, parse_candidates, split_choice
+from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
@@ -220,7 +221,7 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
     around = _find_around(outlines) if container is None else choose(outlines, container)
     rest = [one for one in outlines if one is not around]
     if reading.nested:
-        rest = nest_candidates(rest)
+        rest = nest_candidates(rest, reading.nested)
     names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
     parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
     placements = [STANDING | {"part": name} for name in names]
