@@ -9,7 +9,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.limits import answer_digits
 from exactsweep.numbers.number import NumberError, quote
 from exactsweep.numbers.point import Point
@@ -110,7 +110,7 @@ class Candidate(NamedTuple):
             lambda: Region(self._short_vertices(), [hole._short_vertices() for hole in holes])
         )
 
-    def shape(self) -> Polygon | Region:
+    def shape(self) -> AnyPolygon:
         """Read it as the Region that it is if there are holes, else as a Polygon."""
         return self.region() if self.holes() else self.polygon()
 

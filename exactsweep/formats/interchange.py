@@ -11,7 +11,7 @@ from exactsweep.formats.error import FormatError
 from exactsweep.formats.part_list import PartList
 from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import require_imports
 from exactsweep.numbers.number import abridge, quote
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @tells_arguments
-def from_shapely(geometry: shapely.Polygon) -> Polygon | Region:
+def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     """Read a polygon of shapely; its floats are taken as the binary values that they are.
 
     Args:
@@ -96,7 +96,7 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 
 @tells_arguments
-def from_wkt(text: str) -> Polygon | Region:
+def from_wkt(text: str) -> AnyPolygon:
     """Read a polygon of WKT, exactly as its decimals say.
 
     Args:
@@ -117,7 +117,7 @@ def from_wkt(text: str) -> Polygon | Region:
 
 
 @tells_arguments
-def to_shapely(polygon: Polygon | Region, *, nearest: bool = False) -> shapely.Polygon:
+def to_shapely(polygon: AnyPolygon, *, nearest: bool = False) -> shapely.Polygon:
     """Make a polygon of shapely, whose coordinates are floats.
 
     Args:

@@ -14,8 +14,7 @@ from exactsweep.formats.exact_json import write_json
 from exactsweep.formats.folder import make_unique
 from exactsweep.formats.part_list import Coordinates
 from exactsweep.formats.reading import INSUNITS, UNITS
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.digits import write_int
 from exactsweep.numbers.number import quote
@@ -26,7 +25,7 @@ _Decimals = list[tuple[str, str]]
 
 @tells_arguments
 def format_polygons(
-    polygons: Iterable[Polygon | Region | NamedPolygon | NamedRegion],
+    polygons: Iterable[AnyPolygon | NamedPolygon | NamedRegion],
     form: str,
     fits: Sequence[Fit] = (),
     *,
@@ -250,7 +249,7 @@ def _rows(regions: Sequence[NamedRegion], form: str) -> Iterator[list[_Decimals]
         yield [exterior, *(row[::-1] for row in holes)]
 
 
-def _name(polygon: Polygon | Region | NamedPolygon | NamedRegion) -> NamedRegion:
+def _name(polygon: AnyPolygon | NamedPolygon | NamedRegion) -> NamedRegion:
     if isinstance(polygon, NamedRegion):
         return polygon
     if isinstance(polygon, NamedPolygon):

@@ -9,10 +9,10 @@ from io import StringIO
 from math import isqrt
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import CLASSES, write_pair
@@ -31,7 +31,7 @@ _AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
 _NO_WRAPPING = 10**9
 
 
-def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool = False) -> str:
+def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool = False) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact, with a decimal approximation beside them where that is another number; of a
@@ -87,7 +87,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
 
 
 def report_no_fit(
-    n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -126,12 +126,12 @@ def report_no_fit(
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
-    shapes: dict[str, Polygon | Region] = {**given, **loops}
+    shapes: dict[str, AnyPolygon] = {**given, **loops}
     return _tell(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
 def report_inner_fit(
-    f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 
@@ -172,14 +172,14 @@ def report_inner_fit(
         for k, region in enumerate(f.regions)
         for j, ring in enumerate((region.exterior, *region.holes))
     }
-    shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
+    shapes: dict[str, AnyPolygon] = {"container": f.container, "part": f.part, **loops}
     fits = f.exact_fits
     return _tell(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
 
 
 def _tell(
     facts: Mapping[str, str],
-    shapes: Mapping[str, Polygon | Region],
+    shapes: Mapping[str, AnyPolygon],
     name: str,
     area: Fraction,
     loops: Mapping[str, Polygon],

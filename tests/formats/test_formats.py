@@ -130,7 +130,7 @@ def test_json_of_a_sweep_holds_everything(
         assert Polygon(document.pop(name)).vertices == getattr(result, name).vertices
     assert document == {
         "kind": result.kind,
-        "direction": list(result.direction),
+        "direction": [*result.solution.frame.direction],
         "reference": [str(coordinate) for coordinate in reference],
         "area": str(result.area),
     }

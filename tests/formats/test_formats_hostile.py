@@ -52,10 +52,12 @@ def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> No
 
 
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+@pytest.mark.long
 def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
 
 
+@pytest.mark.long
 def test_equal_rings_are_one_ring_in_linear_time() -> None:
     def read(n: int) -> None:
         text = f'<svg><path d="{"M0 0h1v1z" * (n // 20)}"/></svg>'
