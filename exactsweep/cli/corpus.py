@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -18,6 +19,7 @@ from exactsweep.cli.complete import (
     offer,
 )
 from exactsweep.cli.output import Command, takes_output, write
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from exactsweep.corpus import Case
@@ -138,8 +140,16 @@ def layouts_command(name: str | None, as_json: bool) -> None:
     default="json",
     help="json if left out.",
 )
+@click.option(
+    "--all",
+    "whole",
+    is_flag=True,
+    help="Write one folder with all of it: JSON lines by theme, schema, checksums, licence, a page "
+    "on how to read a case, and a small reader in each of six languages.",
+)
 @takes_output
 def export_command(
+    whole: bool,
     names: tuple[str, ...],
     flags: tuple[str, ...],
     kind: str | None,
@@ -167,6 +177,11 @@ def export_command(
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
+    if whole:
+        if names or flags or kind or max_size is not None or form != "json":
+            raise click.UsageError("--all goes with -o alone.")
+        _publish(output)
+        return
     chosen = _choose(names, flags, kind, max_size)
     match form:
         case "json":
@@ -211,6 +226,18 @@ def schema_command() -> None:
     from exactsweep.corpus.shipped import read_schema
 
     write(read_schema(), "-")
+
+
+def _publish(output: str) -> None:
+    from exactsweep.corpus.publish import VERSION, write_corpus
+    from exactsweep.formats import FormatError
+
+    folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
+    try:
+        number = write_corpus(folder)
+    except OSError as error:
+        raise FormatError(f"{folder}: {error.strerror or error}") from None
+    click.echo(f"{folder}: {count(number, 'file')}", err=True)
 
 
 def _choose(

@@ -89,11 +89,6 @@ def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fr
 @click.option("--html", type=PATH, metavar="FILE", help="Write a page with pictures of faults.")
 @click.option("--svg", type=PATH, metavar="FILE", help="Write a picture, faults enlarged below.")
 @click.option(
-    "--y-down/--y-up",
-    default=None,
-    help="Whether Y points down in pictures; if left out, it does where the file ends in .svg.",
-)
-@click.option(
     "--workers",
     type=click.IntRange(1, 1024),
     metavar="N",
@@ -112,7 +107,6 @@ def layout_command(
     certificate: str | None,
     html: str | None,
     svg: str | None,
-    y_down: bool | None,
     workers: int | None,
     output: str,
 ) -> None:
@@ -142,6 +136,7 @@ def layout_command(
         layouts = read_layouts(found[0], **options)
         if len(layouts) == 1:
             (layout,) = layouts
+            y_down = reading["y_down"]
             if y_down is None:
                 y_down = found[0].lower().endswith(".svg")
             files_out = {"certificate": certificate, "html": html, "svg": svg}

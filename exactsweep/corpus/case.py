@@ -62,6 +62,7 @@ class Case:
             asked. It is, of all cases of class "SS", and of containers of any class.
         inner_exact_fits: the expected exact fits of G inside D.
         note: where the case comes from, if there is more to say than the title says.
+        version: the number of the corpus in which the case appeared; frozen.
     """
 
     id: str
@@ -83,6 +84,7 @@ class Case:
     inner_regions: tuple[Region, ...] | None = None
     inner_exact_fits: tuple[Fit, ...] = ()
     note: str = ""
+    version: int = 1
 
     @classmethod
     def of(

@@ -10,16 +10,13 @@ from math import ceil, floor
 from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.point_set import AffineMap
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.turn import Turn
+from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.near import find_near
 from exactsweep.layout.outside import cut_outside
 from exactsweep.layout.pieces import ConvexRing
 from exactsweep.layout.solid import LatticeBox, LatticeForm, Solid, make_form, measure_slack
 from exactsweep.numbers.point import Rational
-
-BITS = 64
-"""As near are rational turns at first to angles that have none."""
 
 _SHARED_BITS = 1024
 _ROOM = 1
@@ -50,7 +47,7 @@ class Board:
         across = -1 if placement.mirrored else 1
         return across * cosine, -sine, across * sine, cosine
 
-    def turned(self, k: int, bits: int = BITS) -> Region:
+    def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
         region = self._regions[self.layout.placements[k].part]
         return region._image(AffineMap(*self._linear(k, bits)))
@@ -88,13 +85,13 @@ class Board:
     def _scale(self) -> int | None:
         """The scale of the lattice that all solids share, if there is one."""
         layout = self.layout
-        scales = {self._form(k, BITS)[0] for k in self.placed}
+        scales = {self._form(k, TURN_BITS)[0] for k in self.placed}
         scales.add(layout.container.lattice()[0])
         scales.update(c.denominator for k in self.placed for c in layout.placements[k].move)
         scale = lcm_within(scales)
         return None if scale is None or scale.bit_length() > _SHARED_BITS else scale
 
-    def solid(self, k: int, bits: int = BITS) -> Solid:
+    def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
         """Return the solid of a placement, of which the turn is off by at most 2**-bits."""
         found = self._solids.get((k, bits))
         if found is not None:
@@ -102,7 +99,7 @@ class Board:
         placement = self.layout.placements[k]
         scale, form = self._form(k, bits)
         x, y = placement.move
-        shared = self._scale if bits == BITS else None
+        shared = self._scale if bits == TURN_BITS else None
         finer = shared or lcm_within((scale, x.denominator, y.denominator)) or scale
         error = placement.turn.near(bits).error
         slack = measure_slack(self._regions[placement.part], error) if error else error

@@ -132,6 +132,8 @@ VALID: dict[str, dict[str, Any]] = {
         for verb, given in (("parse", "text"), ("read", "path"))
         for shape in ("polygon", "polygons", "region", "regions")
     },
+    "formats.from_wkt": {"text": "POLYGON ((0 0, 1 0, 0 1, 0 0))"},
+    "formats.parts_from_shapely": {"geometries": [shapely.box(0, 0, 1, 1)]},
     "formats.read_certificate": {"path": "p.json"},
     "formats.read_text": {"path": "p.json"},
     "formats.round_region": {"region": PART.region, "places": 2, "side": "closest"},

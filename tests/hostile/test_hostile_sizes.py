@@ -11,7 +11,7 @@ from command import run
 
 from exactsweep import Polygon
 from exactsweep.formats import FORMATS, format_polygons
-from exactsweep.formats.polygons import measure_written
+from exactsweep.formats.parsing import measure_written
 
 MOST = 1200
 WRITERS = {

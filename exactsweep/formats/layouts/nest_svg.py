@@ -19,7 +19,7 @@ from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.svg import read_svg
-from exactsweep.formats.curved.svg_placed import name_kind
+from exactsweep.formats.curved.svg_style import name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
