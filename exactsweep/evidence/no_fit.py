@@ -29,6 +29,7 @@ class LatticePair:
         moved: the shape that moves.
         reference: the point of the latter whose positions are told.
         placed: shapes that stay, too.
+        scale: that of the lattice, where not all vertices need to be on it.
     """
 
     def __init__(
@@ -37,9 +38,10 @@ class LatticePair:
         moved: Region,
         reference: Point = ORIGIN,
         placed: Sequence[Region] = (),
+        scale: int | None = None,
     ) -> None:
         self.reference = reference
-        self.scale, shapes = share_lattice([fixed, moved, *placed])
+        self.scale, shapes = share_lattice([fixed, moved, *placed], scale)
         self.fixed, self.moved, *self.placed = shapes
 
     def leave(self, position: Point) -> Point:

@@ -70,7 +70,9 @@ class SweptShape(Swept):
         """T's inside, and I(G), which misses T where a point is not swept."""
         x, y = self.reference
         path = Region(self.trajectory.translated((-x, -y)))
-        return LatticePair(path, self.generatrix.reflected(), ORIGIN)
+        # T's corners where contact segments cross would make the common lattice huge.
+        scale = self._no_fit.pair.scale
+        return LatticePair(path, self.generatrix.reflected(), ORIGIN, scale=scale)
 
     @cached_property
     def _outside(self) -> tuple[Polygon, tuple[Polygon, ...]]:
