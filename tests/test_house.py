@@ -27,6 +27,10 @@ RULES: dict[str, tuple[set[str], str]] = {
         GEOMETRY - {"canvas"} | {"procedures"},
         "what computes knows nothing of pictures",
     ),
+    "evidence.proof": (
+        {"numbers", "check"},
+        "proofs are written for their checker, and found by the checking side",
+    ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
     "check": (
         {
@@ -39,9 +43,14 @@ RULES: dict[str, tuple[set[str], str]] = {
         },
         "an oracle that shares code with what it checks is worth nothing",
     ),
+    "check.standalone": (set(), "whoever carries the checker away needs nothing else"),
     "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),
     "sweep": (EVIDENCE | {"draw", "view"}, "the front door"),
     "layout": (EVIDENCE | {"sweep", "layout"}, "layouts are judged with what sweeps"),
+    "layout.report": (
+        EVIDENCE | {"__init__", "sweep", "layout", "layout.report", "text", "formats"},
+        "reports of layouts judge nothing",
+    ),
     "text": (EVIDENCE | {"text", "check", "formats"}, "text tells evidence"),
     "draw": (EVIDENCE | {"draw"}, "pictures show evidence"),
     "view": (EVIDENCE | {"draw", "view", "text", "formats"}, "the page shows evidence"),
@@ -172,12 +181,16 @@ def test_a_circle_is_found() -> None:
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c", "b"]
 
 
+# The checker of all certificates is one file, to be carried away.
+MOST_LINES = {"check.standalone": 850}
+
+
 def test_few_files_lie_at_the_top_and_none_is_long() -> None:
     assert len(list(PACKAGE.glob("*.py"))) <= 6
     long = [
         name
         for name, path in modules().items()
-        if len(path.read_text(encoding="utf-8").splitlines()) > 400
+        if len(path.read_text(encoding="utf-8").splitlines()) > MOST_LINES.get(name, 400)
     ]
     assert not long
 
@@ -207,7 +220,12 @@ def namesakes(sources: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
 
 def test_no_two_types_have_one_name() -> None:
     # One word for one thing: a reader who meets a name knows which type it is.
-    found = namesakes((name, path.read_text(encoding="utf-8")) for name, path in modules().items())
+    # The checker that stands alone has words of its own.
+    found = namesakes(
+        (name, path.read_text(encoding="utf-8"))
+        for name, path in modules().items()
+        if name not in MOST_LINES
+    )
     assert not found, found
 
 

@@ -40,6 +40,7 @@ from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, find_common_scale
+from exactsweep.check.standalone import Refused, prove
 from exactsweep.check.sums import check_sum_within, count_steps
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.point import ORIGIN, Fit, Point
@@ -87,12 +88,16 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     """
     try:
         check_reading(certificate, max_steps)
-        if type(certificate) is dict and "claim" in certificate:
+        if type(certificate) is dict and "layout" in certificate:
+            prove(certificate, max_steps)
+        elif type(certificate) is dict and "claim" in certificate:
             prove_claim(read_claim(certificate), max_steps)
         else:
             _prove(read(certificate), max_steps)
     except CertificateError as flaw:
         return Verification(False, str(flaw), flaw.witness)
+    except Refused as refused:
+        return Verification(False, str(refused), None)
     return Verification(True, "proved", None)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import json
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -17,6 +19,7 @@ from exactsweep.cli.complete import (
     offer,
 )
 from exactsweep.cli.output import Command, takes_output, write
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from exactsweep.corpus import Case
@@ -108,6 +111,25 @@ def show_command(name: str, as_json: bool) -> None:
     write(case_to_line(find_case(name)) if as_json else describe(name), "-")
 
 
+@corpus_command.command("layouts")
+@click.argument("name", required=False, metavar="[ID]")
+@click.option("--json", "as_json", is_flag=True, help="Write layouts and expected faults as JSON.")
+def layouts_command(name: str | None, as_json: bool) -> None:
+    """List layouts with known faults, or write the one of this id for 'exactsweep layout'."""
+    from exactsweep.corpus.layouts import find_layout_case, layout_cases
+
+    found = [*layout_cases()] if name is None else [find_layout_case(name)]
+    if as_json:
+        rows = ({"id": one.id, "layout": one.data, "expected": one.expected} for one in found)
+        text = "".join(f"{json.dumps(row)}\n" for row in rows)
+    elif name is None:
+        verdicts = {True: "valid", False: "wrong"}
+        text = _columns([(one.id, verdicts[one.expected["valid"]], one.title) for one in found])
+    else:
+        text = f"{json.dumps(found[0].data)}\n"
+    write(text, "-")
+
+
 @corpus_command.command("export")
 @click.argument("names", nargs=-1, metavar="[ID]...", shell_complete=offer(list_themes, list_cases))
 @_takes_filters
@@ -118,8 +140,16 @@ def show_command(name: str, as_json: bool) -> None:
     default="json",
     help="json if left out.",
 )
+@click.option(
+    "--all",
+    "whole",
+    is_flag=True,
+    help="Write one folder with all of it: JSON lines by theme, schema, checksums, licence, a page "
+    "on how to read a case, and a small reader in each of six languages.",
+)
 @takes_output
 def export_command(
+    whole: bool,
     names: tuple[str, ...],
     flags: tuple[str, ...],
     kind: str | None,
@@ -147,6 +177,11 @@ def export_command(
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
+    if whole:
+        if names or flags or kind or max_size is not None or form != "json":
+            raise click.UsageError("--all goes with -o alone.")
+        _publish(output)
+        return
     chosen = _choose(names, flags, kind, max_size)
     match form:
         case "json":
@@ -193,6 +228,18 @@ def schema_command() -> None:
     write(read_schema(), "-")
 
 
+def _publish(output: str) -> None:
+    from exactsweep.corpus.publish import VERSION, write_corpus
+    from exactsweep.formats import FormatError
+
+    folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
+    try:
+        number = write_corpus(folder)
+    except OSError as error:
+        raise FormatError(f"{folder}: {error.strerror or error}") from None
+    click.echo(f"{folder}: {count(number, 'file')}", err=True)
+
+
 def _choose(
     names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
 ) -> Iterator[Case]:
@@ -213,7 +260,7 @@ def _choose(
     return chain.from_iterable(found)
 
 
-def _columns(rows: list[tuple[str, ...]]) -> str:
+def _columns(rows: Sequence[tuple[str, ...]]) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
     return "".join(f"{line}\n" for line in lines)

@@ -136,7 +136,7 @@ def find_nearest(
             edges = first.edges[i], second.edges[j]
             if apart == 0 and (point := _find_common_point(*edges)) is not None:
                 return SquaredDistance(Fraction(0), (point, point))
-            n, d, _, _ = _find_nearest_ends(*edges)
+            n, d, _, _ = find_nearest_ends(*edges)
             if best is None or n * best[1] < best[0] * d:
                 best, nearest = (n, d), edges
             continue
@@ -151,7 +151,7 @@ def find_nearest(
                     heappush(heap, (apart, lower, k, across, h))
     if nearest is None:
         return None
-    n, d, p, q = _find_nearest_ends(*nearest)
+    n, d, p, q = find_nearest_ends(*nearest)
     return SquaredDistance(divide_exactly(n, d), (p, q))
 
 
@@ -200,24 +200,33 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
     return Point(Fraction(x), Fraction(y))
 
 
-def _find_nearest_ends(edge: Edge, other: Edge) -> tuple[Rational, Rational, Point, Point]:
-    """The squared distance of two segments that do not meet, as n / d, and the nearest points."""
+def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Rational, Rational, Point, Point]:
+    """Return the squared distance of two segments that do not meet, as n / d, and two points.
+
+    >>> n, d, p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    >>> (n, d), (int(p.x), int(p.y)), (int(q.x), int(q.y))
+    ((4, 4), (1, 0), (1, 1))
+    """
     (a, b), (p, q) = edge, other
     n, d, end, ahead, side = min(
         (
-            (*_measure(end, side), end, ahead, side)
+            (*measure_to_edge(end, side), end, ahead, side)
             for ahead, side, ends in ((True, other, (a, b)), (False, edge, (p, q)))
             for end in ends
         ),
         key=lambda found: divide_exactly(found[0], found[1]),
     )
     x, y = end
-    at, foot = Point(Fraction(x), Fraction(y)), _find_foot(end, side)
+    at, foot = Point(Fraction(x), Fraction(y)), find_foot(end, side)
     return (n, d, at, foot) if ahead else (n, d, foot, at)
 
 
-def _measure(point: Vertex, edge: Edge) -> _NearestRatio:
-    """The squared distance of a point from a segment, as n / d."""
+def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:
+    """Return the squared distance of a point from a segment, as n / d.
+
+    >>> measure_to_edge((0, 2), ((1, 1), (2, 0))), measure_to_edge((0, 0), ((2, 0), (0, 2)))
+    ((2, 1), (16, 8))
+    """
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy, x, y = bx - ax, by - ay, px - ax, py - ay
     along, length = x * dx + y * dy, dx * dx + dy * dy
@@ -228,11 +237,16 @@ def _measure(point: Vertex, edge: Edge) -> _NearestRatio:
     return (dx * y - dy * x) ** 2, length
 
 
-def _find_foot(point: Vertex, edge: Edge) -> Point:
-    """The point of a segment that is nearest to a point."""
+def find_foot(point: Vertex, edge: Edge) -> Point:
+    """Return the point of a segment that is nearest to a point; the segment may be a point.
+
+    >>> find_foot((0, 0), ((2, 0), (0, 2)))
+    Point(x=Fraction(1, 1), y=Fraction(1, 1))
+    """
     (px, py), ((ax, ay), (bx, by)) = point, edge
     dx, dy = bx - ax, by - ay
-    along = divide_exactly((px - ax) * dx + (py - ay) * dy, dx * dx + dy * dy)
+    length = dx * dx + dy * dy
+    along = divide_exactly((px - ax) * dx + (py - ay) * dy, length) if length else Fraction(0)
     along = min(max(along, Fraction(0)), Fraction(1))
     return Point(ax + along * dx, ay + along * dy)
 

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
-from exactsweep.layout.nearest import find_foot
-from exactsweep.layout.solid import share_scale
+from exactsweep.geometry.distance import find_foot
+from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.layout.verdict import find_witness
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Point
@@ -60,6 +60,11 @@ class Fault:
     _bits: int = field(default=0, repr=False, compare=False)
     _wall: int = field(default=0, repr=False, compare=False)
 
+    @property
+    def wall(self) -> int:
+        """The solid that one placement is wrong with: 0 the outside, k the defect k - 1."""
+        return self._wall
+
     @cached_property
     def points(self) -> tuple[Point, ...]:
         """The points that prove it.
@@ -70,15 +75,22 @@ class Fault:
         """
         if self.kind not in ("overlap", "outside"):
             return self._nearest
-        assert self._board is not None
-        first = self._board.solid(self.placements[0], self._bits)
-        if self.kind == "overlap":
-            other = self._board.solid(self.placements[1], self._bits)
-        else:
-            other = self._board.around[self._wall]
-        found = find_witness(*share_scale(first, other))
+        a, b = self.find_pair(self._bits)
+        found = find_witness(a, b)
         assert found is not None
-        return (found,)
+        return (found.point,)
+
+    def find_pair(self, bits: int) -> tuple[Solid, Solid]:
+        """Return the two solids that a fault is about, on one lattice.
+
+        The second one of a fault with one placement is the outside or a defect.
+        """
+        board = self._board
+        assert board is not None
+        first = board.solid(self.placements[0], bits)
+        if len(self.placements) > 1:
+            return share_scale(first, board.solid(self.placements[1], bits))
+        return share_scale(first, board.around[self._wall])
 
     @cached_property
     def move(self) -> Point | None:
@@ -113,7 +125,7 @@ class Fault:
         ]
         moves = [
             Point(foot.x - at.x, foot.y - at.y)
-            for foot in (find_foot(at, a, b) for a, b in (*edges, *fits))
+            for foot in (find_foot(at, edge) for edge in (*edges, *fits))
         ]
         return min(moves, key=lambda by: (by.x * by.x + by.y * by.y, by), default=None)
 

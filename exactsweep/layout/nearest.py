@@ -6,14 +6,15 @@ one: the quotient of two ints.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from fractions import Fraction
 from math import isqrt
 from typing import NamedTuple
 
+from exactsweep.geometry.distance import find_nearest_ends, measure_to_edge
 from exactsweep.geometry.overlap import touch
+from exactsweep.layout.pieces import IntVertex
 from exactsweep.layout.solid import BoxedEdge, Solid
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Edge, Point, Rational
 
 
 class NearestPoints(NamedTuple):
@@ -43,7 +44,9 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
     the other solid.
     """
     scale = a.scale
-    n, d = (below * scale * scale).as_integer_ratio()
+    bound = below * scale * scale
+    n: Rational = bound.numerator
+    d: Rational = bound.denominator
     reach = isqrt(n // d) + 1
     x, y = b.x - a.x, b.y - a.y
     left, right, low, high = a.form.box
@@ -55,6 +58,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
     for e in theirs:
         left, right, low, high = e[0] + x, e[1] + x, e[2] + y, e[3] + y
         farthest, nearest = right + reach, left - reach
+        other = _move(e, x, y)
         for f in ours:
             if f[0] > farthest:
                 break
@@ -64,81 +68,49 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
             up = low - f[3] if low > f[3] else f[2] - high if f[2] > high else 0
             if (across * across + up * up) * d >= n:
                 continue
-            square, length = _measure_edges(f, e, x, y)
+            one = (f[4], f[5]), (f[6], f[7])
+            if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
+                continue
+            square, length = _measure_edges(one, other)
             if square * d < n * length:
                 n, d, best = square, length, (f, e)
                 reach = isqrt(n // d) + 1
                 farthest, nearest = right + reach, left - reach
     if best is None:
         return None
-    p, q = _find_points(*best, x, y)
+    one, other = _move(best[0], 0, 0), _move(best[1], x, y)
+    if n:
+        _, _, p, q = find_nearest_ends(one, other)
+    else:
+        # Solids that do not overlap touch in a vertex of one of them.
+        p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
     return NearestPoints(
         Fraction(n, d * scale * scale) if type(n) is int else Fraction(n) / d / scale**2,
         (a.leave(p[0] + a.x, p[1] + a.y), a.leave(q[0] + a.x, q[1] + a.y)),
     )
 
 
-def _ends(edge: BoxedEdge, x: int, y: int) -> tuple[tuple[int, int], tuple[int, int]]:
+def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
     return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
 
 
-def _measure_edges(f: BoxedEdge, e: BoxedEdge, x: int, y: int) -> tuple[int, int]:
-    """The squared distance of two edges, the second one moved, as a quotient."""
-    (a, b), (p, q) = _ends(f, 0, 0), _ends(e, x, y)
-    if touch(a, b, p, q) != []:
-        return 0, 1
-    n, d = measure_point(a, p, q)
-    for found, length in (
-        measure_point(b, p, q),
-        measure_point(p, a, b),
-        measure_point(q, a, b),
-    ):
-        if found * d < n * length:
-            n, d = found, length
-    return n, d
-
-
-def measure_point(p: tuple[int, int], a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int]:
-    """Return the squared distance of a point from a segment as a quotient.
-
-    >>> measure_point((0, 2), (1, 1), (2, 0)), measure_point((0, 0), (2, 0), (0, 2))
-    ((2, 1), (16, 8))
-    """
-    dx, dy, x, y = b[0] - a[0], b[1] - a[1], p[0] - a[0], p[1] - a[1]
-    along, length = x * dx + y * dy, dx * dx + dy * dy
-    if along <= 0:
-        return x * x + y * y, 1
-    if along >= length:
-        x, y = x - dx, y - dy
-        return x * x + y * y, 1
-    return (dx * y - dy * x) ** 2, length
-
-
-def find_foot(
-    p: Iterable[int | Fraction], a: Iterable[int | Fraction], b: Iterable[int | Fraction]
-) -> Point:
-    """Return the point of a segment that is nearest to a point.
-
-    >>> find_foot((0, 0), (2, 0), (0, 2))
-    Point(x=Fraction(1, 1), y=Fraction(1, 1))
-    """
-    (px, py), (ax, ay), (bx, by) = p, a, b
+def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
+    """Whether the squared distance of an edge from the line of another one is at least n / d."""
+    (ax, ay), (bx, by) = line
+    (px, py), (qx, qy) = edge
     dx, dy = bx - ax, by - ay
-    length = dx * dx + dy * dy
-    along = Fraction((px - ax) * dx + (py - ay) * dy) / length if length else Fraction(0)
-    along = min(max(along, Fraction(0)), Fraction(1))
-    return Point(ax + along * dx, ay + along * dy)
+    of_p, of_q = dx * (py - ay) - dy * (px - ax), dx * (qy - ay) - dy * (qx - ax)
+    least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
+    return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
 
 
-def _find_points(f: BoxedEdge, e: BoxedEdge, x: int, y: int) -> tuple[Point, Point]:
-    """The two nearest points of two edges, of which the second one is moved."""
-    (a, b), (p, q) = _ends(f, 0, 0), _ends(e, x, y)
-    shared = touch(a, b, p, q)
-    if shared:
-        both = Point(Fraction(shared[0][0]), Fraction(shared[0][1]))
-        return both, both
-    pairs = [
-        *((Point(Fraction(v[0]), Fraction(v[1])), find_foot(v, p, q)) for v in (a, b)),
-        *((find_foot(v, a, b), Point(Fraction(v[0]), Fraction(v[1]))) for v in (p, q)),
-    ]
-    return min(pairs, key=lambda pair: (pair[0].x - pair[1].x) ** 2 + (pair[0].y - pair[1].y) ** 2)
+def _measure_edges(one: Edge, other: Edge) -> tuple[Rational, Rational]:
+    """The squared distance of two edges as a quotient."""
+    if touch(*one, *other) != []:
+        return 0, 1
+    n, d = measure_to_edge(one[0], other)
+    for end, edge in ((one[1], other), (other[0], one), (other[1], one)):
+        square, length = measure_to_edge(end, edge)
+        if square * d < n * length:
+            n, d = square, length
+    return n, d

@@ -5,8 +5,8 @@
     interior and halves a cone at both.
 (2) Into a cone wider than half a turn there is always a diagonal. When no cone is that wide, every
     face is convex: a hole in a face would have such a cone at one of its corners.
-(3) So the edges of the pieces are those of the shape and, twice, once in each direction, those of
-    the diagonals.
+(3) So the edges of the pieces are those of the shape and, once in each direction, the diagonals.
+    Where two of them go on in one line, a piece has one edge for both.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _Corner = tuple[IntVertex, IntVertex]
 _BoxedWall = tuple[int, int, int, int, IntVertex, IntVertex]
 
 ConvexRing = list[IntVertex]
-"""A convex ring, counter-clockwise; neighbouring edges may lie on one line."""
+"""A convex ring, counter-clockwise, without straight angles."""
 
 
 def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
@@ -37,8 +37,7 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
         rings: the boundary, the interior on the left. Rings may touch in points.
 
     Returns:
-        Pieces whose vertices are those of the rings. Where a vertex of a ring lies inside an edge
-        of another one, the pieces have that edge in two.
+        Pieces whose vertices are those of the rings.
 
     Cost: O(c n) for n vertices, c of which are concave, times the diagonals that are tried for one.
 
@@ -137,8 +136,9 @@ def _walk_faces(cones: dict[IntVertex, list[_Corner]]) -> list[ConvexRing]:
         key, piece = first, []
         while key in ending:
             way = ending.pop(key)
-            p = key[0]
-            piece.append(p)
+            p, back = key
+            if back[0] * way[1] != back[1] * way[0]:
+                piece.append(p)
             key = (p[0] + way[0], p[1] + way[1]), (-way[0], -way[1])
         pieces.append(piece)
     return pieces
@@ -180,6 +180,32 @@ def _subtract(a: IntVertex, b: IntVertex) -> IntVertex:
 def _cross(a: IntVertex, b: IntVertex, c: IntVertex) -> int:
     """Positive if c is on the left of the line from a to b."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def find_hull(points: Sequence[IntVertex]) -> ConvexRing:
+    """Find the convex hull of points that are not all on one line (Andrew's chains).
+
+    Cost: O(n log n).
+
+    >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
+    [(0, 0), (4, 0), (0, 4)]
+    """
+    ascending = sorted(points)
+    hull: ConvexRing = []
+    for chain in (ascending, ascending[::-1]):
+        first = len(hull)
+        for p in chain:
+            while len(hull) - first > 1 and _cross(hull[-2], hull[-1], p) <= 0:
+                hull.pop()
+            hull.append(p)
+        hull.pop()
+    return hull
+
+
+def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
+    """Return the left, right, low and high ends of a piece."""
+    xs, ys = zip(*piece, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
 
 
 def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:

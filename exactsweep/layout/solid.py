@@ -4,23 +4,24 @@
     placed parts are: no part may overlap them. So one question, asked of two solids, is all.
 (2) All solids are on one lattice, if its scale has no more than 1024 bits. Turns by many unrelated
     angles would make it longer than the numbers themselves; then each pair has its own lattice.
-(3) A solid whose turn is off by e is off by e r, where r is how far the part reaches from its
-    origin. That is its *slack*: each point of its boundary is within the slack of one of the true
-    boundary, and the other way round.
+(3) A solid whose turn is off by e on the unit circle is off by e r, where r is how far the part
+    reaches from its origin. That is its *slack*: each point of its boundary is within the slack of
+    one of the true boundary, and the other way round. Certificates have sums of coordinates for e
+    and r instead of roots: 3/2 e, which is more than 2^(1/2) e, and |x| + |y| for r.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import isqrt, lcm
+from math import lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.overlap import is_inside_edges
 from exactsweep.geometry.region import Region
-from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, cut_to_convex
+from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, cut_to_convex, find_hull
 from exactsweep.numbers.point import Point, Rational
 
 LatticeBox = tuple[int, int, int, int]
@@ -47,10 +48,14 @@ class LatticeForm:
 
     Args:
         rings: the exterior first.
+        cut: gives the convex pieces that make it up.
     """
 
-    def __init__(self, rings: Sequence[IntRing]) -> None:
+    def __init__(
+        self, rings: Sequence[IntRing], cut: Callable[[], list[ConvexRing]] | None = None
+    ) -> None:
         self.rings = rings
+        self._cut = cut or (lambda: cut_to_convex(rings))
         xs, ys = zip(*rings[0], strict=True)
         self.box: LatticeBox = min(xs), max(xs), min(ys), max(ys)
         self._scaled: dict[int, LatticeForm] = {1: self}
@@ -60,7 +65,8 @@ class LatticeForm:
         found = self._scaled.get(factor)
         if found is None:
             found = LatticeForm(
-                [[(x * factor, y * factor) for x, y in ring] for ring in self.rings]
+                [_scale(ring, factor) for ring in self.rings],
+                lambda: [_scale(piece, factor) for piece in self.pieces],
             )
             self._scaled[factor] = found
         return found
@@ -86,9 +92,14 @@ class LatticeForm:
         return [edge[0] for edge in self.edges], max(edge[1] - edge[0] for edge in self.edges)
 
     @cached_property
+    def hull(self) -> list[IntVertex]:
+        """The corners of the convex hull, counter-clockwise."""
+        return find_hull(self.rings[0])
+
+    @cached_property
     def pieces(self) -> list[ConvexRing]:
         """Convex pieces that make up the form."""
-        return cut_to_convex(self.rings)
+        return self._cut()
 
     def near(self, box: LatticeBox) -> list[BoxedEdge]:
         """Return the edges whose boxes meet a box.
@@ -150,32 +161,42 @@ class Solid(NamedTuple):
         return Solid(self.form.scaled(factor), self.x * factor, self.y * factor, scale, self.slack)
 
     @property
-    def rings(self) -> list[list[IntVertex]]:
-        """The rings at their place."""
+    def pieces(self) -> list[ConvexRing]:
+        """The convex pieces at their place."""
         x, y = self.x, self.y
-        return [[(px + x, py + y) for px, py in ring] for ring in self.form.rings]
+        return [[(px + x, py + y) for px, py in piece] for piece in self.form.pieces]
 
     def leave(self, x: int | Fraction, y: int | Fraction) -> Point:
         """Return a point of the lattice, or between, in the plane."""
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
-def make_form(region: Region) -> tuple[int, LatticeForm]:
-    """Return the scale of a region's lattice and its form there. Cost: O(n)."""
-    scale, rings = region.lattice()
-    return scale, LatticeForm(rings)  # type: ignore[arg-type]
+def _scale(ring: IntRing, factor: int) -> list[IntVertex]:
+    return [(x * factor, y * factor) for x, y in ring]
 
 
-def measure_reach(region: Region) -> Fraction:
-    """Return an upper bound on how far a region reaches from the origin. Cost: O(n).
+def make_form(
+    region: Region, cut: Callable[[int], list[ConvexRing]] | None = None
+) -> tuple[int, LatticeForm]:
+    """Return the scale of a region's lattice and its form there.
 
-    >>> measure_reach(Region([(0, 0), (3, 0), (3, 4)]))
-    Fraction(5, 1)
+    Args:
+        region: a Region.
+        cut: gives its convex pieces on a lattice, if they are known.
+
+    Cost: O(n).
     """
     scale, rings = region.lattice()
-    square = max(x * x + y * y for x, y in rings[0])
-    root = isqrt(int(square))
-    return Fraction(root + (root * root < square), scale)
+    return scale, LatticeForm(rings, cut and (lambda: cut(scale)))  # type: ignore[arg-type]
+
+
+def measure_slack(region: Region, error: Fraction) -> Fraction:
+    """Return how far a region is off whose turn is off by an error, by (3). Cost: O(n).
+
+    >>> measure_slack(Region([(0, 0), (3, 0), (3, -4)]), Fraction(1, 100))
+    Fraction(21, 200)
+    """
+    return max(abs(x) + abs(y) for x, y in region.exterior.vertices) * error * 3 / 2
 
 
 def share_scale(a: Solid, b: Solid) -> tuple[Solid, Solid]:

@@ -4,23 +4,24 @@ Let d be the sum of the slacks of two solids, s the distance that they should ha
 
 (1) Solids that are apart by more than d are apart in truth. If their distance is at least s + d,
     or less than s - d, so it is with s in truth.
-(2) A point inside a solid that is farther from its boundary than the slack is inside in truth.
+(2) A point inside a convex piece of a solid, farther from its sides than the slack, is inside the
+    solid in truth.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
-from itertools import product
 from typing import NamedTuple
 
+from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.layout.meeting import Relation, meet
-from exactsweep.layout.nearest import NearestPoints, find_gap, measure_point
-from exactsweep.layout.pieces import find_common_point
+from exactsweep.layout.nearest import NearestPoints, find_gap
+from exactsweep.layout.pieces import ConvexRing, bound_piece, find_common_point
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.point import Point
 
-MOST_BITS = 512
+MOST_BITS = 256
 """As near are rational turns at most to angles that have none."""
 
 
@@ -40,6 +41,13 @@ class PairVerdict(NamedTuple):
     too_close: bool | None
     bits: int
     slack: Fraction
+
+
+class CommonPoint(NamedTuple):
+    """A point inside two solids, and the numbers of a piece of each that has it inside."""
+
+    point: Point
+    pieces: tuple[int, int]
 
 
 Refine = Callable[[int], tuple[Solid, Solid]]
@@ -85,7 +93,7 @@ def _decide(a: Solid, b: Solid, bits: int, spacing: Fraction) -> PairVerdict:
     )
 
 
-def find_witness(a: Solid, b: Solid) -> Point | None:
+def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
     """Find a point inside two solids, in truth, by (2); None if there is none that proves it.
 
     Args:
@@ -94,35 +102,26 @@ def find_witness(a: Solid, b: Solid) -> Point | None:
 
     Cost: O(p q) for the pieces of both.
     """
-    for x, y in _list_common_points(a, b):
-        if all(not solid.slack or _is_deep(solid, x - solid.x, y - solid.y) for solid in (a, b)):
-            return a.leave(x, y)
+    ours, theirs = ([(bound_piece(piece), piece) for piece in solid.pieces] for solid in (a, b))
+    for i, ((left, right, low, high), one) in enumerate(ours):
+        for j, ((west, east, south, north), other) in enumerate(theirs):
+            if left < east and west < right and low < north and south < high:
+                point = find_common_point(one, other)
+                if (
+                    point is not None
+                    and _is_deep(point, one, a.slack * a.scale)
+                    and _is_deep(point, other, b.slack * b.scale)
+                ):
+                    return CommonPoint(a.leave(*point), (i, j))
     return None
 
 
-def _list_common_points(a: Solid, b: Solid) -> Iterator[Point]:
-    ours, theirs = (
-        [
-            (min(xs), max(xs), min(ys), max(ys), piece)
-            for piece in (
-                [(x + solid.x, y + solid.y) for x, y in piece] for piece in solid.form.pieces
-            )
-            for xs, ys in [tuple(zip(*piece, strict=True))]
-        ]
-        for solid in (a, b)
-    )
-    for (left, right, low, high, one), (west, east, south, north, other) in product(ours, theirs):
-        if left < east and west < right and low < north and south < high:
-            point = find_common_point(one, other)
-            if point is not None:
-                yield point
-
-
-def _is_deep(solid: Solid, x: Fraction, y: Fraction) -> bool:
-    """Whether a point of a form is farther from its boundary than the slack."""
-    least = (solid.slack * solid.scale) ** 2
+def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
+    """Whether a point inside a piece is farther from its sides than the slack."""
+    if not slack:
+        return True
+    sides = zip(piece, [*piece[1:], piece[0]], strict=True)
     return all(
-        square > least * length
-        for edge in solid.form.edges
-        for square, length in [measure_point((x, y), edge[4:6], edge[6:8])]  # type: ignore[arg-type]
+        square > slack * slack * length
+        for square, length in (measure_to_edge(point, side) for side in sides)
     )

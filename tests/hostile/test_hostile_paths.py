@@ -94,6 +94,7 @@ def test_paths_that_cannot_be_used(
     require_row(f"paths {done} by `{command}`", len(paths))
 
 
+@pytest.mark.long
 def test_too_little_memory_is_one_line(tmp_path: Path) -> None:
     """A polygon of which every coordinate has 4,300 digits, in less memory than it takes."""
     path = tmp_path / "long.json"
@@ -119,6 +120,7 @@ FULL = [
 ]
 
 
+@pytest.mark.long
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     """Once help and version ended in Python's own words."""
     for arguments in FULL:

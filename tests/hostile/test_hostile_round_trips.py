@@ -91,6 +91,7 @@ def test_the_pairs_are_beyond_the_limit() -> None:
 
 
 @pytest.mark.parametrize(("g", "d"), PAIRS)
+@pytest.mark.long
 def test_answers_are_read_by_all_commands(
     g: Points, d: Points, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -12,7 +12,7 @@ from hostile_table import require_row
 
 from exactsweep import Polygon
 from exactsweep.formats import FORMATS, format_polygons
-from exactsweep.formats.polygons import measure_written
+from exactsweep.formats.parsing import measure_written
 
 MOST = 1200
 WRITERS = {

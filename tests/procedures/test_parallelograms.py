@@ -57,7 +57,7 @@ def test_crossed_strips_leave_few_crossings() -> None:
     assert 0 < sum(len(stretch.cuts) for stretch in left) < 60_000
     found = no_fit_ss([strips], [inverse(moving[0])])
     # Two rows of 40 teeth each way, and what is between them.
-    assert (len(found.exterior), found.holes, found.exact_fits) == (236, [], [])
+    assert ([len(loop) for loop in found.around], found.within, found.fits) == ([236], [], [])
 
 
 def test_shapes_without_squares_have_none() -> None:

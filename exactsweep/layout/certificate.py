@@ -1,0 +1,277 @@
+"""Certificates of layouts, as `check/CERTIFICATES.md` describes them.
+
+The judge's faults are the claim. A checker needs more, in order to add up: convex pieces, a normal
+for each pair of pieces whose boxes are not far enough apart, and a witness for each fault.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import Any
+
+from exactsweep.geometry.overlap import touch
+from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.layout.board import Board
+from exactsweep.layout.fault import Fault
+from exactsweep.layout.layout import LayoutPart
+from exactsweep.layout.nearest import find_gap
+from exactsweep.layout.normals import find_normal
+from exactsweep.layout.pieces import ConvexRing, IntVertex, bound_piece
+from exactsweep.layout.reading import LayoutError
+from exactsweep.layout.solid import LatticeBox, Solid, share_scale
+from exactsweep.layout.verdict import MOST_BITS, find_witness
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
+
+FORMAT, VERSION = "exactsweep certificate", 2
+
+
+def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
+    """Write the certificate of a layout.
+
+    Args:
+        board: its solids.
+        faults: what the judge found; none for a valid layout.
+
+    Returns:
+        Plain JSON data.
+
+    Raises:
+        LayoutError: nothing that is wrong can be proved: all is undecided, or a hole of a part is
+            not inside it.
+
+    Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
+    """
+    bits = TURN_BITS
+    while True:
+        proof = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
+        if proof is not None or bits >= MOST_BITS:
+            break
+        bits *= 2
+    if not proof:
+        raise LayoutError("nothing that is wrong with the layout has a proof: no certificate")
+    layout = board.layout
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "kind": "layout",
+        "layout": layout.to_json(),
+        "valid": not faults,
+        "turns": [[_write(c) for c in p.turn.near(bits)[:2]] for p in layout.placements],
+        "frame": [_write(c) for c in board.frame],
+        **proof,
+    }
+
+
+def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
+    """The pieces and normals; None if the turns are not near enough."""
+    apart: list[list[Any]] = []
+    for found in (_part_placements(board, bits), _part_container(board, bits)):
+        for entry in found:
+            if entry is None:
+                return None
+            apart.append(entry)
+    return {
+        "pieces": [_write_pieces(board, part) for part in board.layout.parts],
+        "outside": _write_outside(board),
+        "apart": apart,
+        "faults": [],
+    }
+
+
+def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
+    """An entry for each near pair of placements, or for each near pair of their pieces."""
+    spacing = board.layout.spacing
+    for k, j in board.list_near(spacing):
+        a, b = share_scale(board.solid(k, bits), board.solid(j, bits))
+        distance = (spacing + a.slack + b.slack) * a.scale
+        if _are_apart(a.box, b.box, distance):
+            continue
+        ours, theirs = a.form.hull, b.form.hull
+        normal = find_normal(_shift(ours, a), _shift(theirs, b), distance)
+        if normal is not None:
+            yield [k, -1, j, -1, *map(str, normal)]
+            continue
+        for i, h, found in _part_pieces(a, b, distance):
+            yield found and [k, i, j, h, *map(str, found)]
+
+
+def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
+    """An entry for each piece of the outside and each piece of a placement that is near."""
+    for k in board.placed:
+        first = 0
+        for wall in board.around:
+            a, b = share_scale(wall, board.solid(k, bits))
+            distance = (board.layout.margin + b.slack) * a.scale
+            for i, h, found in _part_pieces(a, b, distance):
+                yield found and [-1, first + i, k, h, *map(str, found)]
+            first += len(wall.form.pieces)
+
+
+def _part_pieces(
+    a: Solid, b: Solid, distance: Fraction
+) -> Iterator[tuple[int, int, IntVertex | None]]:
+    """The numbers of the pieces that need a normal, and the normal, if there is one."""
+    theirs = [
+        (h, piece, box)
+        for h, piece in enumerate(b.pieces)
+        if not _are_apart(a.box, box := bound_piece(piece), distance)
+    ]
+    for i, one in enumerate(a.pieces):
+        bounds = bound_piece(one)
+        if not _are_apart(bounds, b.box, distance):
+            for h, other, box in theirs:
+                if not _are_apart(bounds, box, distance):
+                    yield i, h, find_normal(one, other, distance)
+
+
+def _shift(ring: Sequence[IntVertex], by: Solid) -> list[IntVertex]:
+    return [(x + by.x, y + by.y) for x, y in ring]
+
+
+def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
+    """Whether two boxes are a distance apart in x or in y."""
+    left, right, low, high = one
+    west, east, south, north = other
+    return (
+        west - right >= distance
+        or left - east >= distance
+        or south - high >= distance
+        or low - north >= distance
+    )
+
+
+def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str, Any] | None:
+    """The faults with their witnesses; None if the turns are not near enough for one."""
+    proved: list[dict[str, Any]] = []
+    parts: set[str] = set()
+    for fault in faults:
+        if fault.kind in ("missing", "surplus", "turn", "mirror"):
+            entry = {"kind": fault.kind, "part": fault.part}
+            if entry not in proved:
+                proved.append(entry)
+        elif fault.kind == "shape":
+            assert fault.part is not None
+            edges = _find_clash(board.layout.part_by_id[fault.part])
+            if edges is not None:
+                proved.append({"kind": "shape", "part": fault.part, "edges": edges})
+        elif fault.kind != "undecided":
+            witness = _find_proof(board, fault, bits)
+            if witness is not None:
+                proved.append(witness)
+                parts.update(board.layout.placements[k].part for k in fault.placements)
+            elif bits < MOST_BITS:
+                return None
+    walled = any(len(entry.get("placements", ())) == 1 for entry in proved)
+    return (
+        {
+            "pieces": [
+                _write_pieces(board, part) if part.id in parts else None
+                for part in board.layout.parts
+            ],
+            "outside": _write_outside(board) if walled else None,
+            "apart": [],
+            "faults": proved,
+        }
+        if proved
+        else None
+    )
+
+
+def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
+    """The witness of an overlap, of a part outside, or of a gap that is too small."""
+    a, b = fault.find_pair(bits)
+    alone = len(fault.placements) == 1
+    first = sum(len(wall.form.pieces) for wall in board.around[: fault.wall]) if alone else 0
+    if fault.kind == "too close":
+        gap = board.layout.margin if alone else board.layout.spacing
+        room = gap - a.slack - b.slack
+        found = find_gap(a, b, room * room) if room > 0 else None
+        if found is None:
+            return None
+        points = found.points
+        i, j = _find_piece(a, points[0]), _find_piece(b, points[1])
+    else:
+        witness = find_witness(a, b)
+        if witness is None:
+            return None
+        points, (i, j) = (witness.point, witness.point), witness.pieces
+    return {
+        "kind": fault.kind,
+        "placements": list(fault.placements),
+        "pieces": [i, first + j],
+        "points": [_write_point(point) for point in points],
+    }
+
+
+def _find_piece(solid: Solid, point: Point) -> int:
+    """The number of a piece that has a point inside or on its boundary."""
+    x, y = point.x * solid.scale, point.y * solid.scale
+    return next(
+        k
+        for k, piece in enumerate(solid.pieces)
+        if all(
+            (bx - ax) * (y - ay) >= (by - ay) * (x - ax)
+            for (ax, ay), (bx, by) in pairwise((*piece, piece[0]))
+        )
+    )
+
+
+def _find_clash(part: LayoutPart) -> list[list[int]] | None:
+    """Two edges that keep a ring from being simple, or two of different rings that cross."""
+    rings = [
+        list(pairwise((*ring, ring[0])))
+        for ring in (
+            [p for k, p in enumerate(r) if p != r[k - 1]] for r in (part.exterior, *part.holes)
+        )
+        if len(ring) > 2
+    ]
+    if len(rings) <= len(part.holes):
+        return None
+    for r, edges in enumerate(rings):
+        for (i, one), (k, other) in combinations(enumerate(edges), 2):
+            if k - i in (1, len(edges) - 1):
+                (a, b), (_, c) = (one, other) if k - i == 1 else (other, one)
+                ux, uy, vx, vy = a.x - b.x, a.y - b.y, c.x - b.x, c.y - b.y
+                clash = ux * vy == uy * vx and ux * vx + uy * vy > 0
+            else:
+                clash = touch(*one, *other) != []
+            if clash:
+                return [[r, i], [r, k]]
+    for (r, edges), (s, others) in combinations(enumerate(rings), 2):
+        for i, (a, b) in enumerate(edges):
+            for k, (p, q) in enumerate(others):
+                if _turn(a, b, p) * _turn(a, b, q) < 0 and _turn(p, q, a) * _turn(p, q, b) < 0:
+                    return [[r, i], [s, k]]
+    return None
+
+
+def _turn(a: Point, b: Point, c: Point) -> Fraction:
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+
+
+def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:
+    assert part.region is not None
+    scale, _ = part.region.lattice()
+    return _write_rings(board.pieces(part.id), scale)
+
+
+def _write_outside(board: Board) -> list[Any]:
+    return [ring for wall in board.around for ring in _write_rings(wall.form.pieces, wall.scale)]
+
+
+def _write_rings(pieces: Sequence[ConvexRing], scale: int) -> list[list[list[str]]]:
+    return [
+        [_write_point(Point(Fraction(x) / scale, Fraction(y) / scale)) for x, y in piece]
+        for piece in pieces
+    ]
+
+
+def _write_point(point: Point) -> list[str]:
+    return [_write(c) for c in point]
+
+
+def _write(value: Fraction | int) -> str:
+    return format_fraction(Fraction(value))

@@ -1,0 +1,59 @@
+"""Normals that show that convex pieces are far enough apart.
+
+(1) Of two convex pieces whose interiors have no common point, some edge has one on each side.
+(2) If the nearest points of two convex pieces p and q are d > 0 apart, the strip between them with
+    the normal q - p is d wide and empty; that is the normal of an edge, or joins two vertices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import product
+from math import gcd
+
+from exactsweep.layout.pieces import IntVertex
+
+
+def find_normal(
+    one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
+) -> IntVertex | None:
+    """Find a normal from one convex piece to another one, at least a distance apart.
+
+    Args:
+        one: the vertices of a convex ring, counter-clockwise.
+        other: likewise, on the same lattice.
+        distance: how far they should be apart, in units of the lattice.
+
+    Returns:
+        The least ints (x, y) in a direction in which the other piece begins that far behind the end
+        of the first one; None if they are nearer.
+
+    Cost: O((m + n)^2); for vertices that are nearest O(m n (m + n)).
+
+    >>> find_normal([(0, 0), (2, 0), (0, 2)], [(2, 2), (0, 2), (2, 0)], Fraction(0))
+    (1, 1)
+    """
+    square = distance * distance
+    for x, y in _list_normals(one, other, distance):
+        gap = min(x * px + y * py for px, py in other) - max(x * px + y * py for px, py in one)
+        if gap >= 0 and gap * gap >= square * (x * x + y * y):
+            common = gcd(x, y)
+            return x // common, y // common
+    return None
+
+
+def _list_normals(
+    one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
+) -> Iterator[IntVertex]:
+    for (ax, ay), (bx, by) in _edges(one):
+        yield by - ay, ax - bx
+    for (ax, ay), (bx, by) in _edges(other):
+        yield ay - by, bx - ax
+    if distance:
+        joins = [(q[0] - p[0], q[1] - p[1]) for p, q in product(one, other)]
+        yield from sorted(joins, key=lambda v: v[0] * v[0] + v[1] * v[1])[:1]
+
+
+def _edges(ring: Sequence[IntVertex]) -> Iterator[tuple[IntVertex, IntVertex]]:
+    return zip(ring, (*ring[1:], ring[0]), strict=True)

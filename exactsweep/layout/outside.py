@@ -1,0 +1,63 @@
+"""Convex pieces of what is outside of a container, in a frame around it.
+
+Four rectangles are around the box of the container: no part that is inside the box needs a normal
+with them. The rest are pockets, each between a chain of the container from one point of the border
+of the box to the next and that border.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, bound_piece, cut_to_convex
+
+
+def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:
+    """Cut what is between a container and a frame into convex pieces.
+
+    Args:
+        exterior: the container's, counter-clockwise.
+        frame: left, low, right and high; it holds the container with room to spare.
+
+    Returns:
+        Convex rings that make it up.
+
+    Cost: that of `cut_to_convex` for the pockets.
+
+    >>> len(cut_outside([(0, 0), (2, 0), (2, 2), (1, 2), (0, 1)], (-1, -1, 3, 3)))
+    5
+    """
+    west, south, east, north = frame
+    left, right, low, high = bound_piece(exterior)
+    pieces = [
+        _rectangle(west, south, left, north),
+        _rectangle(right, south, east, north),
+        _rectangle(left, south, right, low),
+        _rectangle(left, high, right, north),
+    ]
+    corners = _rectangle(left, low, right, high)
+
+    def find_side(p: IntVertex) -> int | None:
+        """The side of the box on which a point is: its end, if it is a corner."""
+        x, y = p
+        sides = [y == low and x > left, x == right and y > low, y == high and x < right, x == left]
+        return sides.index(True) if any(sides) else None
+
+    on_border = [k for k, p in enumerate(exterior) if find_side(p) is not None]
+    for first, last in pairwise([*on_border, on_border[0] + len(exterior)]):
+        chain = [exterior[k % len(exterior)] for k in range(first, last + 1)]
+        start, end = find_side(chain[0]), find_side(chain[-1])
+        assert start is not None
+        assert end is not None
+        passed = range(start, start + (end - start) % 4)
+        border = [
+            c for c in (corners[(k + 1) % 4] for k in passed) if c not in (chain[0], chain[-1])
+        ]
+        ring = [chain[0], *border, *chain[:0:-1]]
+        if len(chain) > 2 or border:
+            pieces += cut_to_convex([ring])
+    return pieces
+
+
+def _rectangle(left: int, low: int, right: int, high: int) -> ConvexRing:
+    return [(left, low), (right, low), (right, high), (left, high)]

@@ -1,0 +1,285 @@
+"""Certificates of layouts, written by hand, and the small checker that proves them."""
+
+import copy
+import json
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from exactsweep.check import verify
+from exactsweep.check.standalone import Refused, load, prove, turn_error
+
+SQUARE = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+L = [["0", "0"], ["2", "0"], ["2", "1"], ["1", "1"], ["1", "2"], ["0", "2"]]
+
+
+def box(left: int, low: int, right: int, high: int) -> list[list[str]]:
+    return [[str(x), str(y)] for x, y in ((left, low), (right, low), (right, high), (left, high))]
+
+
+def certificate(**changes: Any) -> dict[str, Any]:
+    """Two Ls that fill a box of 3 x 2 but for nothing."""
+    found = {
+        "format": "exactsweep certificate",
+        "version": 2,
+        "kind": "layout",
+        "layout": {
+            "container": {"exterior": box(0, 0, 3, 2)},
+            "parts": [{"id": "L", "exterior": L, "demand": 2, "turns": ["0", "180"]}],
+            "placements": [
+                {"part": "L", "turn": "0", "move": ["0", "0"]},
+                {"part": "L", "turn": "180", "move": ["3", "2"]},
+            ],
+        },
+        "valid": True,
+        "turns": [["1", "0"], ["-1", "0"]],
+        "frame": ["-1", "-1", "4", "3"],
+        "pieces": [[box(0, 0, 2, 1), box(0, 1, 1, 2)]],
+        "outside": [box(-1, -1, 4, 0), box(3, 0, 4, 2), box(-1, 2, 4, 3), box(-1, 0, 0, 2)],
+        "apart": [],
+        "faults": [],
+    }
+    return {**found, **changes}
+
+
+def changed(path: str, value: Any) -> dict[str, Any]:
+    """The certificate with one entry changed, or without it."""
+    found = copy.deepcopy(certificate())
+    *way, last = [int(key) if key.lstrip("-").isdigit() else key for key in path.split(".")]
+    at: Any = found
+    for key in way:
+        at = at[key]
+    if value is None:
+        del at[last]
+    else:
+        at[last] = value
+    return found
+
+
+def refusal(certificate: Any) -> str:
+    with pytest.raises(Refused) as refused:
+        prove(certificate)
+    return str(refused.value)
+
+
+def test_a_layout_that_fills_its_container_is_proved() -> None:
+    assert prove(certificate()) == "layout of 2 placements of 1 parts, valid, spacing 0, margin 0"
+    assert prove(load(json.dumps(certificate())))
+    assert verify(certificate()).proved
+    assert (
+        verify(changed("layout.spacing", "1")).reason
+        == "piece 0 of 0 and piece 0 of 1: no normal that parts them"
+    )
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "reason"),
+    [
+        ("layout.placements.0.move.0", "1/1000000000", "no normal"),
+        ("layout.placements.0.move.0", "-1/1000000000", "no normal"),
+        ("layout.placements.0.move.0", "-2", "beyond the frame"),
+        ("layout.placements.0.move.0", "0.5", "not a number"),
+        ("layout.placements.0.move.0", "2/4", "lowest"),
+        ("layout.placements.0.move.0", "4/1", "lowest"),
+        ("layout.placements.0.move.0", "-0", "not a number"),
+        ("layout.placements.0.move.0", "\u0663", "not a number"),
+        ("layout.placements.0.move.0", "9" * 100_001, "long"),
+        ("layout.placements.0.move.0", float("nan"), "not a number"),
+        ("layout.placements.0.move.0", 0, "not a number"),
+        ("layout.placements.0.move.0", True, "not a number"),
+        ("layout.placements.0.turn", "90", "turns"),
+        ("layout.placements.0.turn", "1e-9", "not a number"),
+        ("layout.placements.0.mirrored", True, "beyond the frame"),
+        ("layout.placements.0.mirrored", 0, "mirrored"),
+        ("layout.placements.0.part", "K", "no part"),
+        ("layout.parts.0.demand", 3, "missing"),
+        ("layout.parts.0.demand", 1, "surplus"),
+        ("layout.parts.0.demand", True, "int"),
+        ("layout.parts.0.turns", ["0"], "turn"),
+        ("layout.parts.0.exterior.2.0", "3/2", "cancel"),
+        ("layout.container.exterior.2.0", "5/2", "cancel"),
+        ("layout.spacing", "1/1000000000", "no normal"),
+        ("layout.margin", "1/1000000000", "no normal"),
+        ("layout.margin", "-1", "below 0"),
+        ("turns.0", ["3/5", "4/5"], "turns"),
+        ("turns.0", ["3/5", "3/5"], "length"),
+        ("turns.0", "0", "list"),
+        ("pieces.0.0", None, "cancel"),
+        ("pieces.0", [L], "convex"),
+        ("pieces.0.0", box(0, 1, 1, 2), "cancel"),
+        ("outside.3", None, "cancel"),
+        ("frame", ["-1", "-1", "3", "3"], "cancel"),
+        ("valid", False, "faults"),
+        ("valid", 1, "valid"),
+        ("faults", [{"kind": "missing", "part": "L"}], "faults"),
+        ("apart", [[0, 0, 1, 0, "0", 0]], "number"),
+        ("apart", [[0, -1, 1, -1, "1", "1"]], "no normal"),
+        ("apart", [[0, 0, 1, 0, "0", "1"]] * 2, "twice"),
+        ("version", 1, "version"),
+        ("version", True, "version"),
+        ("comment", "", "object"),
+        ("frame", None, "object"),
+    ],
+)
+def test_a_single_change_is_refused(path: str, value: Any, reason: str) -> None:
+    assert reason in refusal(changed(path, value))
+
+
+@pytest.mark.parametrize("value", [1, 2.0, "x", [], {}, True])
+def test_values_of_other_types_are_refused_everywhere(value: Any) -> None:
+    for key, true in certificate().items():
+        if type(true) is not type(value) or true != value:
+            refusal(certificate(**{key: value}))
+
+
+def test_pieces_that_overlap_are_refused_though_edges_cancel() -> None:
+    # Two turns around: the winding number of the ring is 2 inside.
+    twice = L + L
+    assert refusal(
+        {
+            **changed("layout.parts.0.exterior", twice),
+            "pieces": [2 * certificate()["pieces"][0]],
+        }
+    )
+
+
+def triangles(*apart: Any) -> dict[str, Any]:
+    """Two triangles along a diagonal of their box."""
+    return certificate(
+        layout={
+            "container": {"exterior": box(0, 0, 1, 1)},
+            "parts": [{"id": "t", "exterior": [["0", "0"], ["1", "0"], ["0", "1"]]}],
+            "placements": [
+                {"part": "t", "turn": "0", "move": ["0", "0"]},
+                {"part": "t", "turn": ["-1", "0"], "move": ["1", "1"]},
+            ],
+        },
+        frame=["-1", "-1", "2", "2"],
+        pieces=[[[["0", "0"], ["1", "0"], ["0", "1"]]]],
+        outside=[box(-1, -1, 2, 0), box(1, 0, 2, 1), box(-1, 1, 2, 2), box(-1, 0, 0, 1)],
+        apart=[*apart],
+    )
+
+
+def test_pieces_whose_boxes_meet_need_a_normal() -> None:
+    assert prove(triangles([0, 0, 1, 0, "1/3", "1/3"]))
+    assert prove(triangles([0, -1, 1, -1, "2", "2"]))
+    for x, y in (("-1", "-1"), ("0", "0"), ("1", "2"), ("1", "0")):
+        assert "no normal" in refusal(triangles([0, 0, 1, 0, x, y]))
+    assert "no normal" in refusal(triangles())
+    assert "no normal" in refusal(triangles([1, 0, 0, 0, "1", "1"]))
+    for entry in ([0, True, 1, 0, "1", "1"], [0, 0, 1, 0, 1, "1"], [0, 0, 1, 0, "1"]):
+        refusal(triangles(entry))
+
+
+def test_repeated_keys_are_refused() -> None:
+    with pytest.raises(Refused, match="twice"):
+        load('{"format": 1, "format": 1}')
+
+
+def turned(degrees: str, cosine: str, sine: str, **changes: Any) -> dict[str, Any]:
+    """A unit square turned about its corner (0, 0), in a box of 4 x 4."""
+    return certificate(
+        layout={
+            "container": {"exterior": box(-2, -2, 2, 2)},
+            "parts": [{"id": "", "exterior": SQUARE}],
+            "placements": [{"part": "", "turn": degrees, "move": ["0", "0"]}],
+        },
+        turns=[[cosine, sine]],
+        frame=["-3", "-3", "3", "3"],
+        pieces=[[SQUARE]],
+        outside=[box(-3, -3, 3, -2), box(2, -2, 3, 2), box(-3, 2, 3, 3), box(-3, -2, -2, 2)],
+        **changes,
+    )
+
+
+def test_a_turn_by_any_angle_has_the_error_that_the_checker_finds() -> None:
+    # arctan(3/4) is 36.86989764... degrees.
+    assert prove(turned("36", "4/5", "3/5"))
+    # Off by more than a right angle, the square could be anywhere.
+    assert "beyond the frame" in refusal(turned("300", "4/5", "3/5"))
+    assert "turns" in refusal(turned("90", "4/5", "3/5"))
+
+
+@pytest.mark.parametrize("degrees", [1, 30, 45, 60, 89, 91, 135, 200, 271, 330, 359])
+def test_the_bound_on_a_turn_is_that_of_interval_arithmetic(degrees: int) -> None:
+    from mpmath import iv
+
+    before = iv.prec
+    try:
+        iv.prec = 400
+        angle = iv.pi * degrees / 180
+        cosine, sine = (
+            Fraction(round(float(end * 2**50)), 2**50) for end in (iv.cos(angle).a, iv.sin(angle).a)
+        )
+        bound = turn_error((cosine, sine), Fraction(degrees))
+        exact = abs(iv.mpf(cosine.numerator) / cosine.denominator - iv.cos(angle)) + abs(
+            iv.mpf(sine.numerator) / sine.denominator - iv.sin(angle)
+        )
+        written = iv.mpf(bound.numerator) / bound.denominator
+        assert exact.b <= written.a
+        assert (written - exact).b < iv.mpf(10) ** -94
+    finally:
+        iv.prec = before
+
+
+def faulty(*faults: Any, **changes: Any) -> dict[str, Any]:
+    """Two Ls that overlap, one of them outside by one, with faults."""
+    found = changed("layout.placements.1.move", ["3", "1"])
+    found["layout"]["spacing"] = found["layout"]["margin"] = "1/2"
+    return {**found, "valid": False, "faults": [*faults], **changes}
+
+
+OVERLAP = {
+    "kind": "overlap",
+    "placements": [0, 1],
+    "pieces": [0, 0],
+    "points": [["3/2", "1/2"], ["3/2", "1/2"]],
+}
+OUTSIDE = {
+    "kind": "outside",
+    "placements": [1],
+    "pieces": [1, 0],
+    "points": [["5/2", "-1/2"], ["5/2", "-1/2"]],
+}
+CLOSE = {
+    "kind": "too close",
+    "placements": [0],
+    "pieces": [0, 3],
+    "points": [["1/4", "1/2"], ["0", "1/2"]],
+}
+
+
+def test_faults_are_proved_by_their_witnesses() -> None:
+    assert prove(faulty(OVERLAP, OUTSIDE, CLOSE)).endswith("not valid: 3 faults")
+    near = {**CLOSE, "placements": [1, 0], "pieces": [0, 0]}
+    near["points"] = [["3", "1/2"], ["2", "1/2"]]
+    far = faulty(near)
+    assert "too close" in refusal(far)
+    far["layout"]["spacing"] = "2"
+    assert prove(far)
+
+
+@pytest.mark.parametrize(
+    ("fault", "change"),
+    [
+        (OVERLAP, {"points": [["3/2", "1"], ["3/2", "1"]]}),
+        (OVERLAP, {"points": [["3/2", "1/2"], ["3/2", "1/3"]]}),
+        (OVERLAP, {"placements": [0, 0]}),
+        (OVERLAP, {"placements": [0]}),
+        (OVERLAP, {"pieces": [0, 1]}),
+        (OVERLAP, {"kind": "outside"}),
+        (OVERLAP, {"kind": "collision"}),
+        (OUTSIDE, {"pieces": [0, 0]}),
+        (OUTSIDE, {"pieces": [1, 4]}),
+        (OUTSIDE, {"placements": [-1]}),
+        (OUTSIDE, {"placements": [2]}),
+        (OUTSIDE, {"points": [["5/2", "0"], ["5/2", "0"]]}),
+        (CLOSE, {"points": [["1/2", "1/2"], ["0", "1/2"]]}),
+        (CLOSE, {"points": [["1/4", "1/2"], ["1/4", "1/2"]]}),
+        (CLOSE, {"placements": [1]}),
+    ],
+)
+def test_a_false_witness_is_refused(fault: dict[str, Any], change: dict[str, Any]) -> None:
+    assert refusal(faulty({**fault, **change}))
