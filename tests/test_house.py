@@ -27,6 +27,10 @@ RULES: dict[str, tuple[set[str], str]] = {
         GEOMETRY - {"canvas"} | {"procedures"},
         "what computes knows nothing of pictures",
     ),
+    "evidence.proof": (
+        {"numbers", "check"},
+        "proofs are written for their checker, and found by the checking side",
+    ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
     "check": (
         {

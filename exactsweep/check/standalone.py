@@ -487,7 +487,8 @@ def prove_no_fit(c: dict[str, Any], work: Work) -> str:
     loops = [loop(exterior, work), *(loop(hole, work)[::-1] for hole in items(holes))]
     stationary, moving = solid(d, first, work), solid(g, second, work).turned()
     prove_positions(stationary, moving, loops, read_fits(fits), chains, work)
-    return f"no-fit polygon of {count(d)} and {count(g)} vertices: {count(loops)}, {len(fits)} fits"
+    answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
+    return f"no-fit polygon of {count(g)} around {count(d)} vertices, {answer}"
 
 
 def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
@@ -501,7 +502,8 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
         loops += [loop(exterior, work)[::-1], *(loop(hole, work) for hole in items(holes))]
     outside, moving = solid(d, first, work, read_frame(frame)), solid(g, second, work).turned()
     prove_positions(outside, moving, loops, read_fits(fits), chains, work)
-    return f"inner fit of {count(g)} vertices in {count(d)}: {count(loops)}, {len(fits)} fits"
+    answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
+    return f"inner fit of {count(g)} in {count(d)} vertices, {answer}"
 
 
 def prove_sweep(c: dict[str, Any], work: Work) -> str:
@@ -541,7 +543,8 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
     need(winds(inner, (x, y, 3 * w)), "inner: not the loop around the directrix")
     swept = double_area(outer) - double_area(inner) + sum(map(double_area, unswept))
     need(swept == 2 * number(area), "area: not that between the loops")
-    return f"{kind} sweep of {count(g)} around {count(d)} vertices: {len(t)}"
+    answer = f"trajectory {len(t)}, inner {len(inner)}, outer {len(outer)}, area {area}"
+    return f"{kind} sweep of {count(g)} around {count(d)} vertices, {answer}"
 
 
 class Placed(NamedTuple):
@@ -733,7 +736,7 @@ class Layout:
             need(self.check_rules(k).get(str(kind), False), f"faults: {kind}")
             return
         (m, i), (n, j) = ([integer(e, 0, 10**9) for e in items(edge, 2)] for edge in items(both, 2))
-        rings = [edges(points) for points in self.rings[k]]
+        rings = [edges(ring(e)) for e in (self.parts[k][1], *(self.parts[k][2] or []))]
         need(m < len(rings) > n and i < len(rings[m]) and j < len(rings[n]), "edges: not there")
         (p, q), (r, s), size = rings[m][i], rings[n][j], len(rings[m])
         one, other = line(p, q), line(r, s)

@@ -7,4 +7,4 @@ TABLE = (Path(__file__).parents[1] / "README.md").read_text()
 
 def require_row(entry: str, count: int) -> None:
     """Require that a row of the table says so."""
-    assert f"| {entry} | {count:,} |" in TABLE
+    assert f"| {entry} | {count:,} |" in TABLE, (entry, count)
