@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from time import monotonic
 
 from rich.console import Console
 from rich.progress import (
@@ -15,6 +16,8 @@ from rich.progress import (
 )
 from rich.text import Text
 
+_PATIENCE = 1.0
+
 
 class _Rate(ProgressColumn):
     """How many a second."""
@@ -26,7 +29,7 @@ class _Rate(ProgressColumn):
 
 @contextmanager
 def show_bar(total: int) -> Iterator[Callable[[int], None]]:
-    """Show a bar on standard error.
+    """Show a bar on standard error, if that is a terminal, from the second second on.
 
     Args:
         total: the number at its end.
@@ -34,12 +37,18 @@ def show_bar(total: int) -> Iterator[Callable[[int], None]]:
     Yields:
         A function to be told how far it is; where it starts does not count for the rate.
     """
+    console, begun = Console(stderr=True), monotonic()
+    if not console.is_terminal:
+        yield lambda done: None
+        return
     columns = BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn()
-    with Progress(*columns, console=Console(stderr=True)) as progress:
+    with Progress(*columns, console=console) as progress:
         task: TaskID | None = None
 
         def show(done: int) -> None:
             nonlocal task
+            if task is None and monotonic() - begun < _PATIENCE:
+                return
             if task is None:
                 task = progress.add_task("", total=total, completed=done)
             progress.update(task, completed=done)

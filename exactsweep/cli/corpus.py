@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import json
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -108,6 +109,25 @@ def show_command(name: str, as_json: bool) -> None:
     from exactsweep.corpus.describe import describe
 
     write(case_to_line(find_case(name)) if as_json else describe(name), "-")
+
+
+@corpus_command.command("layouts")
+@click.argument("name", required=False, metavar="[ID]")
+@click.option("--json", "as_json", is_flag=True, help="Write layouts and expected faults as JSON.")
+def layouts_command(name: str | None, as_json: bool) -> None:
+    """List layouts with known faults, or write the one of this id for 'exactsweep layout'."""
+    from exactsweep.corpus.layouts import find_layout_case, layout_cases
+
+    found = [*layout_cases()] if name is None else [find_layout_case(name)]
+    if as_json:
+        rows = ({"id": one.id, "layout": one.data, "expected": one.expected} for one in found)
+        text = "".join(f"{json.dumps(row)}\n" for row in rows)
+    elif name is None:
+        verdicts = {True: "valid", False: "wrong"}
+        text = _columns([(one.id, verdicts[one.expected["valid"]], one.title) for one in found])
+    else:
+        text = f"{json.dumps(found[0].data)}\n"
+    write(text, "-")
 
 
 @corpus_command.command("export")
@@ -240,7 +260,7 @@ def _choose(
     return chain.from_iterable(found)
 
 
-def _columns(rows: list[tuple[str, ...]]) -> str:
+def _columns(rows: Sequence[tuple[str, ...]]) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
     return "".join(f"{line}\n" for line in lines)

@@ -13,10 +13,10 @@ from exactsweep.corpus.facts import find_facts
 from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Fit, Loop, Point
-from exactsweep.procedures.lower_sweep import Kind
+from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -29,7 +29,7 @@ _SHAPES_OF: dict[Kind, Shapes] = {
     "MM": "monotone",
     "SS": "simple",
 }
-Given = Polygon | Region | Iterable[Iterable[object]]
+Given = AnyPolygon | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
@@ -175,12 +175,12 @@ class Case:
         return (self.generatrix_ring, *self.generatrix_holes)
 
     @cached_property
-    def directrix(self) -> Polygon | Region:
+    def directrix(self) -> AnyPolygon:
         """D in canonical form; a Region if it has holes."""
         return _shape(self.directrix_rings)
 
     @cached_property
-    def generatrix(self) -> Polygon | Region:
+    def generatrix(self) -> AnyPolygon:
         """G in canonical form; a Region if it has holes."""
         return _shape(self.generatrix_rings)
 
@@ -260,6 +260,6 @@ def given_ring(vertices: Given) -> Loop:
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
 
 
-def _shape(rings: tuple[Loop, ...]) -> Polygon | Region:
+def _shape(rings: tuple[Loop, ...]) -> AnyPolygon:
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

@@ -8,12 +8,12 @@ from fractions import Fraction
 from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface
-from exactsweep.geometry.region import Region, Vertices
+from exactsweep.geometry.region import AnyPolygon, Region, Vertices
 from exactsweep.numbers.error import name_refusals
 from exactsweep.numbers.point import Vertex
 
 
-def to_shape(shape: Region | Vertices, name: str) -> Polygon | Region:
+def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
     """Read a Polygon, a Region or the vertices of a polygon: a Region if there are holes.
 
     Raises:

@@ -15,14 +15,11 @@ from typing import Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.turn import read_turn
+from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.numbers.number import NumberError
 from exactsweep.numbers.point import Point
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
-
-_TURN_BITS = 64
-"""An irrational turn is off by at most 2**-64, if nothing else is asked for."""
 
 
 class AffineMap(NamedTuple):
@@ -79,7 +76,7 @@ class PointSet:
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
     def rotated(
-        self, by: object, center: Iterable[object] = (0, 0), *, bits: int = _TURN_BITS
+        self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:
         """Return the shape turned counter-clockwise: exactly, or by a rational turn near the angle.
 

@@ -28,6 +28,9 @@ from exactsweep.numbers.number import (
 )
 from exactsweep.numbers.point import Point
 
+TURN_BITS = 64
+"""An irrational turn is off by at most 2**-64, where nothing else is asked for."""
+
 _ZERO, _ONE = Fraction(0), Fraction(1)
 _QUARTERS = ((_ONE, _ZERO), (_ZERO, _ONE), (-_ONE, _ZERO), (_ZERO, -_ONE))
 
@@ -58,7 +61,7 @@ class Turn:
     degrees: Fraction | None
     exact: tuple[Fraction, Fraction] | None
 
-    def near(self, bits: int) -> RationalTurn:
+    def near(self, bits: int = TURN_BITS) -> RationalTurn:
         """Return a rational turn off by at most 2**-bits; the turn itself, where it is rational.
 
         Cost: O(bits^2); computed once for each number of bits.

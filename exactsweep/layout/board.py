@@ -10,16 +10,12 @@ from math import ceil, floor
 from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.point_set import AffineMap
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.turn import Turn
+from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.near import find_near
 from exactsweep.layout.outside import cut_outside
 from exactsweep.layout.pieces import ConvexRing
 from exactsweep.layout.solid import LatticeBox, LatticeForm, Solid, make_form, measure_slack
-from exactsweep.numbers.point import Rational
-
-BITS = 64
-"""As near are rational turns at first to angles that have none."""
 
 _SHARED_BITS = 1024
 _ROOM = 1
@@ -50,7 +46,7 @@ class Board:
         across = -1 if placement.mirrored else 1
         return across * cosine, -sine, across * sine, cosine
 
-    def turned(self, k: int, bits: int = BITS) -> Region:
+    def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
         region = self._regions[self.layout.placements[k].part]
         return region._image(AffineMap(*self._linear(k, bits)))
@@ -88,13 +84,13 @@ class Board:
     def _scale(self) -> int | None:
         """The scale of the lattice that all solids share, if there is one."""
         layout = self.layout
-        scales = {self._form(k, BITS)[0] for k in self.placed}
+        scales = {self._form(k, TURN_BITS)[0] for k in self.placed}
         scales.add(layout.container.lattice()[0])
         scales.update(c.denominator for k in self.placed for c in layout.placements[k].move)
         scale = lcm_within(scales)
         return None if scale is None or scale.bit_length() > _SHARED_BITS else scale
 
-    def solid(self, k: int, bits: int = BITS) -> Solid:
+    def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
         """Return the solid of a placement, of which the turn is off by at most 2**-bits."""
         found = self._solids.get((k, bits))
         if found is not None:
@@ -102,7 +98,7 @@ class Board:
         placement = self.layout.placements[k]
         scale, form = self._form(k, bits)
         x, y = placement.move
-        shared = self._scale if bits == BITS else None
+        shared = self._scale if bits == TURN_BITS else None
         finer = shared or lcm_within((scale, x.denominator, y.denominator)) or scale
         error = placement.turn.near(bits).error
         slack = measure_slack(self._regions[placement.part], error) if error else error
@@ -120,23 +116,18 @@ class Board:
     def frame(self) -> tuple[int, int, int, int]:
         """A rectangle that holds all with room to spare: left, low, right, high."""
         low, high = self.layout.container.bounding_box
-        xs: list[Rational] = [low.x, high.x]
-        ys: list[Rational] = [low.y, high.y]
-        room = Fraction(_ROOM)
+        xs, ys = [floor(low.x), ceil(high.x)], [floor(low.y), ceil(high.y)]
+        slack = Fraction(0)
         for k in self.placed:
             solid = self.solid(k)
-            left, right, bottom, top = solid.box
-            xs += (left // solid.scale, -(-right // solid.scale))
-            ys += (bottom // solid.scale, -(-top // solid.scale))
-            # A nearer turn may be off to the other side.
-            room = max(room, _ROOM + 2 * solid.slack)
-        room += self.layout.margin
-        return (
-            floor(min(xs) - room),
-            floor(min(ys) - room),
-            ceil(max(xs) + room),
-            ceil(max(ys) + room),
-        )
+            scale, (left, right, bottom, top) = solid.scale, solid.box
+            xs += (left // scale, -(-right // scale))
+            ys += (bottom // scale, -(-top // scale))
+            if solid.slack:
+                slack = max(slack, solid.slack)
+        # A nearer turn may be off to the other side.
+        room = ceil(self.layout.margin + 2 * slack) + _ROOM
+        return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
     def _cut_outside(self, scale: int) -> list[ConvexRing]:
         left, low, right, high = (c * scale for c in self.frame)

@@ -12,7 +12,8 @@ from itertools import combinations, pairwise
 from typing import Any
 
 from exactsweep.geometry.overlap import touch
-from exactsweep.layout.board import BITS, Board
+from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.layout.nearest import find_gap
@@ -43,7 +44,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
-    bits = BITS
+    bits = TURN_BITS
     while True:
         proof = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
         if proof is not None or bits >= MOST_BITS:

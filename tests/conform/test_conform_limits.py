@@ -62,6 +62,7 @@ FAULTS = {
 }
 
 
+@pytest.mark.long
 def test_six_ways_to_crash_are_told_apart_and_made_smaller(tmp_path: Path) -> None:
     program, data = tmp_path / "crashing.py", tmp_path / "run.json"
     program.write_text(CRASHING)

@@ -88,6 +88,7 @@ def test_all_outcomes_are_in_the_json(two: str, tmp_path: Path) -> None:
     assert not data["passed"]
 
 
+@pytest.mark.long
 def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> None:
     options = ("--filter", "id=undercuts-", "--accept", "within")
     page, data = tmp_path / "run.html", tmp_path / "run.json"

@@ -161,6 +161,7 @@ def test_a_full_disk_is_told_by_the_spool() -> None:
     ("option", "size"),
     [("--html", 4096), ("--json", 4096), ("--junit", 4096), ("--journal", 4096), ("--html", 1024)],
 )
+@pytest.mark.long
 def test_a_full_disk_ends_in_one_line(tmp_path: Path, option: str, size: int) -> None:
     path = str(tmp_path / "report")
     command = ["conform", "--filter", "size=9", option, path, "--", *CONVEX]

@@ -228,6 +228,7 @@ def test_wrong_usage_is_exit_code_2(arguments: list[str]) -> None:
     assert run("corpus", *arguments).exit_code == 2
 
 
+@pytest.mark.long
 def test_a_pipe_that_is_closed_ends_the_command_quietly() -> None:
     for command in "generate --count 100000", "export", "list":
         result = shell(f"{CORPUS} {command} | head -n 1 | cut -c 1-5")

@@ -337,7 +337,7 @@ STAIRS = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (3, 0), (3, 1), (4, 1), (4, 0)
 def test_contacts_along_edges_in_one_line(g: list[Vertex], d: list[Vertex]) -> None:
     s = sweep(numbered(Polygon(g)), numbered(Polygon(d)))
     for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
-        assert list(found) == sorted(lasting(s.generatrix, s.directrix, p, q))
+        assert list(found) == sorted(lasting(s.generatrix.exterior, s.directrix.exterior, p, q))
 
 
 def test_a_contact_late_on_the_longest_of_many_edges() -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
+from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -20,6 +20,7 @@ from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtr
 from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.centroid import find_centroid
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import abridge
@@ -225,7 +226,7 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
         "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
         "the centre of G's box as reference": middle,
-        "G's centroid as reference": _centroid(Polygon(ring)),
+        "G's centroid as reference": find_centroid(ring),
         "the mean of G's vertices as reference": _mean(ring),
         "G's last vertex as reference": ring[-1],
         "G's lowest vertex as reference": min(ring, key=lambda p: (p.y, p.x)),
@@ -239,16 +240,6 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
     for name, point in named.items():
         if _is_near(point, offset, rounding):
             yield name
-
-
-def _centroid(polygon: Polygon) -> Point:
-    edges = [*pairwise((*polygon.vertices, polygon.vertices[0]))]
-    weights = [p.x * q.y - p.y * q.x for p, q in edges]
-    x, y = (
-        add_up((p[k] + q[k]) * weight for (p, q), weight in zip(edges, weights, strict=True))
-        for k in (0, 1)
-    )
-    return Point(x / (6 * polygon.area), y / (6 * polygon.area))
 
 
 def _mean(ring: Sequence[Point]) -> Point:

@@ -13,8 +13,7 @@ from exactsweep.conform.judge.answer import LOOPS, AnsweredLoop
 from exactsweep.conform.judge.fits import INSIDE, NAME, list_exact_fits
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Point, PointRings
 
 Change = Callable[[Fraction], Fraction]
@@ -75,7 +74,7 @@ def measure_smaller(case: Case) -> Fraction:
     return min(_size(case.directrix), _size(case.generatrix))
 
 
-def _size(shape: Polygon | Region) -> Fraction:
+def _size(shape: AnyPolygon) -> Fraction:
     low, high = shape.bounding_box
     return max(high.x - low.x, high.y - low.y)
 

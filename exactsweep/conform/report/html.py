@@ -22,7 +22,7 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import take_root, tell_costs, tell_witness
+from exactsweep.conform.report.text import tell_costs, tell_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
 from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import SHOWN, Run
@@ -30,7 +30,7 @@ from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
 from exactsweep.numbers.number import NumberError, read_any_length, to_fraction
 from exactsweep.numbers.point import Point
-from exactsweep.text.report import approximate
+from exactsweep.text.report import approximate, take_root
 
 _MOST_LISTED = 2000
 _KEY = (

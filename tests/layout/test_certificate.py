@@ -1,0 +1,152 @@
+"""Certificates of layouts: what the finder writes is proved, and what is changed is refused."""
+
+import copy
+import json
+from typing import Any
+
+import pytest
+from known_layouts import FAULTY, RING, SHEET, TILE, VALID
+from layouts import box, lay, put
+
+from exactsweep.check import verify
+from exactsweep.layout import Layout, LayoutError, judge_layout
+from exactsweep.layout.outside import cut_outside
+
+ANGLED = {
+    "turned by 30 degrees": lay(
+        box(0, 0, 9, 9), {"t": TILE}, put("t", (2, 2), 30), put("t", (4, 2), 30), margin=1
+    ),
+    "turned by 30 degrees, with a spacing": lay(
+        box(0, 0, 9, 9), {"t": TILE}, put("t", (2, 2), 30), put("t", (4, 2), "33.3"), spacing="1/3"
+    ),
+}
+ANGLED_FAULTY = {
+    "overlap": lay(SHEET, {"t": TILE}, put("t", (2, 2), 30), put("t", ("2.01", 2), "-30.001")),
+    "outside": lay(SHEET, {"t": TILE}, put("t", ("0.49999", 2), 30)),
+    "too close": lay(
+        SHEET, {"t": TILE}, put("t", (2, 2), 30), put("t", (4, 2), "33.3"), spacing="3/2"
+    ),
+    "margin": lay(SHEET, {"t": TILE}, put("t", ("0.5001", 2), 30), margin="1/1000"),
+}
+
+
+def prove(layout: Layout) -> dict[str, Any]:
+    certificate: dict[str, Any] = json.loads(json.dumps(judge_layout(layout).certificate()))
+    result = verify(certificate)
+    assert result.proved, result.reason
+    return certificate
+
+
+@pytest.mark.parametrize("name", [*VALID, *ANGLED])
+def test_valid_layouts_are_proved(name: str) -> None:
+    certificate = prove((VALID | ANGLED)[name])
+    assert certificate["valid"]
+    assert certificate["faults"] == []
+
+
+@pytest.mark.parametrize("name", FAULTY)
+def test_all_faults_are_proved(name: str) -> None:
+    layout, expected = FAULTY[name]
+    certificate = prove(layout)
+    assert not certificate["valid"]
+    # Of turns and mirroring there is one for each part.
+    kinds = {kind for kind, _ in expected}
+    assert {fault["kind"] for fault in certificate["faults"]} == kinds
+    pairs = [where for kind, where in expected if kind in ("overlap", "outside", "too close")]
+    listed = [tuple(f["placements"]) for f in certificate["faults"] if "placements" in f]
+    assert listed == pairs
+
+
+@pytest.mark.parametrize("kind", ANGLED_FAULTY)
+def test_faults_of_parts_at_any_angle_are_proved(kind: str) -> None:
+    (fault,) = prove(ANGLED_FAULTY[kind])["faults"]
+    assert fault["kind"] == kind.replace("margin", "too close")
+
+
+def test_what_is_undecided_has_no_certificate() -> None:
+    layout = lay(SHEET, {"t": TILE}, put("t", (5, 0), 45))
+    (fault,) = judge_layout(layout).faults
+    assert fault.kind == "undecided"
+    with pytest.raises(LayoutError, match="no certificate"):
+        judge_layout(layout).certificate()
+
+
+def test_a_fault_beside_an_undecided_one_is_proved() -> None:
+    layout = lay(SHEET, {"t": TILE}, put("t", (5, 0), 45), put("t", (20, 5)))
+    assert [fault.kind for fault in judge_layout(layout).faults] == ["outside", "undecided"]
+    assert len(prove(layout)["faults"]) == 1
+
+
+UNSIMPLE = {
+    "crossing": ([(0, 0), (1, 1), (1, 0), (0, 1)], []),
+    "vertex on an edge": ([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)], []),
+    "vertices coincide": ([(0, 0), (2, 2), (4, 0), (4, 4), (2, 2), (0, 4)], []),
+    "spike": ([(0, 0), (4, 0), (6, 0), (4, 0), (4, 4)], []),
+    "flat": ([(0, 0), (4, 0), (2, 0)], []),
+    "crossing, with a repeated vertex": ([(0, 0), (0, 0), (1, 1), (1, 0), (0, 1), (0, 1)], []),
+    "a hole that crosses itself": (
+        box(-1, -1, 5, 5),
+        [[(0, 0), (1, 1), (1, 0), (0, 1)]],
+    ),
+    "a hole across the exterior": (box(0, 0, 4, 4), [box(1, 1, 3, 5)]),
+}
+
+
+@pytest.mark.parametrize("name", UNSIMPLE)
+def test_parts_that_are_not_simple_are_proved_so(name: str) -> None:
+    exterior, holes = UNSIMPLE[name]
+    layout = lay(SHEET, {"p": {"exterior": exterior, "holes": holes}}, put("p"))
+    (fault,) = prove(layout)["faults"]
+    assert (fault["kind"], fault["part"]) == ("shape", "p")
+
+
+def test_a_hole_elsewhere_is_a_fault_without_a_certificate() -> None:
+    layout = lay(SHEET, {"p": {"exterior": TILE, "holes": [box(3, 3, 4, 4)]}}, put("p"))
+    assert [fault.kind for fault in judge_layout(layout).faults] == ["shape"]
+    with pytest.raises(LayoutError, match="no certificate"):
+        judge_layout(layout).certificate()
+
+
+def falsify(certificate: dict[str, Any], change: Any) -> dict[str, Any]:
+    false = copy.deepcopy(certificate)
+    change(false)
+    return false
+
+
+def test_what_is_changed_is_refused() -> None:
+    # The ring and the block in it leave no whole normal: there are pieces on all sides.
+    layout = lay(
+        box(0, 0, 4, 4),
+        {"r": RING, "t": [(0, 1), (1, 0), (2, 1), (1, 2)]},
+        put("r"),
+        put("t", (1, 1)),
+    )
+    certificate = prove(layout)
+    for k in range(len(certificate["apart"])):
+        assert not verify(falsify(certificate, lambda c, k=k: c["apart"].pop(k))).proved, k
+    for k in range(len(certificate["outside"])):
+        assert not verify(falsify(certificate, lambda c, k=k: c["outside"].pop(k))).proved
+    for k in range(len(certificate["pieces"][0])):
+        assert not verify(falsify(certificate, lambda c, k=k: c["pieces"][0].pop(k))).proved
+    for move in (["1", "999/1000"], ["1000000001/1000000000", "1"], ["7", "1"]):
+        moved = falsify(certificate, lambda c, m=move: c["layout"]["placements"][1].update(move=m))
+        assert not verify(moved).proved
+    assert not verify(falsify(certificate, lambda c: c.update(valid=False))).proved
+    assert not verify(falsify(certificate, lambda c: c["layout"].update(spacing="1/100"))).proved
+    assert not verify(falsify(certificate, lambda c: c["layout"].update(margin="1/100"))).proved
+
+
+@pytest.mark.parametrize(
+    ("exterior", "pieces"),
+    [
+        (box(0, 0, 2, 2), 4),
+        ([(0, 0), (2, 0), (1, 2)], 6),
+        ([(1, 0), (2, 1), (1, 2), (0, 1)], 8),
+        # A notch in one side, one in a corner.
+        ([(0, 0), (4, 0), (4, 4), (3, 4), (2, 2), (1, 4), (0, 4)], 5),
+        ([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], 5),
+    ],
+)
+def test_the_outside_is_cut_into_rectangles_and_pockets(exterior: Any, pieces: int) -> None:
+    assert len(cut_outside(exterior, (-1, -1, 9, 9))) == pieces
+    prove(lay(exterior, {"t": box(0, 0, "1/8", "1/8")}, put("t", ("15/16", "3/4"))))

@@ -1,0 +1,26 @@
+"""The cases by hand tell the judge from faulty ones, each of which has one mistake."""
+
+import pytest
+from known_layouts import FAULTY, VALID
+from wrong_judges import WRONG, Answer, answers, right
+
+from exactsweep.layout import Layout
+
+CASES: dict[str, tuple[Layout, Answer]] = {
+    name: (layout, []) for name, layout in VALID.items()
+} | FAULTY
+
+
+def test_the_judge_is_right_in_all_cases() -> None:
+    assert [name for name, (layout, known) in CASES.items() if right(layout) != known] == []
+
+
+@pytest.mark.parametrize("mistake", WRONG)
+def test_a_mistake_shows_in_some_case(mistake: str) -> None:
+    judge = WRONG[mistake]
+    caught = [
+        name for name, (layout, known) in CASES.items() if answers(judge, layout) != sorted(known)
+    ]
+    assert caught
+    # A mistake, and not nonsense.
+    assert len(caught) < len(CASES) / 2
