@@ -71,7 +71,7 @@ class Outline:
         return larger
 
     def vertices_at(self, point: Vertex) -> Sequence[int]:
-        """The numbers of the vertices at a point, one for each ring that touches there. Cost: O(1)."""
+        """List the vertices at a point, one for each ring that touches there. Cost: O(1)."""
         return self._vertices_by_point.get(point, ())
 
     @cached_property
