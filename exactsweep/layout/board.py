@@ -16,7 +16,6 @@ from exactsweep.layout.near import find_near
 from exactsweep.layout.outside import cut_outside
 from exactsweep.layout.pieces import ConvexRing
 from exactsweep.layout.solid import LatticeBox, LatticeForm, Solid, make_form, measure_slack
-from exactsweep.numbers.point import Rational
 
 _SHARED_BITS = 1024
 _ROOM = 1
@@ -117,23 +116,18 @@ class Board:
     def frame(self) -> tuple[int, int, int, int]:
         """A rectangle that holds all with room to spare: left, low, right, high."""
         low, high = self.layout.container.bounding_box
-        xs: list[Rational] = [low.x, high.x]
-        ys: list[Rational] = [low.y, high.y]
-        room = Fraction(_ROOM)
+        xs, ys = [floor(low.x), ceil(high.x)], [floor(low.y), ceil(high.y)]
+        slack = Fraction(0)
         for k in self.placed:
             solid = self.solid(k)
-            left, right, bottom, top = solid.box
-            xs += (left // solid.scale, -(-right // solid.scale))
-            ys += (bottom // solid.scale, -(-top // solid.scale))
-            # A nearer turn may be off to the other side.
-            room = max(room, _ROOM + 2 * solid.slack)
-        room += self.layout.margin
-        return (
-            floor(min(xs) - room),
-            floor(min(ys) - room),
-            ceil(max(xs) + room),
-            ceil(max(ys) + room),
-        )
+            scale, (left, right, bottom, top) = solid.scale, solid.box
+            xs += (left // scale, -(-right // scale))
+            ys += (bottom // scale, -(-top // scale))
+            if solid.slack:
+                slack = max(slack, solid.slack)
+        # A nearer turn may be off to the other side.
+        room = ceil(self.layout.margin + 2 * slack) + _ROOM
+        return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
     def _cut_outside(self, scale: int) -> list[ConvexRing]:
         left, low, right, high = (c * scale for c in self.frame)

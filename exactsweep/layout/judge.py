@@ -84,7 +84,11 @@ class Judgement:
 
         Cost: about that of finding the pairs of boxes that are as near.
         """
-        return find_nearest_pair(self._board)
+        for fault in self.faults:
+            if fault.kind == "overlap":
+                k, j = fault.placements
+                return NearestPair(Fraction(0), (k, j), fault.points)
+        return find_nearest_pair(self._board, next(iter(self.contacts), None))
 
     def __repr__(self) -> str:
         what = ", ".join(f"{n} {kind}" for kind, n in Counter(f.kind for f in self.faults).items())

@@ -16,6 +16,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
+from exactsweep.procedures.free_positions import Free
 from exactsweep.procedures.made_once import made_once
 from exactsweep.procedures.mouths import find_mouths
 from exactsweep.procedures.solution import Solution
@@ -54,23 +55,23 @@ class ShapeSolution(Solution):
         return self._lattice[1][1]
 
     @made_once
-    def _no_fit(self) -> ss.NoFitSS:
+    def _no_fit(self) -> Free:
         return ss.no_fit_ss(self.directrix, self.generatrix, self.frame.scale)
 
     @made_once
     def trajectory(self) -> list[Point]:
         """The exterior of the no-fit polygon."""
-        return self._no_fit.exterior
+        return self._no_fit.around[0]
 
     @made_once
     def holes(self) -> list[list[Point]]:
         """The loops of positions at which G fits into a cave or a hole of D, sorted."""
-        return self._no_fit.holes
+        return self._no_fit.within
 
     @made_once
     def fits(self) -> list[Fit]:
         """Exact fits anywhere, in caves and holes, too."""
-        return self._no_fit.exact_fits
+        return self._no_fit.fits
 
     @made_once
     def _around_path(self) -> ShapeSolution:

@@ -195,7 +195,7 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
             "view": {"height": 600},
         },
     ),
-    (no_fit_polygon(UNIT, UNIT), {"plot": PLOTTED}),
+    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
     (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
 ]
 
