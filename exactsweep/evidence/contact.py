@@ -210,6 +210,7 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     found: set[Contact] = set()
     for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
+        # Where rings touch, a point is a vertex of one and in an edge of another.
         found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
         found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):

@@ -12,7 +12,7 @@ from typing import Any
 import nests
 import pytest
 
-from exactsweep.formats import FormatError
+from exactsweep.formats import FormatError, format_polygons, parse_regions
 from exactsweep.formats.layouts import FoundLayout, parse_layouts, read_layout, read_layouts
 from exactsweep.numbers.error import ExactSweepError
 
@@ -192,6 +192,21 @@ def test_the_container_of_a_drawing() -> None:
     assert len(found.data["parts"]) == 2
 
 
+def test_zones_of_quality_are_read_from_the_instance() -> None:
+    zone = '<g id="quality_zones"><path d="M2 1L3 2H2z"/></g>'
+    drawn = nests.SPARROW_SVG.replace('<g id="quality_zones"/>', zone)
+    assert refusal(drawn) == "line 7: zones of quality are read with --instance only"
+    (found,) = read(drawn, nests.BINS)
+    assert len(found.data["container"]["holes"]) == 1
+
+
+def test_a_drawing_of_dxf() -> None:
+    pytest.importorskip("ezdxf")
+    regions = parse_regions(nests.DRAWING_SVG)
+    (found,) = read(format_polygons(regions, "dxf"))
+    assert len(found.data["parts"]) == 2
+
+
 def test_a_drawing_leaves_out_what_is_no_outline_and_keeps_crossings() -> None:
     crossed = '<path id="eight" d="M1 1L2 2H1L2 1z"/><circle r="1"/></svg>'
     (found,) = read(nests.DRAWING_SVG.replace("</svg>", crossed))
@@ -255,6 +270,9 @@ def test_files_are_named_in_refusals(tmp_path: Path) -> None:
     file.write_text(nests.DEEPNEST_SVG, encoding="utf-8")
     with pytest.raises(FormatError, match=f"{file}: 2 layouts, not one"):
         read_layout(str(file))
+    assert read_layouts(f"{file}#1") == [read(nests.DEEPNEST_SVG)[1]]
+    with pytest.raises(FormatError, match=f"{file}: no sheet has the number '2'; there are 2"):
+        read_layouts(f"{file}#2")
     file.write_text("", encoding="utf-8")
     with pytest.raises(FormatError, match=f"{file}: empty"):
         read_layouts(str(file))

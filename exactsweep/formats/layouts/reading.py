@@ -21,7 +21,7 @@ from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
 from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.parsing import parse_candidates
-from exactsweep.formats.polygons import name_file
+from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
@@ -88,7 +88,8 @@ def read_layouts(
     """Read the layouts of a file, or of standard input.
 
     Args:
-        path: a path, or "-" for standard input. Layout JSON; solutions of sparrow, jagua-rs and
+        path: a path, or "-" for standard input; after it, perhaps, "#" and the number of the only
+            sheet that is wanted, from 0. Layout JSON; solutions of sparrow, jagua-rs and
             spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
             and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
         instance: the file of the instance that a solution answers; needed where the solution does
@@ -107,10 +108,16 @@ def read_layouts(
     Cost: linear in the length of the text.
     """
     reading = Reading(tolerance, **options)
-    with name_file(instance or path):
+    file, choice = split_choice(path)
+    with name_file(instance or file):
         known = _parse_instance(None if instance is None else read_text(instance), reading)
-    with name_file(path):
-        return _parse(read_text(path), known, container, reading)
+    with name_file(file):
+        found = _parse(read_text(file), known, container, reading)
+        if choice is None:
+            return found
+        if choice.isascii() and choice.isdigit() and int(choice) < len(found):
+            return [found[int(choice)]]
+        raise FormatError(f"no sheet has the number {quote(choice)}; there are {len(found)}")
 
 
 def _parse_instance(text: str | None, reading: Reading) -> Instance | None:
@@ -133,7 +140,7 @@ def _parse(
     if container is None and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
 
-        nest = read_nest(parse_xml(text), reading)
+        nest = read_nest(parse_xml(text), reading, known[0].containers if known else {})
         if nest is not None:
             drawn, sheets = nest
             if known is None:
