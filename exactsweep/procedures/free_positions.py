@@ -23,7 +23,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import cmp_to_key
-from itertools import chain, groupby, pairwise
+from itertools import chain, groupby
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -106,8 +106,12 @@ def _find_left_over(
     """
     left: list[tuple[StretchPlace, StretchPlace]] = []
     cuts, twice = stretch.cuts, stretch.left and stretch.right
+    if not cuts:
+        if not (stretch.low_covered or stretch.high_covered):
+            left.append((stretch.low, stretch.high))
+        return left
     cuts.sort(key=itemgetter(0))
-    if any(a[0] == b[0] for a, b in pairwise(cuts)):
+    if len({cut[0] for cut in cuts}) < len(cuts):
         cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
@@ -138,24 +142,25 @@ def _find_left_over(
 
 def _find_outermost(pieces: Sequence[_FreeEdge]) -> int:
     """A piece that bounds the unbounded free region, by (5)."""
-    least, numbers = pieces[0][0], [0]
-    xn, xd, yn, yd = least
-    for k in range(1, len(pieces)):
-        start = pieces[k][0]
-        if start == least:
-            numbers.append(k)
-            continue
-        n, d, m, e = start
+    found = _find_least([piece[0] for piece in pieces])
+    for k, (start, _, ex, ey) in enumerate(pieces):
+        if start == pieces[found][0]:
+            _, _, dx, dy = pieces[found]
+            if ex * dy > ey * dx:
+                found = k
+    return found
+
+
+def _find_least(points: Sequence[ReducedPoint]) -> int:
+    """The number of the lexicographically least point."""
+    least = 0
+    xn, xd, yn, yd = points[0]
+    for k, (n, d, m, e) in enumerate(points):
         right = n * xd - xn * d
         if right < 0 or (right == 0 and m * yd < yn * e):
-            least, numbers = start, [k]
-            xn, xd, yn, yd = start
-    found = numbers[0]
-    for k in numbers[1:]:
-        (_, _, dx, dy), (_, _, ex, ey) = pieces[found], pieces[k]
-        if ex * dy > ey * dx:
-            found = k
-    return found
+            least = k
+            xn, xd, yn, yd = n, d, m, e
+    return least
 
 
 def _walk_rings(
@@ -221,14 +226,14 @@ def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_Free
 def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
     corners = [
-        (_leave(start, scale), (bx, by), (dx, dy))
+        (start, bx, by, dx, dy)
         for (_, _, bx, by), (start, _, dx, dy) in zip([ring[-1], *ring[:-1]], ring, strict=True)
-        if (bx, by) != (dx, dy)
+        if bx != dx or by != dy
     ]
-    first = min(range(len(corners)), key=lambda k: corners[k][0])
+    first = _find_least([corner[0] for corner in corners])
     # The least vertex is a convex corner.
-    _, (bx, by), (dx, dy) = corners[first]
-    points = [point for point, _, _ in corners[first:] + corners[:first]]
+    _, bx, by, dx, dy = corners[first]
+    points = [_leave(corner[0], scale) for corner in corners[first:] + corners[:first]]
     if bx * dy > by * dx:
         return points, True
     return [points[0], *points[:0:-1]], False
