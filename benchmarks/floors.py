@@ -20,7 +20,7 @@ from exactsweep.check import verify
 from exactsweep.check.certificate import read
 from exactsweep.corpus.generator.growing import mm
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.sweep import Sweep
 
 VERIFY_BAR = 20.0
 PAGE_BAR = 2000.0
@@ -42,7 +42,7 @@ def least(call: Callable[[], object]) -> float:
     return min(milliseconds(call))
 
 
-def after_loops(step: Callable[[Swept], object], *pair: Polygon) -> float:
+def after_loops(step: Callable[[Sweep], object], *pair: Polygon) -> float:
     """The least time of a step on a sweep that has its loops already, in milliseconds."""
     times = []
     for _ in range(3):
@@ -52,7 +52,7 @@ def after_loops(step: Callable[[Swept], object], *pair: Polygon) -> float:
     return min(times)
 
 
-def take_loops(s: Swept) -> None:
+def take_loops(s: Sweep) -> None:
     """Read the three loops."""
     assert s.trajectory.vertices
     assert s.inner.vertices
@@ -102,7 +102,7 @@ def tabulate_page() -> Table:
     pair = Polygon(mm(1002, 1000, 0)[0]), Polygon(comb(250))
     table = Table("the page of 1,000 around 1,002", "ms", title=f"at most {PAGE_BAR:g} ms")
     table.add_row("three loops", f"{least(partial(run_loops, *pair)):.0f}")
-    steps: dict[str, Callable[[Swept], object]] = {
+    steps: dict[str, Callable[[Sweep], object]] = {
         "undercuts": lambda s: s.undercuts,
         "exact fits": lambda s: s.exact_fits,
         "contacts": lambda s: s.contacts,

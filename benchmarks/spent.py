@@ -18,26 +18,35 @@ from rich.table import Table
 
 from benchmarks.families import FAMILIES
 from exactsweep import Polygon, sweep
-from exactsweep.evidence.swept import Swept, pause_collector
+from exactsweep.evidence.sweep import Sweep
+from exactsweep.procedures.collector import pause_collector
+from exactsweep.procedures.lower_sweep import LowerSweep
+from exactsweep.procedures.monotone import MonotoneSolution
 
 PAIRS = (("mm", 16), ("stair", 16), ("cm", 64))
 COUNTED = ("instructions", "calls", "objects", "Fractions", "products", "comparisons")
+
+
+def take_halves(s: Sweep) -> tuple[LowerSweep, LowerSweep]:
+    """The lower and the upper sweep of a monotone pair."""
+    assert isinstance(s.solution, MonotoneSolution)
+    return s.solution.halves
 
 
 class Step(NamedTuple):
     """One step of a sweep, and what it is called; it may use what the steps before it made."""
 
     name: str
-    run: Callable[[Swept], object]
+    run: Callable[[Sweep], object]
 
 
 STEPS = (
-    Step("chains of both", lambda s: s._halves),
-    Step("trajectory, lower envelopes", lambda s: [half.trajectory for half in s._halves]),
+    Step("chains of both", take_halves),
+    Step("trajectory, lower envelopes", lambda s: [half.trajectory for half in take_halves(s)]),
     Step("trajectory, its vertices", lambda s: s.trajectory.vertices),
-    Step("inner loop, chains", lambda s: [half.inner for half in s._halves]),
+    Step("inner loop, chains", lambda s: [half.inner for half in take_halves(s)]),
     Step("inner loop, its vertices", lambda s: s.inner.vertices),
-    Step("outer loop, chains", lambda s: [half.outer for half in s._halves]),
+    Step("outer loop, chains", lambda s: [half.outer for half in take_halves(s)]),
     Step("outer loop, its vertices", lambda s: s.outer.vertices),
 )
 

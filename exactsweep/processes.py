@@ -33,7 +33,8 @@ class Started:
     """A process in a group of its own, with pipes to it, and a mark that its descendants inherit.
 
     The mark is a word in the environment. Ending kills the group and then, where the system shows
-    the environment of processes under /proc, whatever has left the group but bears the mark.
+    the environment of processes under /proc, whatever has left the group but bears the mark. One
+    that has left the group with another environment is not found: this is no sandbox.
 
     Args:
         command: the program and its arguments.
@@ -93,13 +94,15 @@ class Started:
         _kill_marked(self._mark)
 
 
-def _find_family(pid: int) -> Iterator[int]:
+def _find_family(pid: int) -> list[int]:
     """The processes that one started, and those that these started; itself first."""
-    yield pid
-    for path in Path(f"/proc/{pid}/task").glob("*/children"):
-        with suppress(OSError):
-            for child in path.read_text().split():
-                yield from _find_family(int(child))
+    family = [pid]
+    # They may be nested deeper than Python calls itself.
+    for parent in family:
+        for path in Path(f"/proc/{parent}/task").glob("*/children"):
+            with suppress(OSError):
+                family += map(int, path.read_text().split())
+    return family
 
 
 def _read_peak(pid: int) -> int | None:

@@ -1,17 +1,13 @@
-"""The sweep (G, D): classify the pair, run the procedures of its class, assemble the loops.
-
-Definitions 1.1 to 1.3, Theorems 2.1 and 2.2. The lower sweep (G_t, D_b) and the upper sweep
-(G_b, D_t) never mix; the upper one is the lower one of both polygons turned by half a turn.
-"""
+"""The front door: reads shapes, chooses the class of the pair, and returns answers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING
 
-from exactsweep.evidence import no_fit
-from exactsweep.evidence.swept import Swept
-from exactsweep.evidence.swept_shape import SweptShape
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.shown import Display
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
@@ -20,114 +16,46 @@ from exactsweep.geometry.direction import (
     require_monotone,
 )
 from exactsweep.geometry.given import to_region, to_shape
-from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import Region, Vertices
+from exactsweep.geometry.region import AnyPolygon, Region, Vertices
 from exactsweep.numbers.arguments import tells_arguments
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from exactsweep.view import InlinePage
 
-
-class EqualByQuestion:
-    """What equals another if the same was asked of the same polygons.
-
-    Polygons are equal as sets of points: in which order their vertices were given shows in the
-    numbers of features, and not here.
-    """
-
-    asked: ClassVar[tuple[str, ...]]
-    """The names of the attributes that say what was asked."""
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, type(self)) or not isinstance(self, type(other)):
-            return NotImplemented
-        return all(getattr(self, name) == getattr(other, name) for name in self.asked)
-
-    def __hash__(self) -> int:
-        return hash(tuple(getattr(self, name) for name in self.asked))
+__all__ = [
+    "InnerFit",
+    "NoFitPolygon",
+    "Sweep",
+    "free_positions",
+    "inner_fit_polygon",
+    "no_fit_polygon",
+    "sweep",
+]
 
 
-class Sweep(EqualByQuestion, Swept):
-    """A sweep that shows itself; made by `sweep`. What is computed is said in `Swept`."""
+def _show_sweeps() -> Display:
+    from exactsweep.draw import plot_sweep
+    from exactsweep.draw.notebook import draw_sweep, show_sweep
 
-    asked = ("generatrix", "directrix", "direction", "reference")
-
-    def plot(
-        self,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw the sweep with matplotlib, the `plot` extra: see `exactsweep.draw.plot_sweep`."""
-        from exactsweep.draw import plot_sweep
-
-        return plot_sweep(self, axes, positions=positions, y_down=y_down)
-
-    def view(self, height: int = 600) -> InlinePage:
-        """Return the interactive page, which a notebook shows: see `exactsweep.view.page`.
-
-        Args:
-            height: of the frame in the notebook, in pixels.
-        """
-        from exactsweep.view import InlinePage
-
-        return InlinePage(self, height)
-
-    def _repr_svg_(self) -> str:
-        from exactsweep.draw.notebook import draw_sweep
-
-        return draw_sweep(self)
-
-    def _repr_html_(self) -> str:
-        from exactsweep.draw.notebook import show_sweep
-
-        return show_sweep(self)
+    return Display(plot_sweep, draw_sweep, show_sweep)
 
 
-class ShapeSweep(SweptShape, Sweep):
-    """A sweep of kind "SS"; made by `sweep` for polygons without a shared direction."""
+def _show_positions() -> Display:
+    from exactsweep.draw import plot_positions
+    from exactsweep.draw.notebook import draw_positions, show_positions
+
+    return Display(plot_positions, draw_positions, show_positions)
 
 
-class FoundPositions(EqualByQuestion):
-    """Positions that show themselves: those of a no-fit polygon, or of an inner fit."""
+def _show_page(s: Sweep, height: int) -> InlinePage:
+    from exactsweep.view import InlinePage
 
-    def plot(
-        self: Any,
-        axes: Axes | None = None,
-        *,
-        positions: Iterable[Iterable[object]] | None = None,
-        y_down: bool = False,
-    ) -> Axes:
-        """Draw them with matplotlib, the `plot` extra: see `exactsweep.draw.plot_positions`."""
-        from exactsweep.draw import plot_positions
-
-        return plot_positions(self, axes, positions=positions, y_down=y_down)
-
-    def _repr_svg_(self: Any) -> str:
-        from exactsweep.draw.notebook import draw_positions
-
-        return draw_positions(self)
-
-    def _repr_html_(self: Any) -> str:
-        from exactsweep.draw.notebook import show_positions
-
-        return show_positions(self)
+    return InlinePage(s, height)
 
 
-class NoFitPolygon(FoundPositions, no_fit.NoFitPositions):
-    """A no-fit polygon that shows itself; made by `no_fit_polygon`."""
-
-    asked = ("stationary", "orbiting", "reference")
-
-
-class InnerFit(FoundPositions, no_fit.InnerFitPositions):
-    """An inner fit that shows itself; made by `inner_fit_polygon` or `free_positions`."""
-
-    asked = ("container", "part", "reference", "placed")
+Sweep._display, Sweep._show_page = staticmethod(_show_sweeps), staticmethod(_show_page)
+NoFitPolygon._display = InnerFit._display = staticmethod(_show_positions)
 
 
 @tells_arguments
@@ -170,29 +98,27 @@ def sweep(
     """
     g, d = to_shape(generatrix, "generatrix"), to_shape(directrix, "directrix")
     origin = read_point(reference, "reference")
-    if direction is not None:
+    if direction is None:
+        chosen = _share(g, d)
+    else:
         chosen = read_direction(direction)
         for shape, name in ((g, "generatrix"), (d, "directrix")):
-            if isinstance(shape, Region):
+            if shape.holes:
                 raise DirectionError(f"the {name} has a hole: it is monotone to no direction")
-            require_monotone(shape, chosen, name)
-    monotone = _share(g, d, None if direction is None else chosen)
-    if monotone is None:
-        return ShapeSweep(Region(g), Region(d), origin)
-    return Sweep(*monotone, origin)
+            require_monotone(shape.exterior, chosen, name)
+    if chosen is None:
+        g, d = Region(g), Region(d)
+    return Sweep(g, d, chosen, origin)
 
 
-def _share(
-    generatrix: Polygon | Region, directrix: Polygon | Region, direction: Vector | None = None
-) -> tuple[Polygon, Polygon, Vector] | None:
-    """G, D and the shared direction, if the paper's procedures can sweep them."""
-    if isinstance(generatrix, Region) or isinstance(directrix, Region):
+def _share(generatrix: AnyPolygon, directrix: AnyPolygon) -> Vector | None:
+    """The shared direction, if the paper's procedures can sweep the pair."""
+    if generatrix.holes or directrix.holes:
         return None
     try:
-        chosen = direction or choose_direction(generatrix, directrix)
+        return choose_direction(generatrix.exterior, directrix.exterior)
     except DirectionError:
         return None
-    return generatrix, directrix, chosen
 
 
 @tells_arguments
@@ -233,9 +159,7 @@ def no_fit_polygon(
     """
     d, g = to_shape(stationary, "stationary"), to_shape(orbiting, "orbiting")
     origin = read_point(reference, "reference")
-    monotone = _share(g, d)
-    swept = None if monotone is None else Swept(*monotone, origin)
-    return NoFitPolygon(Region(d), Region(g), origin, swept)
+    return NoFitPolygon(Region(d), Region(g), _share(g, d), origin)
 
 
 @tells_arguments

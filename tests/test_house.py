@@ -27,6 +27,10 @@ RULES: dict[str, tuple[set[str], str]] = {
         GEOMETRY - {"canvas"} | {"procedures"},
         "what computes knows nothing of pictures",
     ),
+    "evidence.proof": (
+        {"numbers", "check"},
+        "proofs are written for their checker, and found by the checking side",
+    ),
     "evidence": (EVIDENCE - {"canvas"}, "reasons stand on geometry and procedures"),
     "check": (
         {
@@ -43,6 +47,10 @@ RULES: dict[str, tuple[set[str], str]] = {
     "formats": (GEOMETRY - {"canvas"} | {"formats"}, "formats read and write; they do not sweep"),
     "sweep": (EVIDENCE | {"draw", "view"}, "the front door"),
     "layout": (EVIDENCE | {"sweep", "layout"}, "layouts are judged with what sweeps"),
+    "layout.report": (
+        EVIDENCE | {"__init__", "sweep", "layout", "layout.report", "text", "formats"},
+        "reports of layouts judge nothing",
+    ),
     "text": (EVIDENCE | {"text", "check", "formats"}, "text tells evidence"),
     "draw": (EVIDENCE | {"draw"}, "pictures show evidence"),
     "view": (EVIDENCE | {"draw", "view", "text", "formats"}, "the page shows evidence"),

@@ -14,6 +14,7 @@ from xml.etree import ElementTree
 import pytest
 from command import EXAMPLE, ROOT, run, shell
 from shipped_cases import shipped_cases
+from tiers import mostly_long
 
 import exactsweep
 from exactsweep.draw import make_figure, plot_sweep, save
@@ -31,7 +32,9 @@ def commands(text: str) -> list[tuple[str, str]]:
     return re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", "".join(blocks), re.M)
 
 
-@pytest.mark.parametrize("name", [name for name in sorted(TEXTS) if commands(TEXTS[name])])
+@pytest.mark.parametrize(
+    "name", mostly_long([name for name in sorted(TEXTS) if commands(TEXTS[name])], ["README.md"])
+)
 def test_console_blocks_run_as_shown(tmp_path: Path, name: str) -> None:
     # The first two commands of the first README make the polygons that the others use.
     polygons = commands(DOOR)[:2] if name != "README.md" else []
@@ -105,8 +108,18 @@ def test_the_picture_is_what_is_drawn(tmp_path: Path) -> None:
     save(figure, str(tmp_path / "block.svg"))
     drawn = lines_drawn(tmp_path / "block.svg")
     assert len(drawn) > 8
-    (name,) = re.findall(r"\]\((\S+\.svg)\)", DOOR)
+    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[0]
     assert lines_drawn(ROOT / name) == drawn, "exactsweep draw -o " + name
+
+
+def test_the_picture_of_a_layout_is_what_is_drawn(tmp_path: Path) -> None:
+    nest, picture = str(tmp_path / "nest.json"), tmp_path / "nest.svg"
+    Path(nest).write_text(run("corpus", "layouts", "layouts-tangram-nudged").stdout)
+    assert run("layout", nest, "--svg", str(picture)).exit_code == 1
+    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[1]
+    drawn, shown = (path.read_text(encoding="utf-8") for path in (picture, ROOT / name))
+    # The title has the path.
+    assert re.sub("<title>.*?</title>", "", drawn) == re.sub("<title>.*?</title>", "", shown)
 
 
 def test_the_counts_of_claims_and_cases_hold() -> None:
@@ -128,6 +141,7 @@ def test_the_counts_of_claims_and_cases_hold() -> None:
     assert f"each of the {len(shipped_cases())} cases" in words
 
 
+@pytest.mark.long
 def test_the_campaigns_begin() -> None:
     names = re.findall(r"python -m (tests\.\w+)", TEXTS["tests/README.md"])
     assert len(names) >= 4

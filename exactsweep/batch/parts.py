@@ -5,8 +5,7 @@ from typing import NamedTuple, Unpack
 
 from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.turn import read_turn
 from exactsweep.numbers.arguments import tells_arguments
 
@@ -20,7 +19,7 @@ class Part(NamedTuple):
     """
 
     name: str
-    polygon: Polygon | Region | str
+    polygon: AnyPolygon | str
 
 
 @tells_arguments

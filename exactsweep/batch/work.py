@@ -12,10 +12,9 @@ from exactsweep.formats.candidate import choose
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import describe_kind, parse_certificate, parse_json
 from exactsweep.formats.files import decode_text
-from exactsweep.formats.polygons import find_candidates
+from exactsweep.formats.parsing import find_candidates
 from exactsweep.formats.rounding import Rounding
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.limits import get_max_mib, limits, list_limits
 from exactsweep.numbers.number import quote
 from exactsweep.sweep import NoFitPolygon, Sweep, no_fit_polygon, sweep
@@ -111,7 +110,7 @@ class Work:
         return self.generatrices[i], self.directrices[k]
 
     def _result(
-        self, generatrix: Polygon | Region, directrix: Polygon | Region, **options: Any
+        self, generatrix: AnyPolygon, directrix: AnyPolygon, **options: Any
     ) -> Sweep | NoFitPolygon:
         if self.what != "nfp":
             return sweep(generatrix, directrix, **options)
@@ -140,7 +139,7 @@ class Work:
         polygons = [self._member(document, name) for name in ("generatrix", "directrix")]
         return self._result(*polygons, **options)
 
-    def _member(self, document: Mapping[str, object], name: str) -> Polygon | Region:
+    def _member(self, document: Mapping[str, object], name: str) -> AnyPolygon:
         if name not in document:
             raise FormatError(f"$ has no {name}")
         value = document[name]
@@ -159,7 +158,7 @@ class Work:
         return {part.name: part for part in self.generatrices}
 
 
-def _polygon(part: Part, member: str) -> Polygon | Region:
+def _polygon(part: Part, member: str) -> AnyPolygon:
     if isinstance(part.polygon, str):
         raise FormatError(f"{member}: {part.polygon}")
     return part.polygon

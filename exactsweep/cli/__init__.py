@@ -19,8 +19,10 @@ from exactsweep.cli.explain import explain_command
 from exactsweep.cli.help import add_examples
 from exactsweep.cli.ifp import ifp_command
 from exactsweep.cli.judge import judge_command
+from exactsweep.cli.layout import layout_command
 from exactsweep.cli.limits import add_limits
 from exactsweep.cli.nfp import nfp_command
+from exactsweep.cli.pair import give_values
 from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
@@ -35,6 +37,12 @@ class _Commands(click.Group):
         # --help and --version write here.
         with _refuse_in_one_line():
             return super().make_context(*arguments, **options)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command, give_values(rest)
 
     def invoke(self, ctx: click.Context) -> object:
         with _refuse_in_one_line():
@@ -76,6 +84,7 @@ def main() -> None:
 main.add_command(sweep_command)
 main.add_command(nfp_command)
 main.add_command(ifp_command)
+main.add_command(layout_command)
 main.add_command(explain_command)
 main.add_command(draw_command)
 main.add_command(verify_command)

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
+from time import monotonic
 
 from rich.console import Console
 from rich.progress import (
@@ -15,6 +17,8 @@ from rich.progress import (
 )
 from rich.text import Text
 
+_PATIENCE = 1.0
+
 
 class _Rate(ProgressColumn):
     """How many a second."""
@@ -26,7 +30,7 @@ class _Rate(ProgressColumn):
 
 @contextmanager
 def show_bar(total: int) -> Iterator[Callable[[int], None]]:
-    """Show a bar on standard error.
+    """Show a bar on standard error, if that is a terminal, from the second second on.
 
     Args:
         total: the number at its end.
@@ -34,12 +38,18 @@ def show_bar(total: int) -> Iterator[Callable[[int], None]]:
     Yields:
         A function to be told how far it is; where it starts does not count for the rate.
     """
+    console, begun = Console(stderr=True), monotonic()
+    if not console.is_terminal:
+        yield lambda done: None
+        return
     columns = BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn()
-    with Progress(*columns, console=Console(stderr=True)) as progress:
+    with Progress(*columns, console=console) as progress:
         task: TaskID | None = None
 
         def show(done: int) -> None:
             nonlocal task
+            if task is None and monotonic() - begun < _PATIENCE:
+                return
             if task is None:
                 task = progress.add_task("", total=total, completed=done)
             progress.update(task, completed=done)
@@ -48,15 +58,29 @@ def show_bar(total: int) -> Iterator[Callable[[int], None]]:
 
 
 @contextmanager
-def words() -> Iterator[Callable[[str], None]]:
-    """Say on standard error what is being done, if that is a terminal.
+def words(
+    console: Console | None = None, timer: Callable[[float, Callable[[], None]], Timer] = Timer
+) -> Iterator[Callable[[str], None]]:
+    """Say on standard error what is being done, if that is a terminal, from the second second on.
+
+    Args:
+        console: where it is said.
+        timer: begins to say it, later.
 
     Yields:
         A function to be told what is done from now on.
     """
-    console = Console(stderr=True)
+    console = console or Console(stderr=True)
     if not console.is_terminal:
         yield lambda doing: None
         return
-    with console.status("") as status:
+    status = console.status("")
+    waiting = timer(_PATIENCE, status.start)
+    waiting.daemon = True
+    waiting.start()
+    try:
         yield status.update
+    finally:
+        waiting.cancel()
+        waiting.join()
+        status.stop()

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+import os
 from typing import TYPE_CHECKING
 
 import click
@@ -13,14 +11,16 @@ from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
-from exactsweep.formats import show_path
+from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
+from exactsweep.formats.folder import find_files
+from exactsweep.formats.polygons import split_choice
 from exactsweep.formats.size import FAULT
 from exactsweep.numbers.number import format_fraction
 from exactsweep.words import count
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from exactsweep.batch import Job, Part, Rounding
 
@@ -135,16 +135,18 @@ def batch_command(
     if "-" in (pairs, output):
         raise click.UsageError("PAIRS and the output are files: a batch may have to be resumed.")
     from exactsweep.batch import run
+    from exactsweep.cli.bar import show_bar
 
     if scheduler is not None:
         import logging
 
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
+    _require_new(output, [path for path in (pairs, parts, *(lists or ())) if path is not None])
     job = _job(pairs, lists, parts, what, rounding, rotations, reading)
     done = 0
     try:
-        with _progress(job.total) as show:
+        with show_bar(job.total) as show:
 
             def note(number: int) -> None:
                 nonlocal done
@@ -172,6 +174,15 @@ def batch_command(
         say_limit(max(measure_file(output), FAULT * summary.refused), output)
     if summary.pairs and summary.refused == summary.pairs:
         raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
+
+
+def _require_new(output: str, paths: Sequence[str]) -> None:
+    """Refuse to write over what is read."""
+    files = (file for path in paths for file in find_files(split_choice(path)[0]))
+    read = {os.path.realpath(file) for file in files if file != "-"}
+    for name in (output, f"{output}.part", f"{output}.job"):
+        if os.path.realpath(name) in read:
+            raise FormatError(f"{show_path(name)}: read and written by the same batch")
 
 
 def _job(
@@ -203,15 +214,3 @@ def _parts(path: str, reading: ReadingOptions) -> Sequence[Part]:
     from exactsweep.batch.parts import make_parts
 
     return make_parts(find_parts([path], reading))
-
-
-@contextmanager
-def _progress(total: int) -> Iterator[Callable[[int], None]]:
-    """A bar on standard error, if that is a terminal."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield lambda done: None
-        return
-    from exactsweep.cli.bar import show_bar
-
-    with show_bar(total) as show:
-        yield show

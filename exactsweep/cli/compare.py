@@ -38,10 +38,11 @@ def compare_command(
       equivalent     the same set of points, with other vertices
       equivalent except for exact fits
       within         the exact loop except for rounding
+      false exact fits
       conservative   free positions are lost, no overlap is permitted
       unsound        overlap is permitted
       wrong          both
-      malformed      no loop: nan, too few vertices, crossing itself, ...
+      malformed      no region: nan, too few vertices, edges that cross, ...
       unsupported    nothing to compare
 
     For each part: how far the loops are apart, the area between them, and a place to check by hand.
@@ -52,9 +53,11 @@ def compare_command(
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
     from exactsweep.conform.run.cases import read_case, read_result
+    from exactsweep.conform.run.tally import fails
 
     if case == result == "-":
         raise click.UsageError("Only one file can be read from standard input.")
     found = compare(read_case(case), read_result(result), rounding=rounding)
     write(f"{json.dumps(found.to_json(), indent=2)}\n" if as_json else describe(found), output)
-    sys.exit(0 if found.verdict.severity <= Verdict(accept).severity else 1)
+    nothing = found.verdict is Verdict.UNSUPPORTED
+    sys.exit(1 if nothing or fails(found.verdict, Verdict(accept)) else 0)

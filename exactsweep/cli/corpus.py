@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import json
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -17,6 +19,7 @@ from exactsweep.cli.complete import (
     offer,
 )
 from exactsweep.cli.output import Command, takes_output, write
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from exactsweep.corpus import Case
@@ -25,6 +28,9 @@ if TYPE_CHECKING:
 @click.group("corpus")
 def corpus_command() -> None:
     """List, show, export or generate test cases."""
+
+
+_LISTS = ("cases", "themes", "flags", "families")
 
 
 def _takes_filters(command: Command) -> Command:
@@ -51,32 +57,34 @@ def _takes_filters(command: Command) -> Command:
 
 @corpus_command.command("list")
 @click.argument(
-    "what",
-    default="cases",
-    metavar="[cases|themes|flags|families]",
-    shell_complete=offer(lambda: ["cases", "themes", "flags", "families"]),
+    "names",
+    nargs=-1,
+    metavar="[themes|flags|families|ID]...",
+    shell_complete=offer(lambda: ["themes", "flags", "families"], list_themes, list_cases),
 )
-@click.option(
-    "--prefix",
-    default="",
-    shell_complete=offer(list_themes, list_cases),
-    help="How the ids start; the name of a theme, for example.",
-)
+# As it was before names were given as to 'export'.
+@click.option("--prefix", hidden=True)
 @_takes_filters
 def list_command(
-    what: str, prefix: str, flags: tuple[str, ...], kind: str | None, max_size: int | None
+    names: tuple[str, ...],
+    prefix: str | None,
+    flags: tuple[str, ...],
+    kind: str | None,
+    max_size: int | None,
 ) -> None:
     """List cases, a line each; or themes, flags, or families of the generator.
 
-    A case's line has its id, its class, the number of vertices of D and G together, and its title.
+    An ID is that of a case, or the beginning of ids, such as a theme, as for 'corpus export'. A
+    case's line has its id, its class, the number of vertices of D and G together, and its title.
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.names import require_known
     from exactsweep.corpus.shipped import list_summaries
 
+    what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
+    starts = [prefix or ""] if names in ((), ("cases",)) else names
     if what != "cases" and (prefix or flags or kind or max_size is not None):
         raise click.UsageError("The options choose among cases.")
-    match require_known(what, ["cases", "themes", "flags", "families"], "list"):
+    match what:
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
         case "flags":
@@ -84,8 +92,13 @@ def list_command(
         case "families":
             rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
         case _:
-            found = list_summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
-            rows = ((case.id, case.kind, f"{case.size:3}", case.title) for case in found)
+            rows = (
+                (case.id, case.kind, f"{case.size:3}", case.title)
+                for start in starts
+                for case in list_summaries(
+                    prefix=_require_start(start), flags=flags, kind=kind, max_size=max_size
+                )
+            )
     write(_columns([*rows]), "-")
 
 
@@ -108,18 +121,46 @@ def show_command(name: str, as_json: bool) -> None:
     write(case_to_line(find_case(name)) if as_json else describe(name), "-")
 
 
+@corpus_command.command("layouts")
+@click.argument("name", required=False, metavar="[ID]")
+@click.option("--json", "as_json", is_flag=True, help="Write layouts and expected faults as JSON.")
+def layouts_command(name: str | None, as_json: bool) -> None:
+    """List layouts with known faults, or write the one of this id for 'exactsweep layout'."""
+    from exactsweep.corpus.layouts import find_layout_case, layout_cases
+
+    found = [*layout_cases()] if name is None else [find_layout_case(name)]
+    if as_json:
+        rows = ({"id": one.id, "layout": one.data, "expected": one.expected} for one in found)
+        text = "".join(f"{json.dumps(row)}\n" for row in rows)
+    elif name is None:
+        verdicts = {True: "valid", False: "wrong"}
+        text = _columns([(one.id, verdicts[one.expected["valid"]], one.title) for one in found])
+    else:
+        text = f"{json.dumps(found[0].data)}\n"
+    write(text, "-")
+
+
 @corpus_command.command("export")
 @click.argument("names", nargs=-1, metavar="[ID]...", shell_complete=offer(list_themes, list_cases))
 @_takes_filters
 @click.option(
+    "--to",
     "--format",
     "form",
     type=click.Choice(["json", "wkt", "geojson", "svg"]),
     default="json",
     help="json if left out.",
 )
+@click.option(
+    "--all",
+    "whole",
+    is_flag=True,
+    help="Write one folder with all of it: JSON lines by theme, schema, checksums, licence, a page "
+    "on how to read a case, and a small reader in each of six languages.",
+)
 @takes_output
 def export_command(
+    whole: bool,
     names: tuple[str, ...],
     flags: tuple[str, ...],
     kind: str | None,
@@ -147,6 +188,11 @@ def export_command(
     from exactsweep.corpus import export
     from exactsweep.corpus.case_json import case_to_line
 
+    if whole:
+        if names or flags or kind or max_size is not None or form != "json":
+            raise click.UsageError("--all goes with -o alone.")
+        _publish(output)
+        return
     chosen = _choose(names, flags, kind, max_size)
     match form:
         case "json":
@@ -193,12 +239,23 @@ def schema_command() -> None:
     write(read_schema(), "-")
 
 
+def _publish(output: str) -> None:
+    from exactsweep.corpus.publish import VERSION, write_corpus
+    from exactsweep.formats import FormatError
+
+    folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
+    try:
+        number = write_corpus(folder)
+    except OSError as error:
+        raise FormatError(f"{folder}: {error.strerror or error}") from None
+    click.echo(f"{folder}: {count(number, 'file')}", err=True)
+
+
 def _choose(
     names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
 ) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
-    from exactsweep.corpus import cases, find_case, themes
-    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus import cases, find_case
     from exactsweep.corpus.shipped import list_ids
 
     ids = list_ids()
@@ -207,13 +264,24 @@ def _choose(
         if name in ids or name.startswith("gen-"):
             found.append([find_case(name)])
             continue
-        if not any(id.startswith(name) for id in ids):
-            require_known(name, [*themes(), *ids], "theme or case")
-        found.append(cases(prefix=name, flags=flags, kind=kind, max_size=max_size))
+        start = _require_start(name)
+        found.append(cases(prefix=start, flags=flags, kind=kind, max_size=max_size))
     return chain.from_iterable(found)
 
 
-def _columns(rows: list[tuple[str, ...]]) -> str:
+def _require_start(name: str) -> str:
+    """Return the beginning of ids of cases; refuse one of none."""
+    from exactsweep.corpus import themes
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_ids
+
+    ids = list_ids()
+    if not any(id.startswith(name) for id in ids):
+        require_known(name, [*_LISTS, *themes(), *ids], "theme or case")
+    return name
+
+
+def _columns(rows: Sequence[tuple[str, ...]]) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
     return "".join(f"{line}\n" for line in lines)

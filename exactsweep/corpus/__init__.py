@@ -3,6 +3,7 @@
 from exactsweep.corpus.case import Case, CaseError
 from exactsweep.corpus.case_json import case_from_json, case_to_json
 from exactsweep.corpus.generator import FAMILIES, Family, generate
+from exactsweep.corpus.layouts import LayoutCase, find_layout_case, layout_cases
 from exactsweep.corpus.names import UnknownNameError
 from exactsweep.corpus.shipped import Note, cases, find_case, notes, themes
 
@@ -11,13 +12,16 @@ __all__ = [
     "Case",
     "CaseError",
     "Family",
+    "LayoutCase",
     "Note",
     "UnknownNameError",
     "case_from_json",
     "case_to_json",
     "cases",
     "find_case",
+    "find_layout_case",
     "generate",
+    "layout_cases",
     "notes",
     "themes",
 ]

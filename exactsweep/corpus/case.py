@@ -13,10 +13,10 @@ from exactsweep.corpus.facts import find_facts
 from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Fit, Loop, Point
-from exactsweep.procedures.lower_sweep import Kind
+from exactsweep.procedures.solution import Kind
 from exactsweep.sweep import Sweep, inner_fit_polygon, sweep
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -29,7 +29,7 @@ _SHAPES_OF: dict[Kind, Shapes] = {
     "MM": "monotone",
     "SS": "simple",
 }
-Given = Polygon | Region | Iterable[Iterable[object]]
+Given = AnyPolygon | Iterable[Iterable[object]]
 
 
 class CaseError(ExactSweepError):
@@ -62,6 +62,7 @@ class Case:
             asked. It is, of all cases of class "SS", and of containers of any class.
         inner_exact_fits: the expected exact fits of G inside D.
         note: where the case comes from, if there is more to say than the title says.
+        version: the number of the corpus in which the case appeared; frozen.
     """
 
     id: str
@@ -83,6 +84,7 @@ class Case:
     inner_regions: tuple[Region, ...] | None = None
     inner_exact_fits: tuple[Fit, ...] = ()
     note: str = ""
+    version: int = 1
 
     @classmethod
     def of(
@@ -173,12 +175,12 @@ class Case:
         return (self.generatrix_ring, *self.generatrix_holes)
 
     @cached_property
-    def directrix(self) -> Polygon | Region:
+    def directrix(self) -> AnyPolygon:
         """D in canonical form; a Region if it has holes."""
         return _shape(self.directrix_rings)
 
     @cached_property
-    def generatrix(self) -> Polygon | Region:
+    def generatrix(self) -> AnyPolygon:
         """G in canonical form; a Region if it has holes."""
         return _shape(self.generatrix_rings)
 
@@ -258,6 +260,6 @@ def given_ring(vertices: Given) -> Loop:
     return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
 
 
-def _shape(rings: tuple[Loop, ...]) -> Polygon | Region:
+def _shape(rings: tuple[Loop, ...]) -> AnyPolygon:
     exterior, *holes = rings
     return Region(exterior, holes) if holes else Polygon(exterior)

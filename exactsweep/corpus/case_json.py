@@ -72,6 +72,8 @@ def case_to_json(case: Case) -> dict[str, Any]:
         }
     if case.note:
         data["note"] = case.note
+    if case.version != 1:
+        data["version"] = case.version
     return data
 
 
@@ -148,6 +150,7 @@ def _read(document: object) -> Case:
         inner_regions=None if inside is None else _regions(inside, "$.expected.inner_fit"),
         inner_exact_fits=() if inside is None else _fits(inside, "$.expected.inner_fit"),
         note=_text(data["note"], "$.note") if "note" in data else "",
+        version=_whole(data.get("version", 1), "$.version"),
     )
 
 
@@ -235,6 +238,12 @@ def _list(value: object, name: str, path: str) -> list[object]:
 def _text(value: object, path: str) -> str:
     if not isinstance(value, str):
         raise CaseError(f"{path} is {describe_kind(value)}, not a string")
+    return value
+
+
+def _whole(value: object, path: str) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+        raise CaseError(f"{path} is {describe_kind(value)}, not a positive integer")
     return value
 
 

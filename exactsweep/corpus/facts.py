@@ -9,7 +9,7 @@ from exactsweep.check import classify
 from exactsweep.corpus.representable import INTEGER_BITS, find_types, is_in_range
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Fit, Point, PointRings
 from exactsweep.sweep import InnerFit, Sweep
 
@@ -79,7 +79,7 @@ def _inverse(s: Sweep) -> bool:
     return _at_origin(s.generatrix.reflected()) == _at_origin(s.directrix)
 
 
-def _at_origin(shape: Polygon | Region) -> Polygon | Region:
+def _at_origin(shape: AnyPolygon) -> AnyPolygon:
     x, y = shape.vertices[0]
     return shape.translated((-x, -y))
 

@@ -9,7 +9,7 @@ from exactsweep.geometry.region import number_features
 from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.sweep import Sweep
 
 Ends = tuple[Point, Point]
 
@@ -21,7 +21,7 @@ class Features:
         s: a Sweep.
     """
 
-    def __init__(self, s: Swept) -> None:
+    def __init__(self, s: Sweep) -> None:
         self._reference = s.reference
         self.g_vertices, self._g_ends = number_features(s.generatrix)
         self.d_vertices, self._d_ends = number_features(s.directrix)

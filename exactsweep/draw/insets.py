@@ -9,8 +9,7 @@ from typing import NamedTuple, Self
 
 from exactsweep.canvas.scale import Scale
 from exactsweep.draw.picture import Picture
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Point, Vertex
 
 # A polygon is enlarged if the picture is so many times as long, but not beyond what floats resolve.
@@ -54,8 +53,8 @@ class Detail(NamedTuple):
 
 def find_details(
     shown: Iterable[Vertex],
-    directrix: Polygon | Region,
-    placed: Sequence[Polygon | Region],
+    directrix: AnyPolygon,
+    placed: Sequence[AnyPolygon],
     spots: Iterable[Vertex],
 ) -> list[Detail]:
     """Choose what is enlarged.
@@ -101,12 +100,12 @@ def find_details(
     return chosen
 
 
-def _longest(shape: Polygon | Region) -> Fraction:
+def _longest(shape: AnyPolygon) -> Fraction:
     low, high = shape.bounding_box
     return max(high.x - low.x, high.y - low.y)
 
 
-def _middle(shape: Polygon | Region) -> Point:
+def _middle(shape: AnyPolygon) -> Point:
     low, high = shape.bounding_box
     return Point((low.x + high.x) / 2, (low.y + high.y) / 2)
 

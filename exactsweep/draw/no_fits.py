@@ -28,7 +28,7 @@ from exactsweep.numbers.point import Point
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
     from exactsweep.numbers.point import Fit
 
 
@@ -56,11 +56,11 @@ class Positions(NamedTuple):
     placed: tuple[Region, ...] = ()
 
     @classmethod
-    def of(cls, found: NoFitPositions | InnerFitPositions) -> Positions:
+    def of(cls, found: NoFitPolygon | InnerFit) -> Positions:
         """Gather what is drawn."""
-        from exactsweep.evidence.no_fit import InnerFitPositions
+        from exactsweep.evidence.no_fit import InnerFit
 
-        if isinstance(found, InnerFitPositions):
+        if isinstance(found, InnerFit):
             shapes = found.container, found.part, found.reference
             called = "container D", "part G", "free positions"
             return cls(*shapes, called, None, found.regions, found.exact_fits, found.placed)
@@ -92,7 +92,7 @@ class Positions(NamedTuple):
 
 @tells_arguments
 def plot_positions(
-    found: NoFitPositions | InnerFitPositions,
+    found: NoFitPolygon | InnerFit,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,

@@ -21,12 +21,12 @@ from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES, write_pair, write_size
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
-    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+    from exactsweep.evidence.sweep import Sweep
     from exactsweep.numbers.point import Fit
 
 
-def draw_sweep(s: Swept) -> str:
+def draw_sweep(s: Sweep) -> str:
     """Draw a sweep as an SVG image: polygons, loops, trajectory, undercuts and exact fits.
 
     Cost: that of the loops and the undercuts, and linear in their sizes.
@@ -60,7 +60,7 @@ def _fit_shapes(fits: Iterable[Fit], by: Point) -> list[Shape]:
     ]
 
 
-def draw_positions(found: NoFitPositions | InnerFitPositions) -> str:
+def draw_positions(found: NoFitPolygon | InnerFit) -> str:
     """Draw a no-fit polygon or an inner fit as an SVG image.
 
     Cost: that of all its parts, and linear in their sizes.
@@ -88,9 +88,9 @@ def draw_positions(found: NoFitPositions | InnerFitPositions) -> str:
     return write_svg([shape for shape in shapes if shape.loops], title)
 
 
-def show_positions(found: NoFitPositions | InnerFitPositions) -> str:
+def show_positions(found: NoFitPolygon | InnerFit) -> str:
     """Show a no-fit polygon or an inner fit as HTML: its picture, and sizes."""
-    from exactsweep.evidence.no_fit import NoFitPositions
+    from exactsweep.evidence.no_fit import NoFitPolygon
 
     shown = Positions.of(found)
     fixed, moving, _ = (name.split()[0] for name in shown.called)
@@ -99,7 +99,7 @@ def show_positions(found: NoFitPositions | InnerFitPositions) -> str:
         (fixed, write_size(len(shown.directrix), shown.directrix.area)),
         (moving, write_size(len(shown.generatrix), shown.generatrix.area)),
     ]
-    if isinstance(found, NoFitPositions):
+    if isinstance(found, NoFitPolygon):
         exterior = write_size(len(found.exterior), found.exterior.area)
         rows = [("class", CLASSES[found.kind]), *rows, ("exterior", exterior)]
         rows.append(("holes", str(len(found.holes))))
@@ -109,7 +109,7 @@ def show_positions(found: NoFitPositions | InnerFitPositions) -> str:
     return put_beside(draw_positions(found), rows)
 
 
-def show_sweep(s: Swept) -> str:
+def show_sweep(s: Sweep) -> str:
     """Show a sweep as HTML: its picture, class, and the sizes of its loops."""
     rows = [
         ("class", CLASSES[s.kind]),

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from exactsweep.draw.features import Features
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.point import Point
 
@@ -37,7 +37,7 @@ class ContactStretch(NamedTuple):
 
 
 @tells_arguments
-def cut_trajectory(s: Swept) -> list[ContactStretch]:
+def cut_trajectory(s: Sweep) -> list[ContactStretch]:
     """Cut the trajectory where a contact begins or ends.
 
     Args:
@@ -57,7 +57,7 @@ def cut_trajectory(s: Swept) -> list[ContactStretch]:
     return _cut(Features(s), s.trajectory.vertices, s.contacts)
 
 
-def cut_loops(s: Swept, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
+def cut_loops(s: Sweep, loops: Sequence[Sequence[Point]]) -> Iterator[list[ContactStretch]]:
     """Cut other loops of positions likewise.
 
     Args:

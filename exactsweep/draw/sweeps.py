@@ -17,14 +17,14 @@ from exactsweep.draw.stretches import cut_trajectory
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.point import Point
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.sweep import Sweep
     from exactsweep.evidence.undercut import Undercut
     from exactsweep.numbers.point import Fit
 
@@ -36,11 +36,11 @@ class Moving(Protocol):
     """G, which moves by D: a Sweep, or the shapes of a no-fit polygon."""
 
     @property
-    def generatrix(self) -> Polygon | Region:
+    def generatrix(self) -> AnyPolygon:
         """G."""
 
     @property
-    def directrix(self) -> Polygon | Region:
+    def directrix(self) -> AnyPolygon:
         """D."""
 
     @property
@@ -50,7 +50,7 @@ class Moving(Protocol):
 
 @tells_arguments
 def plot_sweep(
-    s: Swept,
+    s: Sweep,
     axes: Axes | None = None,
     *,
     positions: Iterable[Iterable[object]] | None = None,
@@ -154,19 +154,19 @@ def find_shift(s: Moving) -> Point:
     return Point(x - s.reference.x, y - s.reference.y)
 
 
-def trace_anchor(s: Swept) -> Polygon:
+def trace_anchor(s: Sweep) -> Polygon:
     """Return the trajectory of the anchor."""
     return s.trajectory.translated(find_shift(s))
 
 
 @tells_arguments
-def place_generatrix(s: Moving, position: Point) -> Polygon | Region:
+def place_generatrix(s: Moving, position: Point) -> AnyPolygon:
     """Return G with its reference point at a position."""
     return s.generatrix.translated((position.x - s.reference.x, position.y - s.reference.y))
 
 
 @tells_arguments
-def choose_telling_positions(s: Swept) -> list[Point]:
+def choose_telling_positions(s: Sweep) -> list[Point]:
     """Choose positions worth drawing: in undercuts and exact fits, far from each other.
 
     Returns:
@@ -202,7 +202,7 @@ def _square(p: Point, q: Point) -> Fraction:
 
 
 @tells_arguments
-def draw_loops(picture: Picture, s: Swept) -> None:
+def draw_loops(picture: Picture, s: Sweep) -> None:
     """Draw the swept area between the inner and the outer loop, and the directrix."""
     outer, inner = s.outer.vertices, s.inner.vertices
     unswept = [loop.vertices for loop in s.unswept]
@@ -215,9 +215,7 @@ def draw_loops(picture: Picture, s: Swept) -> None:
 
 
 @tells_arguments
-def draw_shape(
-    picture: Picture, shape: Polygon | Region, look: Look, label: str | None = None
-) -> None:
+def draw_shape(picture: Picture, shape: AnyPolygon, look: Look, label: str | None = None) -> None:
     """Draw a polygon with its holes."""
     if len(shape.rings) > 1:
         picture.shape(shape.rings, look, label)
@@ -233,7 +231,7 @@ def draw_undercuts(picture: Picture, undercuts: Iterable[Undercut]) -> None:
 
 
 @tells_arguments
-def draw_trajectory(picture: Picture, s: Swept) -> None:
+def draw_trajectory(picture: Picture, s: Sweep) -> None:
     """Draw the path of the anchor, each stretch as its contact event has it."""
     dx, dy = find_shift(s)
     of = "trajectory" if find_anchor(s) == s.reference else f"path of {name_anchor(s)}"
@@ -308,12 +306,12 @@ def draw_generatrix(
 
 
 @tells_arguments
-def draw_contacts(picture: Picture, s: Swept, positions: Iterable[Point]) -> None:
+def draw_contacts(picture: Picture, s: Sweep, positions: Iterable[Point]) -> None:
     """Mark where G touches D when its reference point is at each of some positions."""
     draw_spots(picture, find_spots(s, positions))
 
 
-def find_spots(s: Swept, positions: Iterable[Point]) -> dict[str, list[Ends]]:
+def find_spots(s: Sweep, positions: Iterable[Point]) -> dict[str, list[Ends]]:
     """Find where G touches D at each of some positions, by event."""
     features = Features(s)
     spots: dict[str, list[Ends]] = {}

@@ -22,6 +22,7 @@ from typing import Any, Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
@@ -40,6 +41,23 @@ class Contact(NamedTuple):
     event: Event
     generatrix: int
     directrix: int
+
+
+def number_as_given(shape: AnyPolygon, outline: Outline, k: int, *, of_edge: bool) -> int:
+    """The index in the caller's input of feature k of an outline, whose holes run clockwise.
+
+    Args:
+        shape: a shape.
+        outline: its features.
+        k: the number of a vertex, or of an edge.
+        of_edge: whether it is an edge.
+    """
+    if k >= len(shape.exterior):
+        # Of a hole, vertex 0 is the same both ways; its edge k ends where the edge as given starts.
+        ring = bisect_right(outline.starts, k)
+        first, size = outline.starts[ring - 1], len(shape.holes[ring - 2])
+        k = first + (first - (outline.after[k] if of_edge else k)) % size
+    return shape.edge_index(k) if of_edge else shape.vertex_index(k)
 
 
 def list_edges(loop: Sequence[Vertex]) -> list[Edge]:
@@ -187,11 +205,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     found: set[Contact] = set()
     for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
-        j = directrix.numbers.get(point)
-        if j is not None:
-            found.add(Contact("VV", i, j))
-        else:
-            found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
+        # Where rings touch, a point is a vertex of one and in an edge of another.
+        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
+        found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
     # What two edges share ends, towards the start of G's edge, in that start or in an end of D's: a

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import Any, Literal
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.shown import Shown, place_fits, place_loop
 from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.given import share_lattice
 from exactsweep.geometry.point_set import is_on
 from exactsweep.geometry.polygon import Polygon
@@ -18,59 +18,12 @@ from exactsweep.geometry.region import Region
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
+from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.solve import solve
 from exactsweep.words import write_pair
 
 
-class LatticePair:
-    """Two shapes on their common integer lattice, and the way back from it.
-
-    Args:
-        fixed: the shape that stays.
-        moved: the shape that moves.
-        reference: the point of the latter whose positions are told.
-        placed: shapes that stay, too.
-    """
-
-    def __init__(
-        self,
-        fixed: Region,
-        moved: Region,
-        reference: Point = ORIGIN,
-        placed: Sequence[Region] = (),
-    ) -> None:
-        self.reference = reference
-        self.scale, shapes = share_lattice([fixed, moved, *placed])
-        self.fixed, self.moved, *self.placed = shapes
-
-    def leave(self, position: Point) -> Point:
-        """The position of the reference point for a position of the origin."""
-        if self.reference == ORIGIN:
-            return position
-        (x, y), (dx, dy) = position, self.reference
-        return Point(x + dx, y + dy)
-
-    def polygon(self, loop: Sequence[Point]) -> Polygon:
-        """A canonical loop of positions as a Polygon."""
-        return Polygon._from_canonical(list(map(self.leave, loop)))
-
-    def polygons(self, loops: Sequence[Sequence[Point]]) -> tuple[Polygon, ...]:
-        """Several loops, sorted."""
-        return tuple(sorted(map(self.polygon, loops), key=lambda polygon: polygon.vertices))
-
-    def fits(self, found: Sequence[Fit]) -> tuple[Fit, ...]:
-        """Exact fits as pairs of positions, sorted."""
-        return tuple((self.leave(p), self.leave(q)) for p, q in found)
-
-    def no_fit(self) -> ss.NoFitSS:
-        """The no-fit polygon, told in positions of the origin."""
-        return ss.no_fit_ss(self.fixed, self.moved, self.scale)
-
-    def inner_fit(self) -> ss.InnerFitSS:
-        """The positions inside the fixed shape, told in positions of the origin."""
-        return ss.inner_fit_ss(self.fixed, self.moved, self.scale, self.placed)
-
-
-class NoFitPositions:
+class NoFitPolygon(Shown):
     """Where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
     Each part is computed when it is first read.
@@ -82,59 +35,75 @@ class NoFitPositions:
         kind: "CC", "CM" or "MM" where the paper's procedures apply, else "SS".
     """
 
+    asked = ("stationary", "orbiting", "reference")
+
     def __init__(
-        self, stationary: Region, orbiting: Region, reference: Point, swept: Swept | None
+        self, stationary: Region, orbiting: Region, direction: Vector | None, reference: Point
     ) -> None:
         self.stationary = stationary
         self.orbiting = orbiting
         self.reference = reference
-        self.kind = "SS" if swept is None else swept.kind
-        self._swept = swept
+        self.solution = solve(orbiting, stationary, direction)
+        self.kind = self.solution.kind
 
-    @cached_property
-    def pair(self) -> LatticePair:
-        """The two shapes on their common lattice."""
-        return LatticePair(self.stationary, self.orbiting, self.reference)
-
-    @cached_property
-    def _found(self) -> ss.NoFitSS:
-        return self.pair.no_fit()
-
-    @cached_property
+    @made_once
     def exterior(self) -> Polygon:
         """The loop around all positions of overlap: the trajectory."""
-        if self._swept is not None:
-            return self._swept.trajectory
-        return self.pair.polygon(self._found.exterior)
+        return place_loop(self.solution.trajectory, self.reference)
 
-    @cached_property
+    @made_once
     def holes(self) -> tuple[Polygon, ...]:
         """The loops around free positions inside, in a cave or a hole, sorted."""
-        return () if self._swept is not None else self.pair.polygons(self._found.holes)
+        return tuple(place_loop(hole, self.reference) for hole in self.solution.holes)
 
-    @cached_property
+    @made_once
     def exact_fits(self) -> tuple[Fit, ...]:
         """Free positions without free ones around them: segments and points, sorted.
 
         The end that hangs on a loop comes first, where only one does; a single position is a
         segment of two equal ends.
         """
-        if self._swept is not None:
-            return self._swept.exact_fits
-        return self.pair.fits(self._found.exact_fits)
+        return place_fits(self.solution.fits, self.reference)
+
+    def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
+        """Locate a position of the orbiting polygon.
+
+        Args:
+            position: a pair of numbers, where the reference point of the orbiting polygon is.
+
+        Returns:
+            "overlap", where interiors overlap; "contact", where the polygons touch only: on a loop
+            or in an exact fit; "free", where they are apart.
+
+        Raises:
+            NumberError: a coordinate is not an exact number.
+
+        Cost: that of the loops and exact fits, and linear in their size.
+
+        Example:
+            >>> from exactsweep import no_fit_polygon
+            >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+            >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
+            ('overlap', 'contact', 'free')
+        """
+        t = read_point(position, "position")
+        if _is_on(t, (self.exterior, *self.holes), self.exact_fits):
+            return "contact"
+        in_hole = any(hole.contains(t) for hole in self.holes)
+        return "overlap" if self.exterior.contains(t) and not in_hole else "free"
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the answer, told in translations of G.
 
         Whatever the class of the pair, holes and exact fits are claimed to be all there are.
         """
-        back = (-self.reference.x, -self.reference.y)
+        found = self.solution
         return claim_no_fit(
             self.stationary,
             self.orbiting,
-            self.exterior.translated(back),
-            (hole.translated(back) for hole in self.holes),
-            _moved(self.exact_fits, back),
+            place_loop(found.trajectory),
+            map(place_loop, found.holes),
+            found.fits,
         )
 
     @property
@@ -155,7 +124,7 @@ class NoFitPositions:
         )
 
 
-class InnerFitPositions:
+class InnerFit(Shown):
     """The positions of a part inside a container, and free of placed shapes if there are any.
 
     `inner_fit_polygon` and `free_positions` make it. It is true if there is any position.
@@ -167,6 +136,8 @@ class InnerFitPositions:
         placed: the Regions that the part must not overlap.
     """
 
+    asked = ("container", "part", "reference", "placed")
+
     def __init__(
         self, container: Region, part: Region, reference: Point, placed: Sequence[Region] = ()
     ) -> None:
@@ -175,9 +146,11 @@ class InnerFitPositions:
         self.reference = reference
         self.placed = tuple(placed)
 
-    @cached_property
-    def _pair(self) -> LatticePair:
-        return LatticePair(self.container, self.part, self.reference, self.placed)
+    @made_once
+    def solution(self) -> ss.FreeRegions:
+        """The positions of the part's origin."""
+        scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
+        return ss.inner_fit_ss(container, part, scale, placed)
 
     def __bool__(self) -> bool:
         return bool(self.regions or self.exact_fits)
@@ -204,31 +177,27 @@ class InnerFitPositions:
             ('boundary', 'boundary', 'outside')
         """
         t = read_point(position, "position")
-        if any(region.contains(t, strictly=True) for region in self.regions):
-            return "inside"
-        if any(region.contains(t) for region in self.regions) or any(
-            is_on(t, fit) for fit in self.exact_fits
-        ):
+        loops = [ring for region in self.regions for ring in (region.exterior, *region.holes)]
+        if _is_on(t, loops, self.exact_fits):
             return "boundary"
-        return "outside"
+        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
 
-    @cached_property
-    def _found(self) -> ss.InnerFitSS:
-        return self._pair.inner_fit()
-
-    @cached_property
+    @made_once
     def regions(self) -> tuple[Region, ...]:
         """The free regions, sorted; none where the part does not fit."""
-        regions = [
-            Region(self._pair.polygon(exterior), self._pair.polygons(holes))
-            for exterior, holes in self._found.regions
-        ]
-        return tuple(sorted(regions, key=lambda region: region.rings))
+        return self._regions(self.reference)
 
-    @cached_property
+    def _regions(self, reference: Point) -> tuple[Region, ...]:
+        found = (
+            Region(place_loop(exterior, reference), [place_loop(h, reference) for h in holes])
+            for exterior, holes in self.solution.regions
+        )
+        return tuple(sorted(found, key=lambda region: region.rings))
+
+    @made_once
     def exact_fits(self) -> tuple[Fit, ...]:
         """Positions without room in some direction, as for `NoFitPolygon`."""
-        return self._pair.fits(self._found.exact_fits)
+        return place_fits(self.solution.fits, self.reference)
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the answer, told in translations.
@@ -238,13 +207,8 @@ class InnerFitPositions:
         """
         if self.placed:
             raise PolygonError("positions among placed shapes have no certificate")
-        back = (-self.reference.x, -self.reference.y)
-        return claim_inner_fit(
-            self.container,
-            self.part,
-            (region.translated(back) for region in self.regions),
-            _moved(self.exact_fits, back),
-        )
+        fits = self.solution.fits
+        return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
 
     @property
     def area(self) -> Fraction:
@@ -262,8 +226,9 @@ class InnerFitPositions:
         )
 
 
-def _moved(fits: Sequence[Fit], by: tuple[Fraction, Fraction]) -> list[list[Point]]:
-    return [[Point(p.x + by[0], p.y + by[1]) for p in fit] for fit in fits]
+def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
+    """Whether a position is on some loop, or in an exact fit."""
+    return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
 
 
 def _said(fit: Fit) -> str:

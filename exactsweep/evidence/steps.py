@@ -28,7 +28,7 @@ from exactsweep.geometry.segment import find_direction
 from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.sweep import Sweep
 
 Half = Literal["lower", "right", "upper", "left"]
 Mark = Literal["undercut", "undercut opens", "undercut closes", "exact fit"]
@@ -84,7 +84,7 @@ class Step(NamedTuple):
     reasons: tuple[Contact, ...]
 
 
-def explain(s: Swept) -> tuple[Step, ...]:
+def explain(s: Sweep) -> tuple[Step, ...]:
     """Tell a sweep in the order of travel, all the way around from its first vertex.
 
     Returns:
@@ -109,7 +109,7 @@ def explain(s: Swept) -> tuple[Step, ...]:
 class _Guide:
     """What is needed to tell a sweep; coordinates are those of its frame, the lattice turned."""
 
-    def __init__(self, s: Swept) -> None:
+    def __init__(self, s: Sweep) -> None:
         self.sweep = s
         self.generatrix, self.directrix = s._boundaries
         self.path = s._route
@@ -134,7 +134,7 @@ class _Guide:
                     _direction(positions[k], positions[(k + 1) % len(positions)]),
                     halves[k],
                     tuple(
-                        Touch(s._as_given(c), *s._frame.leave(piece, s.reference))
+                        Touch(s._as_given(c), *s.solution.frame.leave(piece, s.reference))
                         for c, piece in pieces
                     ),
                     tuple(landmarks[k]),
@@ -213,7 +213,7 @@ class _Guide:
 
     def _is_passed(self, position: Point) -> bool:
         """Whether a position is on the trajectory."""
-        point = self.sweep._frame.enter_point(position, self.sweep.reference)
+        point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
 
     def _place(self, position: Point) -> tuple[int, Rational]:
@@ -221,7 +221,7 @@ class _Guide:
 
         Counted from there, so that no undercut, of the lower or the upper sweep, spans the start.
         """
-        point = self.sweep._frame.enter_point(position, self.sweep.reference)
+        point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         vertex = self.path.numbers.get(point)
         k = next(self.path.edges_through(point)) if vertex is None else vertex - 1
         return (k - self.first) % len(self.path.vertices), _progress(self.path.edge(k), point)

@@ -32,13 +32,13 @@ class Frame(NamedTuple):
         p, q = k * p, k * q
         return [(p * x + q * y, p * y - q * x) for x, y in points]
 
-    def enter_point(self, point: Point, shift: Point) -> Vertex:
+    def enter_point(self, point: Point, shift: Point = ORIGIN) -> Vertex:
         """A point less a vector, in the frame; ints where it is on the lattice."""
         (p, q), scale = self.direction, self.scale
         x, y = (point.x - shift.x) * scale, (point.y - shift.y) * scale
         return _plain(p * x + q * y), _plain(p * y - q * x)
 
-    def leave(self, points: Sequence[Vertex], shift: Point) -> list[Point]:
+    def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
         """Points of the frame in the plane, moved by a vector. Cost: O(n)."""
         p, q = self.direction
         scale = self.scale * (p * p + q * q)

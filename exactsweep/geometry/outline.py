@@ -21,6 +21,7 @@ class Outline:
         vertices: the vertices of all rings, one ring after another.
         after: for each vertex the number of the next one of its ring.
         before: for each vertex the number of the one before.
+        starts: of each ring the number of its first vertex.
         numbers: dict from a vertex to its number, the last one of several.
 
     >>> square = Outline([[(0, 0), (1, 0), (1, 1), (0, 1)]])
@@ -32,8 +33,10 @@ class Outline:
         self.vertices: list[Vertex] = []
         self.after: list[int] = []
         self.before: list[int] = []
+        self.starts: list[int] = []
         for ring in rings:
             first, size = len(self.vertices), len(ring)
+            self.starts.append(first)
             self.vertices += ring
             self.after += [*range(first + 1, first + size), first]
             self.before += [first + size - 1, *range(first, first + size - 1)]
@@ -64,8 +67,19 @@ class Outline:
     def scaled(self, factor: int) -> Outline:
         """The same, enlarged by a positive factor. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
-        larger.after, larger.before = self.after, self.before
+        larger.after, larger.before, larger.starts = self.after, self.before, self.starts
         return larger
+
+    def vertices_at(self, point: Vertex) -> Sequence[int]:
+        """List the vertices at a point, one for each ring that touches there. Cost: O(1)."""
+        return self._vertices_by_point.get(point, ())
+
+    @cached_property
+    def _vertices_by_point(self) -> dict[Vertex, list[int]]:
+        found: dict[Vertex, list[int]] = {}
+        for k, vertex in enumerate(self.vertices):
+            found.setdefault(vertex, []).append(k)
+        return found
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(n)."""

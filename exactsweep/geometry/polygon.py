@@ -105,6 +105,16 @@ class Polygon(PointSet):
         return self._vertices
 
     @property
+    def exterior(self) -> "Polygon":
+        """The polygon itself: a Region has an exterior and holes."""
+        return self
+
+    @property
+    def holes(self) -> tuple["Polygon", ...]:
+        """No holes."""
+        return ()
+
+    @property
     def rings(self) -> tuple[tuple[Point, ...], ...]:
         """The vertices, as those of the only ring of its boundary."""
         return (self.vertices,)

@@ -59,6 +59,7 @@ class Region(PointSet):
 
     def __init__(self, exterior: Region | Vertices, holes: Iterable[Vertices] = ()) -> None:
         inner: list[Polygon] = []
+        is_checked = isinstance(exterior, Region)
         if isinstance(exterior, Region):
             # As they were given, so that features keep their numbers.
             order = sorted(range(len(exterior.holes)), key=exterior._firsts[1:].__getitem__)
@@ -75,7 +76,8 @@ class Region(PointSet):
         inner += [_read_named(hole, f"hole {k}") for k, hole in enumerate(given)]
         firsts: tuple[int, ...] = (0,)
         if inner:
-            _check(outer, inner)
+            if given or not is_checked:
+                _check(outer, inner)
             firsts = tuple(accumulate(map(_count_given, (outer, *inner[:-1])), initial=0))
         self._set((outer, *inner), firsts)
 
@@ -222,7 +224,11 @@ def _count_given(ring: Polygon) -> int:
     return 1 + max(map(ring.edge_index, range(len(ring))))
 
 
-def walk_rings(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
+AnyPolygon = Polygon | Region
+"""A polygon without holes or with them; both have an exterior, holes and rings."""
+
+
+def walk_rings(shape: AnyPolygon) -> Iterator[tuple[int, int, int]]:
     """Count the vertices through all rings of a shape.
 
     Yields:
@@ -242,7 +248,7 @@ def walk_rings(shape: Polygon | Region) -> Iterator[tuple[int, int, int]]:
 
 
 def number_features(
-    shape: Polygon | Region,
+    shape: AnyPolygon,
 ) -> tuple[dict[int, Point], dict[int, tuple[int, int]]]:
     """Find the features of a shape by the numbers that they have in the input.
 

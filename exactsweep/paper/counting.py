@@ -10,25 +10,28 @@ import tracemalloc
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from time import process_time
 from typing import Any, Protocol
 
 from exactsweep.corpus.generator.shapes import Ring
-from exactsweep.paper.growth import Bound, Growth, grow
+from exactsweep.paper.growth import LIMITS, Bound, Growth, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 
 
 @dataclass
 class OperationCount:
-    """Operations on coordinates and on numbers derived from them."""
+    """Operations on coordinates and on numbers derived from them; slots of a CountedList."""
 
     multiplications: int = 0
     comparisons: int = 0
+    additions: int = 0
+    slots: int = 0
 
     @property
     def total(self) -> int:
-        """Both together."""
-        return self.multiplications + self.comparisons
+        """All together."""
+        return self.multiplications + self.comparisons + self.additions + self.slots
 
 
 _tally = OperationCount()
@@ -37,7 +40,7 @@ _tally = OperationCount()
 class Counted(int):
     """An int whose results are counted ints again, through Fractions too.
 
-    Divisions count as multiplications; additions, which come with them, are not counted.
+    Divisions count as multiplications, subtractions as additions; changes of sign are free.
     """
 
     __slots__ = ()
@@ -57,22 +60,17 @@ class Counted(int):
 
 def _free(name: str) -> Callable[..., Any]:
     plain = getattr(int, name)
-
-    def method(*operands: int) -> Any:
-        result = plain(*operands)
-        return result if result is NotImplemented else Counted(result)
-
-    return method
+    return lambda operand: Counted(plain(operand))
 
 
-def _multiplication(name: str) -> Callable[..., Any]:
+def _arithmetic(kind: str, name: str) -> Callable[..., Any]:
     plain = getattr(int, name)
 
     def method(*operands: int) -> Any:
         result = plain(*operands)
         if result is NotImplemented:
             return result
-        _tally.multiplications += 1
+        setattr(_tally, kind, getattr(_tally, kind) + 1)
         return Counted(result)
 
     return method
@@ -91,8 +89,9 @@ def _comparison(name: str) -> Callable[..., Any]:
 
 
 for _make, _names in (
-    (_free, "add radd sub rsub neg pos abs"),
-    (_multiplication, "mul rmul floordiv rfloordiv mod rmod"),
+    (_free, "neg pos abs"),
+    (partial(_arithmetic, "additions"), "add radd sub rsub"),
+    (partial(_arithmetic, "multiplications"), "mul rmul floordiv rfloordiv mod rmod"),
     (_comparison, "lt le gt ge eq ne bool"),
 ):
     for _name in _names.split():
@@ -105,7 +104,7 @@ def make_counted(chain: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
     >>> with watch_operations() as tally:
     ...     (x, y), = make_counted([(3, 4)])
     ...     x * y < 13 * x, tally
-    (True, OperationCount(multiplications=2, comparisons=1))
+    (True, OperationCount(multiplications=2, comparisons=1, additions=0, slots=0))
     """
     return [(Counted(x), Counted(y)) for x, y in chain]
 
@@ -121,6 +120,24 @@ def watch_operations() -> Iterator[OperationCount]:
         _tally = outer
 
 
+class CountedList(list[Any]):
+    """A list that counts the slots that are read or copied from it.
+
+    >>> with watch_operations() as tally:
+    ...     CountedList([1, 2, 3])[:], tally.slots
+    ([1, 2, 3], 3)
+    """
+
+    def __getitem__(self, key: Any) -> Any:
+        found = super().__getitem__(key)
+        _tally.slots += len(found) if isinstance(key, slice) else 1
+        return found
+
+    def __iter__(self) -> Iterator[Any]:
+        _tally.slots += len(self)
+        return super().__iter__()
+
+
 class PairFamily(Protocol):
     """A named function of m and n that returns a generatrix and a directrix."""
 
@@ -131,7 +148,7 @@ class PairFamily(Protocol):
 
 
 def operations(run: Callable[[Chains], Iterable[Any]], chains: Chains) -> int:
-    """Multiplications and comparisons of coordinates, and vertices that come out.
+    """Multiplications, comparisons and additions of coordinates, and vertices that come out.
 
     >>> from exactsweep.paper.pairs import Chains
     >>> operations(lambda chains: chains.directrix, Chains([(1, 1)], [(0, 0)], [(0, 0), (1, 0)]))
@@ -193,6 +210,7 @@ def grow_bytes(
     family: PairFamily,
     bound: Bound,
     sizes: Iterable[tuple[int, int]],
+    limit: float = LIMITS["bytes"],
 ) -> Growth:
     """Measure the peak of the memory that a procedure takes beside its input."""
 
@@ -205,7 +223,7 @@ def grow_bytes(
         finally:
             tracemalloc.stop()
 
-    return _grow(f"bytes of {procedure}", peak, family, bound, sizes)
+    return _grow(f"bytes of {procedure}", peak, family, bound, sizes, limit)
 
 
 def _grow(

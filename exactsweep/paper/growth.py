@@ -60,7 +60,8 @@ class Growth:
         bound: the bound as text.
         points: one for each size.
         limit: by what factor the ratio may rise at the last doubling; or, if it is below 1, by how
-            much the exponent of the count may be above that of the bound over all sizes.
+            much the exponent may be above that of the bound over all sizes. What is measured, and
+            has no such limit, has that of `LIMITS`.
     """
 
     what: str
@@ -117,7 +118,8 @@ class Growth:
         """
         if self.unit in LIMITS:
             last = 3 if self.unit == "seconds" else 0
-            return self.exponent(last) <= self.claimed(last) + LIMITS[self.unit]
+            margin = self.limit if self.limit < 1 else LIMITS[self.unit]
+            return self.exponent(last) <= self.claimed(last) + margin
         if self.limit < 1:
             return self.exponent() <= self.claimed() + self.limit
         before = max(point.ratio for point in self.points[:-1])

@@ -14,6 +14,7 @@ from functools import reduce
 from itertools import pairwise
 
 from exactsweep.numbers.point import Vertex
+from exactsweep.paper.functions import clip
 from exactsweep.paper.pairs import Chains
 
 Chain = list[Vertex]
@@ -160,9 +161,20 @@ def slide_inside(
     return _turn(trajectory(_turn(bottom), _turn(container)[::-1]))[::-1]
 
 
-def run_inner(chains: Chains) -> Chain:
-    """The inner boundary by Sweep_MM."""
-    return sweep_mm(*chains)[0]
+def find_trajectory(chains: Chains) -> Chain:
+    """The trajectory of a pair of any class: a convex chain is one part."""
+    return trajectory_mm(chains.top, chains.directrix)
+
+
+def find_outer(chains: Chains) -> Chain:
+    """The outer boundary of a pair of any class, by Sweep_MM."""
+    return trajectory_mm(_turn(chains.bottom), find_trajectory(chains))
+
+
+def find_inner(chains: Chains) -> Chain:
+    """The inner boundary of a pair of any class, by Sweep_MM, cut off at the ends of D_b."""
+    inner = slide_inside(_turn(chains.top), find_trajectory(chains), trajectory_mm)
+    return clip(inner, *(Fraction(chains.directrix[k][0]) for k in (0, -1)))
 
 
 def split_at_reflex(chain: Sequence[Vertex]) -> list[Chain]:

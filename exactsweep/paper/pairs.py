@@ -2,14 +2,16 @@
 
 "CC", "CM" and "MM" are the paper's classes, each letter being a polygon's; "S" is one of any shape,
 monotone to no direction as a rule. Strict polygons have no vertical edge, as the paper
-takes for granted; weak ones have vertical edges, at the ends and inside their chains.
+takes for granted; weak ones have vertical edges, at the ends and inside their chains. Large ones
+have so many vertices that the kernel's batches, ceilings and bounds come into play.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
+from exactsweep.corpus.generator.growing import cc, cm, cm_hard, cm_undercut, figure10, mm
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.corpus.generator.shapes import Grid, Ring, draw_convex, draw_monotone, untangle
 from exactsweep.geometry.canonical import PolygonError
@@ -47,6 +49,13 @@ class SweepPair(NamedTuple):
             for ring in (self.generatrix, self.directrix)
         )
         return SweepPair(g, d)
+
+
+class SeededFamily(Protocol):
+    """A family of `growing` that takes a seed."""
+
+    def __call__(self, m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:
+        """Return the generatrix and the directrix."""
 
 
 def draw_pair(random: Prng, kind: str, *, strict: bool = True) -> SweepPair:
@@ -89,9 +98,32 @@ def _corners(ring: Ring) -> Ring:
     return [(int(x), int(y)) for x, y in Polygon(ring).vertices]
 
 
-def draw_pairs(
-    effort: Effort, kind: str, count: int, *, strict: bool = True
-) -> Iterator[SweepPair]:
-    """Draw pairs that depend on the seed of the run, their class and their number alone."""
+LARGE: dict[str, tuple[SeededFamily, ...]] = {
+    "CC": (cc,),
+    "CM": (cm, cm_hard, cm_undercut),
+    "MM": (mm, figure10),
+}
+
+
+def draw_large(random: Prng, kind: str) -> SweepPair:
+    """Draw a pair of some dozens of vertices from a growing family of its class."""
+    family = random.choice(LARGE[kind])
+    m, n = (4 * random.between(6, 16) for _ in "mn")
+    return SweepPair(*family(m, n, random.between(0, 10**6)))
+
+
+def draw_pairs(effort: Effort, kind: str, count: int, how: str = "") -> Iterator[SweepPair]:
+    """Draw pairs that depend on the seed of the run, their class and their number alone.
+
+    Args:
+        effort: the seed of the run.
+        kind: two letters, G's and D's.
+        count: how many.
+        how: "weak", "large" or nothing.
+    """
     for number in range(count):
-        yield draw_pair(effort.random(f"{kind} {strict} {number}"), kind, strict=strict)
+        random = effort.random(f"{kind} {how} {number}")
+        if how == "large":
+            yield draw_large(random, kind)
+        else:
+            yield draw_pair(random, kind, strict=not how)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Literal
 
 from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.lattice import Lattice
@@ -16,10 +15,7 @@ from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.made_once import made_once
 from exactsweep.procedures.mm import outer_mm, trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
-
-Kind = Literal["CC", "CM", "MM", "SS"]
-"""The classes of the paper; and "SS", of polygons of any shape, which has no lower sweep."""
-
+from exactsweep.procedures.solution import Kind
 
 KEPT_VERTICES = 256
 """Polygons of more vertices do not keep their chains: there the sweep takes far longer."""

@@ -7,9 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.steps import Half, Landmark, Step, Touch, explain
-from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region, number_features, walk_rings
+from exactsweep.evidence.sweep import Sweep
+from exactsweep.geometry.region import AnyPolygon, number_features, walk_rings
 from exactsweep.numbers.number import abridge
 from exactsweep.numbers.point import Point
 from exactsweep.words import CLASSES, count, name_heading, write_pair
@@ -22,7 +21,7 @@ _HALVES: dict[Half, str] = {
 }
 
 
-def tell(s: Swept) -> Iterator[str]:
+def tell(s: Sweep) -> Iterator[str]:
     r"""Explain a sweep in words, step by step, as `explain` finds it.
 
     After the way around D come the holes of the no-fit polygon, in which G can be as well, and the
@@ -64,7 +63,7 @@ def tell(s: Swept) -> Iterator[str]:
 class _FeatureNames:
     """How the features of a polygon are called, by index."""
 
-    def __init__(self, shape: Polygon | Region, letter: str) -> None:
+    def __init__(self, shape: AnyPolygon, letter: str) -> None:
         self.vertices: dict[int, str] = {}
         self.edges: dict[int, str] = {}
         self.corners, ends = number_features(shape)
@@ -84,7 +83,7 @@ class _FeatureNames:
 class _Teller:
     """Finds the words for the steps of one sweep."""
 
-    def __init__(self, s: Swept) -> None:
+    def __init__(self, s: Sweep) -> None:
         self.sweep = s
         self.g = _FeatureNames(s.generatrix, "G")
         self.d = _FeatureNames(s.directrix, "D")
@@ -109,7 +108,7 @@ class _Teller:
                 "Inside of its way, where it cannot slide to, there is room for it in "
                 f"{rest} of the no-fit polygon."
             )
-        elif s.direction != (1, 0):
+        elif s.direction and s.direction != (1, 0):
             yield (
                 f"Both are monotone to {write_pair(s.direction)}; "
                 "what is below, above or an end is so with this direction to the right."

@@ -6,12 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
+from math import isqrt
 from typing import TYPE_CHECKING
 
-from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Fit, Point
 from exactsweep.words import CLASSES, write_pair
@@ -30,7 +31,7 @@ _AROUND = Decimal(f"0.{'9' * 50}"), Decimal(f"1.{'0' * 49}1")
 _NO_WRAPPING = 10**9
 
 
-def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool = False) -> str:
+def report(sweep: Sweep, terminal_width: int | None = None, *, everything: bool = False) -> str:
     """Describe a sweep: class, direction, undercuts, exact fits, sizes, areas, loops.
 
     Areas are exact, with a decimal approximation beside them where that is another number; of a
@@ -86,7 +87,7 @@ def report(sweep: Swept, terminal_width: int | None = None, *, everything: bool 
 
 
 def report_no_fit(
-    n: NoFitPositions, terminal_width: int | None = None, *, everything: bool = False
+    n: NoFitPolygon, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe a no-fit polygon: class, holes, exact fits, sizes, areas, loops.
 
@@ -125,12 +126,12 @@ def report_no_fit(
         "exact fits": str(len(n.exact_fits)),
     }
     given = {"stationary": n.stationary, "orbiting": n.orbiting}
-    shapes: dict[str, Polygon | Region] = {**given, **loops}
+    shapes: dict[str, AnyPolygon] = {**given, **loops}
     return _tell(facts, shapes, "no fit", n.area, loops, n.exact_fits, terminal_width, everything)
 
 
 def report_inner_fit(
-    f: InnerFitPositions, terminal_width: int | None = None, *, everything: bool = False
+    f: InnerFit, terminal_width: int | None = None, *, everything: bool = False
 ) -> str:
     """Describe the positions of a part inside a container.
 
@@ -171,14 +172,14 @@ def report_inner_fit(
         for k, region in enumerate(f.regions)
         for j, ring in enumerate((region.exterior, *region.holes))
     }
-    shapes: dict[str, Polygon | Region] = {"container": f.container, "part": f.part, **loops}
+    shapes: dict[str, AnyPolygon] = {"container": f.container, "part": f.part, **loops}
     fits = f.exact_fits
     return _tell(facts, shapes, "positions", f.area, loops, fits, terminal_width, everything)
 
 
 def _tell(
     facts: Mapping[str, str],
-    shapes: Mapping[str, Polygon | Region],
+    shapes: Mapping[str, AnyPolygon],
     name: str,
     area: Fraction,
     loops: Mapping[str, Polygon],
@@ -198,13 +199,13 @@ def _tell(
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *_area(shape.area))
     sizes.add_row(name, "", *_area(area))
-    tables = [_rows(facts, width), sizes]
+    tables = [list_facts(facts, width), sizes]
     if everything:
         # Long numbers take a table a long time.
         lines = {**{n: loop.vertices for n, loop in loops.items()}, **_fit_ends(fits)}
         told = (f"{n:<{width}}  {' '.join(map(_write_point, ends))}\n" for n, ends in lines.items())
         return lay_out(tables, terminal_width) + "\n" * bool(lines) + "".join(told)
-    return lay_out([*tables, *([_rows(texts, width)] if texts else [])], terminal_width)
+    return lay_out([*tables, *([list_facts(texts, width)] if texts else [])], terminal_width)
 
 
 def _write_point(point: Point) -> str:
@@ -240,7 +241,8 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
 
 
-def _rows(texts: Mapping[str, str], width: int) -> Table:
+def list_facts(texts: Mapping[str, str], width: int) -> Table:
+    """Make a table of names and texts; names take at least so many columns."""
     from rich.table import Table
 
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -284,3 +286,17 @@ def approximate(value: Fraction) -> str:
         rounded = _APPROXIMATE.divide(Decimal(n), Decimal(d))
     rounded = rounded.normalize(_APPROXIMATE)
     return f"{rounded:f}" if -6 <= rounded.adjusted() <= 12 else str(rounded)
+
+
+def take_root(square: Fraction) -> Fraction:
+    """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
+
+    >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
+    (Fraction(1, 2), 1.4142135623730951)
+    """
+    n, d = square.as_integer_ratio()
+    exact = Fraction(isqrt(n), isqrt(d))
+    if exact * exact == square:
+        return exact
+    bits = max(0, 120 + d.bit_length() - n.bit_length())
+    return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)

@@ -8,22 +8,22 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.no_fit import InnerFitPositions, NoFitPositions
+from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 from exactsweep.evidence.steps import Step, explain
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.writing import write_wkt_fits, write_wkt_polygon
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.number import format_fraction
 
 if TYPE_CHECKING:
     from exactsweep.check import Verification
 
 
-def sweep_to_json(sweep: Swept) -> str:
+def sweep_to_json(sweep: Sweep) -> str:
     """Write a sweep, its input included, as JSON.
 
     Args:
@@ -48,7 +48,7 @@ def sweep_to_json(sweep: Swept) -> str:
     return _object(texts)
 
 
-def no_fit_to_json(n: NoFitPositions) -> str:
+def no_fit_to_json(n: NoFitPolygon) -> str:
     """Write a no-fit polygon, its input included, as JSON.
 
     Args:
@@ -75,7 +75,7 @@ def no_fit_to_json(n: NoFitPositions) -> str:
     )
 
 
-def inner_fit_to_json(f: InnerFitPositions) -> str:
+def inner_fit_to_json(f: InnerFit) -> str:
     """Write the positions of a part inside a container, its input included, as JSON.
 
     Args:
@@ -101,7 +101,7 @@ def inner_fit_to_json(f: InnerFitPositions) -> str:
     )
 
 
-def write_json_value(shape: Polygon | Region) -> object:
+def write_json_value(shape: AnyPolygon) -> object:
     """Make the list of vertices of a shape, or of one with holes the object of its rings."""
     return _rings(shape) if isinstance(shape, Region) and shape.holes else shape.vertices
 
@@ -114,7 +114,7 @@ def _loops(loops: Iterable[Polygon]) -> list[object]:
     return [loop.vertices for loop in loops]
 
 
-def certificate_to_json(result: Swept | NoFitPositions | InnerFitPositions) -> str:
+def certificate_to_json(result: Sweep | NoFitPolygon | InnerFit) -> str:
     """Write the certificate of a result as JSON.
 
     Args:
@@ -128,7 +128,7 @@ def certificate_to_json(result: Swept | NoFitPositions | InnerFitPositions) -> s
     return _object({name: json.dumps(value) for name, value in result.certificate().items()})
 
 
-def explanation_to_json(sweep: Swept) -> str:
+def explanation_to_json(sweep: Sweep) -> str:
     """Write the steps of a sweep, as `exactsweep.evidence.steps` finds them, as JSON.
 
     Args:
@@ -163,13 +163,13 @@ def explanation_to_json(sweep: Swept) -> str:
     )
 
 
-def _holes(sweep: Swept) -> list[dict[str, object]]:
+def _holes(sweep: Sweep) -> list[dict[str, object]]:
     loops = [hole.vertices for hole in sweep.no_fit_holes]
     along = sweep.contacts_along(loops)
     return [{"loop": loop, "contacts": found} for loop, found in zip(loops, along, strict=True)]
 
 
-def _fit_contacts(sweep: Swept) -> list[Sequence[Contact]]:
+def _fit_contacts(sweep: Sweep) -> list[Sequence[Contact]]:
     ways = iter(sweep.contacts_along([fit for fit in sweep.exact_fits if fit[0] != fit[1]]))
     return [
         sweep.contacts_at(fit[0]) if fit[0] == fit[1] else next(ways)[0] for fit in sweep.exact_fits
@@ -188,7 +188,7 @@ def verification_to_json(verification: Verification) -> str:
     return _object({name: _write(part) for name, part in verification._asdict().items()})
 
 
-def _input(sweep: Swept) -> dict[str, str]:
+def _input(sweep: Sweep) -> dict[str, str]:
     return {
         "generatrix": _write(write_json_value(sweep.generatrix)),
         "directrix": _write(write_json_value(sweep.directrix)),
@@ -205,7 +205,7 @@ def direction_to_json(direction: Vector | None) -> str:
     return f"[{', '.join(format_fraction(Fraction(component)) for component in direction)}]"
 
 
-def list_numbers(shape: Polygon | Region) -> dict[str, list[int]]:
+def list_numbers(shape: AnyPolygon) -> dict[str, list[int]]:
     """List the numbers that the caller gave the vertices, and the edges that start there."""
     size = len(shape)
     return {
@@ -237,24 +237,24 @@ def _write(value: object) -> str:
     return json.dumps(value, default=format_fraction)
 
 
-def sweep_to_regions(sweep: Swept) -> list[NamedRegion]:
+def sweep_to_regions(sweep: Sweep) -> list[NamedRegion]:
     """Name the loops of a sweep: "trajectory", "inner", "outer", and "unswept 0" and so on."""
     loops = {"trajectory": sweep.trajectory, "inner": sweep.inner, "outer": sweep.outer}
     loops |= {f"unswept {k}": loop for k, loop in enumerate(sweep.unswept)}
     return [NamedRegion(Region(loop), name) for name, loop in loops.items()]
 
 
-def no_fit_to_regions(n: NoFitPositions) -> list[NamedRegion]:
+def no_fit_to_regions(n: NoFitPolygon) -> list[NamedRegion]:
     """Make one Region of a no-fit polygon, without its exact fits: "nfp"."""
     return [NamedRegion(Region(n.exterior, n.holes), "nfp")]
 
 
-def inner_fit_to_regions(f: InnerFitPositions) -> list[NamedRegion]:
+def inner_fit_to_regions(f: InnerFit) -> list[NamedRegion]:
     """Name the regions of an inner fit: "region 0" and so on."""
     return [NamedRegion(region, f"region {k}") for k, region in enumerate(f.regions)]
 
 
-def sweep_to_wkt(sweep: Swept) -> str:
+def sweep_to_wkt(sweep: Sweep) -> str:
     """Write the loops of a sweep as WKT: trajectory, inner loop, outer loop, unswept holes.
 
     Args:
@@ -273,7 +273,7 @@ def sweep_to_wkt(sweep: Swept) -> str:
     return "".join(write_wkt_polygon({name: loop.vertices}) for name, loop in loops.items())
 
 
-def no_fit_to_wkt(n: NoFitPositions) -> str:
+def no_fit_to_wkt(n: NoFitPolygon) -> str:
     """Write a no-fit polygon as WKT: a POLYGON with its holes, then its exact fits.
 
     Args:
@@ -296,7 +296,7 @@ def no_fit_to_wkt(n: NoFitPositions) -> str:
     return _area_to_wkt("", n.exterior, n.holes) + write_wkt_fits(n.exact_fits)
 
 
-def inner_fit_to_wkt(f: InnerFitPositions) -> str:
+def inner_fit_to_wkt(f: InnerFit) -> str:
     """Write the positions of a part inside a container as WKT.
 
     Args:

@@ -17,9 +17,8 @@ from exactsweep.draw import ContactStretch, Scale
 from exactsweep.draw.stretches import cut_loops
 from exactsweep.draw.sweeps import find_anchor, find_shift, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.swept import Swept
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.evidence.sweep import Sweep
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point
 from exactsweep.text.results import list_numbers
@@ -47,7 +46,7 @@ class Stop(NamedTuple):
     contacts: tuple[Contact, ...]
 
 
-def list_tracks(s: Swept) -> list[Track]:
+def list_tracks(s: Sweep) -> list[Track]:
     """List the trajectory, the holes of the no-fit polygon and the exact fits."""
     holes = [Track(f"hole {k}", hole.vertices) for k, hole in enumerate(s.no_fit_holes)]
     fits = [
@@ -56,13 +55,13 @@ def list_tracks(s: Swept) -> list[Track]:
     return [Track("the trajectory", s.trajectory.vertices), *holes, *fits]
 
 
-def find_stops(s: Swept) -> list[Stop]:
+def find_stops(s: Sweep) -> list[Stop]:
     """Find all stops of the trajectory, as `track_stops` does."""
     found, _ = track_stops(s, list_tracks(s)[:1])
     return found[0]
 
 
-def track_stops(s: Swept, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
+def track_stops(s: Sweep, listed: Sequence[Track]) -> tuple[list[list[Stop]], bool]:
     """Find all stops of tracks, each all the way around from its first vertex.
 
     Returns:
@@ -95,7 +94,7 @@ def track_stops(s: Swept, listed: Sequence[Track]) -> tuple[list[list[Stop]], bo
 
 
 def gather_page_data(
-    s: Swept,
+    s: Sweep,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
@@ -188,7 +187,7 @@ def gather_page_data(
     }
 
 
-def _landmarks(s: Swept) -> list[Point]:
+def _landmarks(s: Sweep) -> list[Point]:
     ends = {end for fit in s.exact_fits for end in fit}
     return sorted(ends.union(*(undercut.positions for undercut in s.undercuts)))
 
@@ -212,7 +211,7 @@ def _on_line(p: Point, a: Point, b: Point) -> bool:
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x)
 
 
-def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
+def _around_anchor(s: Sweep, scale: Scale) -> dict[str, Any]:
     x, y = find_anchor(s)
     corners = s.generatrix.vertices
     return {
@@ -225,6 +224,6 @@ def _around_anchor(s: Swept, scale: Scale) -> dict[str, Any]:
     }
 
 
-def _number(shape: Polygon | Region) -> dict[str, list[int]]:
+def _number(shape: AnyPolygon) -> dict[str, list[int]]:
     """The numbers of the features, and the sizes of the rings."""
     return {**list_numbers(shape), "rings": [len(ring) for ring in shape.rings]}

@@ -13,10 +13,9 @@ from itertools import pairwise
 from math import lcm
 
 from exactsweep.evidence.contact import find_facing, minus
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
-from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon
 from exactsweep.numbers.point import Point, Rational
 
 # Pairs of vertices, and looks at one of them from an edge, that take a second at most.
@@ -38,7 +37,7 @@ class Meetings:
     overlap: O(m + n) for convex polygons, O(m n) for any.
     """
 
-    def __init__(self, s: Swept) -> None:
+    def __init__(self, s: Sweep) -> None:
         self.reference = s.reference
         self.scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
         g, d = (_outline(shape, self.scale) for shape in (s.generatrix, s.directrix))
@@ -72,7 +71,7 @@ class Meetings:
         return sorted(found)
 
 
-def find_meetings(s: Swept, corners: int) -> Meetings | None:
+def find_meetings(s: Sweep, corners: int) -> Meetings | None:
     """Find where vertices meet, if that takes a second at most.
 
     Args:
@@ -85,7 +84,7 @@ def find_meetings(s: Swept, corners: int) -> Meetings | None:
     return found if len(found.translations) * corners <= _MOST_LOOKS else None
 
 
-def _outline(shape: Polygon | Region, scale: int) -> Outline:
+def _outline(shape: AnyPolygon, scale: int) -> Outline:
     """The features of a shape, in ints if it is on the lattice."""
     exterior, *holes = (
         [(_plain(x * scale), _plain(y * scale)) for x, y in ring] for ring in shape.rings

@@ -15,7 +15,7 @@ from exactsweep.canvas.style import write_style_sheet
 from exactsweep.numbers.arguments import tells_arguments
 
 if TYPE_CHECKING:
-    from exactsweep.evidence.swept import Swept
+    from exactsweep.evidence.sweep import Sweep
 
 # d3-zoom and what it needs, each before those that need it; vendor/README.md says more.
 _LIBRARIES = (
@@ -38,7 +38,7 @@ _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 @tells_arguments
 def make_page(
-    s: Swept,
+    s: Sweep,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,

@@ -57,6 +57,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[str]]]]
             process.communicate()
 
 
+@pytest.mark.long
 def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     tmp_path: Path, command: list[str], cluster: tuple[str, list[subprocess.Popen[str]]]
 ) -> None:
@@ -83,6 +84,7 @@ def test_neither_a_lost_worker_nor_a_lost_scheduler_costs_a_record(
     assert output.read_bytes() == WHOLE
 
 
+@pytest.mark.long
 def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: list[str]) -> None:
     process = start([*command, "--scheduler", "local", "--workers", "2"])
     wait_for(lambda: size(tmp_path / "out.jsonl.part"), process)

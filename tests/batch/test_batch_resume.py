@@ -37,6 +37,7 @@ def longer(path: Path, length: int) -> Callable[[], bool]:
     return lambda: size(path) > length
 
 
+@pytest.mark.long
 def test_killed_at_random_and_resumed(
     tmp_path: Path, command: list[str], whole: list[bytes]
 ) -> None:
@@ -155,6 +156,7 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, command:
     wait_until_gone(workers)
 
 
+@pytest.mark.long
 def test_a_killed_worker_costs_no_record(
     tmp_path: Path, command: list[str], whole: list[bytes]
 ) -> None:

@@ -14,6 +14,7 @@ from tiers import examples
 from exactsweep import Polygon, Region, no_fit_polygon, sweep
 from exactsweep.batch import Part, read_parts, take_all_pairs, take_listed_pairs
 from exactsweep.formats import parse_polygon
+from exactsweep.geometry.region import AnyPolygon
 
 SQUARE = Part("square", Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
 # Holes of 2 x 1, exactly as high as the square, and of 2 x 2.
@@ -127,7 +128,7 @@ def test_batches_that_differ_in_holes_are_told_apart() -> None:
     assert isinstance(PLATE.polygon, Region)
     first, second = PLATE.polygon.holes
     solid = Polygon(PLATE.polygon.exterior)
-    others: list[Polygon | Region] = [
+    others: list[AnyPolygon] = [
         solid,
         Region(solid, [first]),
         Region(solid, [second]),

@@ -70,6 +70,7 @@ def test_certificates_of_long_numbers_are_proved(answer: Any, directrix: Any) ->
     assert verify(parse_certificate(json.dumps(certificate))).proved
 
 
+@pytest.mark.long
 def test_directions_too_long_for_readers_of_json_are_strings() -> None:
     """Once `json.dumps` ended in Python's own words."""
     one, other = Fraction(10**4290 - 1, 10**4280 + 7), Fraction(10**4288 - 1, 10**4285 + 9)

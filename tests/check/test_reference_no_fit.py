@@ -186,6 +186,7 @@ def test_place_that_is_passed_by_is_an_unswept_hole() -> None:
 
 @patient
 @given(cell_sets(), polyominoes(6) | ringed())
+@pytest.mark.long
 def test_every_half_integer_position_is_as_counted(d: Cells, g: Cells) -> None:
     answer = reference_no_fit(shape_of(d), shape_of(g))
     fine_d, fine_g = doubled(d), doubled(g)

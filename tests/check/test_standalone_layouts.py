@@ -64,7 +64,7 @@ def refusal(certificate: Any) -> str:
 
 
 def test_a_layout_that_fills_its_container_is_proved() -> None:
-    assert prove(certificate()) == "layout: 2 placements of 1 parts, valid, spacing 0, margin 0"
+    assert prove(certificate()) == "layout of 2 placements of 1 parts, valid, spacing 0, margin 0"
     assert prove(load(json.dumps(certificate())))
     assert verify(certificate()).proved
     assert (
@@ -114,7 +114,7 @@ def test_a_layout_that_fills_its_container_is_proved() -> None:
         ("valid", 1, "valid"),
         ("faults", [{"kind": "missing", "part": "L"}], "faults"),
         ("apart", [[0, 0, 1, 0, "0", 0]], "number"),
-        ("apart", [[0, -1, 1, -1, "1", "1"]], "not apart"),
+        ("apart", [[0, -1, 1, -1, "1", "1"]], "no normal"),
         ("apart", [[0, 0, 1, 0, "0", "1"]] * 2, "twice"),
         ("version", 1, "version"),
         ("version", True, "version"),

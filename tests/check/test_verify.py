@@ -87,6 +87,7 @@ def test_certificate_by_hand() -> None:
 # --- False ones ----------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_tampering_is_caught() -> None:
     rng = random.Random(1)
     drawn = [random_pair(rng) for _ in range(50)]

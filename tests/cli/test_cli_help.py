@@ -104,6 +104,7 @@ def test_colours_are_for_terminals() -> None:
     assert "\x1b" not in run("sweep").output
 
 
+@pytest.mark.long
 def test_a_bar_with_rate_and_time_is_for_terminals(tmp_path: Path) -> None:
     parts = tmp_path / "parts.json"
     parts.write_text(format_polygons(part_list(16), "json"))

@@ -62,6 +62,7 @@ def test_every_module_with_exports_is_in_the_reference() -> None:
         assert all(hasattr(module, public) for public in public_names(module)), name
 
 
+@pytest.mark.long
 def test_the_reference_is_made_without_a_warning(tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-m", "exactsweep.cli.reference", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)

@@ -63,6 +63,7 @@ def test_a_mistake_made_throughout_is_said_first() -> None:
     assert first.endswith(" trajectories that differ: exact for D + G, G not reflected")
 
 
+@pytest.mark.long
 def test_filters_choose_cases_of_the_corpus_and_of_files(two: str) -> None:
     done = run("conform", "--filter", "id=worked-", "--filter", "class=CC", "--", *CONVEX)
     assert re.match(r" +cases  exact\nall +\d+ +\d+\nCC ", done.stdout)

@@ -37,6 +37,7 @@ def test_the_python_example_is_exact_or_declines() -> None:
     assert re.match(r" +cases  exact  unsupported\n", done.stdout)
 
 
+@pytest.mark.long
 def test_the_javascript_example_is_exact_or_declines() -> None:
     node = shutil.which("node")
     if node is None:
@@ -63,6 +64,7 @@ def test_an_example_is_shown_and_copied(tmp_path: Path) -> None:
     assert refusal(run("example", "convex.p")) == "no example 'convex.p'; did you mean 'convex.py'?"
 
 
+@pytest.mark.long
 def test_the_cpp_example_is_exact_or_declines(tmp_path: Path) -> None:
     compiler = shutil.which("g++")
     if compiler is None:

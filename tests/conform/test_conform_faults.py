@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 import pytest
 from judged import CORRECT, FAULTY, SLOT, SQUARE
 from shipped_cases import shipped_cases
+from tiers import few_or_all
 
 from exactsweep.cli.pair import DIRECTRIX, GENERATRIX
 from exactsweep.conform import Verdict
@@ -130,9 +131,10 @@ def outcomes_of(command: list[str], chosen: Iterable[Case]) -> list[Outcome]:
     return outcomes
 
 
-def test_the_correct_one_is_exact_where_it_is_asked() -> None:
+@few_or_all
+def test_the_correct_one_is_exact_where_it_is_asked(step: int) -> None:
     """It speaks the old protocol: it is not asked of pairs that share no direction."""
-    chosen = [*CASES.values(), *shipped_cases()]
+    chosen = [*CASES.values(), *shipped_cases()[::step]]
     outcomes = outcomes_of(CORRECT, chosen)
     for case, outcome in zip(chosen, outcomes, strict=True):
         expected = Verdict.UNSUPPORTED if case.kind == "SS" else Verdict.EXACT
@@ -141,7 +143,8 @@ def test_the_correct_one_is_exact_where_it_is_asked() -> None:
             assert outcome.reason.startswith("not asked: it takes monotone pairs")
 
 
-def test_the_correct_one_of_any_shape_is_exact_everywhere() -> None:
-    chosen = [*CASES.values(), *shipped_cases()]
+@few_or_all
+def test_the_correct_one_of_any_shape_is_exact_everywhere(step: int) -> None:
+    chosen = [*CASES.values(), *shipped_cases()[::step]]
     outcomes = outcomes_of([sys.executable, "-m", "exactsweep.conform.examples.shapes"], chosen)
     assert {outcome.verdict for outcome in outcomes} == {Verdict.EXACT}

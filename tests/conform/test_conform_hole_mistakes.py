@@ -4,14 +4,17 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import islice
 from typing import Any
+from xml.sax.saxutils import escape
 
 import pytest
 from shipped_cases import shipped_cases
 
-from exactsweep import Point, Polygon
-from exactsweep.conform import compare
+from exactsweep import Point, Polygon, inner_fit_polygon, no_fit_polygon
+from exactsweep.conform import compare, conform
 from exactsweep.conform.judge.witness import list_exact_rings
-from exactsweep.corpus import cases
+from exactsweep.conform.report.junit import write_junit
+from exactsweep.conform.report.text import close
+from exactsweep.corpus import Case, cases
 
 Rings = list[Any]
 HOLED = [*islice((c for c in cases(kind="SS") if len(c.holes) > 0), 4)]
@@ -78,3 +81,74 @@ def test_a_region_of_an_inner_fit_cannot_be_dropped_moved_or_invented() -> None:
         low, high = case.directrix.bounding_box
         away = [(high.x + 9, low.y), (high.x + 10, low.y), (high.x + 9, low.y + 1)]
         assert compare(case, {"inner_fit": [*rings, away], **fits}).verdict == "unsound"
+
+
+# What is said of rings that are lost or added.
+
+
+def say(case: Case, name: str, rings: Rings) -> tuple[str, ...]:
+    return compare(case, {name: rings}).parts[0].diagnosis
+
+
+def test_the_sum_of_boundaries_alone_is_named() -> None:
+    """Where G is inside D, or D inside G, boundaries do not meet: Clipper leaves that open."""
+    small, large = [(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 7), (0, 5)]
+    words = "the sum of the boundaries: where one polygon is inside the other is left open"
+    for d, g in ((large, small), (small, large)):
+        case = Case.of("inside", "", d, g, (2, 5))
+        (around,) = list_exact_rings(case, "no_fit")
+        inside = inner_fit_polygon(large, small).regions[0].exterior.vertices
+        moved = [Point(x + 2, y + 5) if d is large else Point(2 - x, 5 - y) for x, y in inside]
+        assert say(case, "no_fit", [around, moved]) == (words, "all exact rings, and 1 more")
+        assert say(case, "trajectory", [moved[::-1], around])[0] == words
+        assert say(case, "no_fit", [around, shift(moved, Fraction(1, 9))]) == (
+            "all exact rings, and 1 more",
+        )
+
+
+def test_lost_rings_are_counted() -> None:
+    for case in MANY:
+        exact = list(list_exact_rings(case, "no_fit"))
+        n = len(exact) - 1
+        assert say(case, "no_fit", exact[:-1]) == (f"lacks 1 of {n} holes",)
+        assert say(case, "no_fit", exact[:1]) == ("lacks the holes",)
+    several = next(c for c in cases() if c.inner_regions and len(c.inner_regions) == 2)
+    exact = list(list_exact_rings(several, "inner_fit"))
+    for k, ring in enumerate(exact):
+        lost = exact[:k] + exact[k + 1 :]
+        assert say(several, "inner_fit", lost) == (f"lacks 1 of {len(exact)} rings",)
+        island = shift(ring, Fraction(1000))
+        assert say(several, "inner_fit", [*exact, island]) == ("all exact rings, and 1 more",)
+
+
+def test_on_symmetric_shapes_exchanged_roles_come_before_another_reference_point() -> None:
+    """Moved by nothing that has a name, or turned: the same for shapes that a half turn keeps."""
+    d, g = [(0, 0), (9, 0), (9, 4), (0, 4)], [(1, 1), (3, 1), (3, 2), (1, 2)]
+    case = Case.of("symmetric", "", d, g, ("1/3", 2))
+    (ring,) = list_exact_rings(case, "no_fit")
+    turned = [Point(Fraction(2, 3) - x, 4 - y) for x, y in ring]
+    found = say(case, "no_fit", [turned])
+    assert found[0] == "exact for exchanged roles, D around G"
+    assert any("all is moved by" in words for words in found)
+
+
+def test_the_cause_of_all_answers_of_a_run_comes_first_in_every_report() -> None:
+    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    chosen = [
+        Case.of("square", "", square, square, (1, 1)),
+        Case.of("notch", "", [(0, 0), (7, 1), (9, 6), (4, 3), (1, 8)], [(2, 1), (5, 2), (3, 4)]),
+        Case.of("far", "", square, [(2, 1), (5, 2), (3, 4)], ("1/2", 7)),
+    ]
+
+    def last(directrix: Any, generatrix: Any, reference: Any) -> dict[str, Any]:
+        found = no_fit_polygon(directrix, generatrix, reference=generatrix[-1])
+        return {"trajectory": found.exterior.vertices}
+
+    run = conform(last, chosen, name="last", made_smaller=1)
+    cause = run.summary.find_cause()
+    assert cause == "exact for G's last vertex as reference"
+    (fault,) = run.list_faults()
+    assert (fault.count, cause in fault.name) == (3, True)
+    assert all(o.reason.startswith(cause) for o in [*run.list_outcomes(), *run.show()])
+    assert write_junit(run).count(f'message="{escape(cause)}') == 3
+    assert close(run).splitlines()[1].endswith("(and 2 more like it)")

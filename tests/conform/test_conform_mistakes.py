@@ -9,6 +9,7 @@ import pytest
 from convictions import is_right, judge_wrong_answers, list_cases, list_sayings
 from mistakes import MISTAKES
 from spoiling import LOOPS
+from tiers import mostly_long
 
 from exactsweep import sweep
 from exactsweep.conform import Verdict, conform
@@ -24,7 +25,7 @@ def find_cases() -> list[Case]:
     return list_cases()
 
 
-@pytest.mark.parametrize("name", MISTAKES)
+@pytest.mark.parametrize("name", mostly_long(MISTAKES, [*MISTAKES][::8]))
 def test_a_mistake_is_convicted_and_named(name: str) -> None:
     mistake = MISTAKES[name]
     judged = [*islice(judge_wrong_answers(mistake, find_cases()), ENOUGH)]

@@ -8,12 +8,12 @@ import pytest
 
 from exactsweep.conform import Verdict
 from exactsweep.conform.report.html import SIDE, Panel, draw_panels
-from exactsweep.conform.report.text import take_root
 from exactsweep.conform.run.outcome import Outcome, judge_case
 from exactsweep.conform.run.peer import CallablePeer
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
 from exactsweep.corpus import Case
+from exactsweep.text.report import take_root
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 

@@ -3,6 +3,7 @@
 import json
 import re
 import sys
+from fractions import Fraction
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -42,7 +43,26 @@ def test_junit_tells_failures_from_errors_and_skips() -> None:
     assert tags == [[], ["failure"], ["error", "system-err"], ["skipped"]]
     assert tested[1][0].attrib == {"type": "wrong", "message": "neither \ufffd nor <"}
     run.complaints, run.interrupted = ["exited with code 1"], True
-    assert ElementTree.fromstring(write_junit(run))[0][-1].text == "exited with code 1\ninterrupted"
+    (suite,) = ElementTree.fromstring(write_junit(run))
+    assert [case.get("name") for case in suite.findall("testcase")[4:]] == run.find_objections()
+    assert [case[0].tag for case in suite.findall("testcase")[4:]] == ["failure", "failure"]
+    assert (suite.get("tests"), suite.get("failures")) == ("6", "3")
+
+
+@pytest.mark.parametrize("spoil", ["complaint", "interrupted", "too few", "nothing"])
+def test_no_run_that_fails_is_green_in_junit(spoil: str) -> None:
+    run = Run(Hello("mine"), least_judged=Fraction(1, 2) if spoil == "too few" else Fraction(0))
+    if spoil != "nothing":
+        run.add(Outcome("a", "CC", (), Verdict.EXACT))
+        assert run.passed
+    if spoil == "too few":
+        for k in range(3):
+            run.add(Outcome(f"u{k}", "CC", (), Verdict.UNSUPPORTED))
+    run.complaints = ["exited with code 1 after bye"] if spoil == "complaint" else []
+    run.interrupted = spoil == "interrupted"
+    assert not run.passed
+    (suite,) = ElementTree.fromstring(write_junit(run))
+    assert len(suite.findall("testcase/failure")) == int(suite.get("failures", "")) == 1
 
 
 def test_every_report_has_the_witness_in_full(two: str, tmp_path: Path) -> None:
@@ -68,6 +88,7 @@ def test_all_outcomes_are_in_the_json(two: str, tmp_path: Path) -> None:
     assert not data["passed"]
 
 
+@pytest.mark.long
 def test_failures_are_made_smaller_for_the_page_and_the_json(tmp_path: Path) -> None:
     options = ("--filter", "id=undercuts-", "--accept", "within")
     page, data = tmp_path / "run.html", tmp_path / "run.json"

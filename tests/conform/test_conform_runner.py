@@ -153,6 +153,7 @@ def test_a_hello_is_read_as_it_was_written() -> None:
 
 
 @pytest.mark.parametrize("workers", [1, 3])
+@pytest.mark.long
 def test_all_workers_come_to_the_same(workers: int) -> None:
     with Judges(CORRECT, workers=workers) as judges:
         outcomes = list(judges.judge(FEW))
@@ -198,7 +199,7 @@ def test_a_comparison_that_takes_too_long_is_given_up(monkeypatch: pytest.Monkey
     monkeypatch.setattr(judging, "TO_COMPARE", 0.05)
     monkeypatch.setattr("exactsweep.conform.run.outcome.compare", endless)
     peer: Any = CallablePeer(exact, Hello("mine"))
-    outcome = judging.judge_in_time(peer, THIRDS)
+    outcome = judging.judge_case(peer, THIRDS)
     assert outcome.verdict == "undecided"
     assert "comparing it takes more than 0.05 s" in outcome.reason
 
@@ -219,6 +220,7 @@ def test_a_worker_that_is_killed_ends_the_run() -> None:
 
 @pytest.mark.usefixtures("heed_interrupts")
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+@pytest.mark.long
 def test_a_run_goes_on_where_it_was_ended(tmp_path: Path, how: signal.Signals) -> None:
     journal, log, gate = tmp_path / "journal", tmp_path / "log", tmp_path / "gate"
     command = [
@@ -280,6 +282,7 @@ def test_a_journal_is_not_written_over(tmp_path: Path) -> None:
     assert (tmp_path / "journal").read_text() == before
 
 
+@pytest.mark.long
 def test_a_journal_has_one_run_at_a_time(tmp_path: Path) -> None:
     assert journal_of(tmp_path).exit_code == 0
     with (tmp_path / "journal").open("rb") as file:

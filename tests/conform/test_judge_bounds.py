@@ -76,7 +76,7 @@ def test_what_is_too_large_to_be_compared_is_never_called_better(
     assert judge(ring).verdict == sound
     for work in (0, 4):
         monkeypatch.setattr(region, "MAX_WORK", work)
-        assert judge(ring).verdict in (Verdict.WRONG, Verdict.UNDECIDED)
+        assert judge(ring).verdict is Verdict.WRONG
     assert judge(CASE.trajectory.vertices).verdict is Verdict.EXACT
 
 
@@ -90,7 +90,7 @@ def test_rings_inside_each_other_are_judged_together(monkeypatch: pytest.MonkeyP
         for k in range(44)
     ]
     rings = [[(x * (1 + i / 7), y * (1 + i / 7)) for x, y in circle] for i in range(20)]
-    assert judge(rings).verdict is Verdict.UNDECIDED
+    assert judge(rings).verdict is Verdict.WRONG
 
 
 @given(st.lists(simple_rings(), min_size=2, max_size=3))
@@ -161,6 +161,7 @@ def test_a_full_disk_is_told_by_the_spool() -> None:
     ("option", "size"),
     [("--html", 4096), ("--json", 4096), ("--junit", 4096), ("--journal", 4096), ("--html", 1024)],
 )
+@pytest.mark.long
 def test_a_full_disk_ends_in_one_line(tmp_path: Path, option: str, size: int) -> None:
     path = str(tmp_path / "report")
     command = ["conform", "--filter", "size=9", option, path, "--", *CONVEX]

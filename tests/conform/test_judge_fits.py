@@ -18,6 +18,7 @@ THIRDS = Case.of(
     "thirds", "", [(Fraction(x) + Fraction(1, 3), Fraction(y) / 3) for x, y in BLOCK], WIDE
 )
 BUT = "equivalent except for exact fits"
+FALSE = "false exact fits"
 
 
 @pytest.mark.parametrize(
@@ -28,11 +29,13 @@ BUT = "equivalent except for exact fits"
         ([[[1, 1], [1, 2]], [[1, 2], [1, 3]]], "equivalent", "given twice or in pieces"),
         ([], BUT, "missing"),
         ([[[1, 2], [1, 3]]], BUT, "too short"),
-        ([[[1, 1], [1, 7]]], BUT, "too long"),
+        ([[[1, 1], [1, 7]]], FALSE, "too long"),
         ([[[1, 0], [1, 3]]], "unsound", "too long"),
-        ([[[1, 1], [1, 3]], [[9, 9], [9, 8]]], BUT, "invented"),
+        ([[[1, 1], [1, 3]], [[9, 9], [9, 8]]], FALSE, "invented"),
+        ([[[1, 1], [1, 3]], [[0, 3], [-1, 3]]], FALSE, "invented"),
+        ([[[1, 1], [1, 3]], [[9, 9], [9, 9]]], FALSE, "invented"),
         ([[[1, 1], [1, 3]], [[0, 0], [1, 0]]], "unsound", "invented"),
-        ([[[1, 1], [1, 3]], [[1, 1], [1, 3]], [[9, 9], [9, 8]]], BUT, "invented, given twice"),
+        ([[[1, 1], [1, 3]], [[1, 1], [1, 3]], [[9, 9], [9, 8]]], FALSE, "invented, given twice"),
         ([[[1.0000000001, 1.0], [1.0, 3.0]]], BUT, "rounded"),
         ([[[1.001, 1.0], [1.0, 3.0]]], "unsound", "missing, invented"),
     ],

@@ -8,10 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from shipped_cases import shipped_cases
-from tiers import examples
+from tiers import examples, few_or_all
 
 from exactsweep import Point
 from exactsweep.conform.judge.answer import read_loop
+from exactsweep.conform.judge.boundary import is_on
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.loops import find_fault
@@ -30,7 +31,6 @@ BROKEN = {
     "spike": [[10, 10], [12, 10], [12, 12], [14, 14], [12, 12], [10, 12]],
     "one point": [[10, 10]],
     "two points": [[10, 10], [11, 11]],
-    "touches itself": [[10, 10], [12, 10], [11, 11], [12, 12], [10, 12], [11, 11]],
     "the same again": [list(p) for p in SLOT.trajectory.vertices],
     "overlaps": [[3, 0], [9, 0], [9, 1], [3, 1]],
 }
@@ -54,9 +54,92 @@ def test_a_sound_ring_besides_the_exact_one_is_not_acquitted_either() -> None:
     assert judge(SLOT, [exact, [[0, 0], ["1/2", 0], [0, "1/2"]]]).verdict is Verdict.UNSOUND
 
 
-def test_more_rings_than_anybody_needs_are_refused_at_once() -> None:
-    tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 3000, 2)]
-    assert judge(SLOT, tiny).reason == "$.trajectory has more than 200 rings"
+def test_many_rings_are_judged_as_few_are() -> None:
+    """A sheet with 225 holes; a limit of the judge's is no fault of a program."""
+    holes = [
+        [(3 * i + 1, 3 * j + 1), (3 * i + 2, 3 * j + 1), (3 * i + 2, 3 * j + 2)]
+        for i in range(15)
+        for j in range(15)
+    ]
+    sheet = Case.of("sheet", "", box(46, 46), box("1/9", "1/9"), directrix_holes=holes)
+    rings = list(list_exact_rings(sheet, "no_fit"))
+    assert len(rings) == 226
+    assert judge(sheet, [ring[::-1] for ring in rings[::-1]], "no_fit").verdict == "equivalent"
+    lost = judge(sheet, [*rings[:100], *rings[101:]], "no_fit")
+    assert (lost.verdict, lost.diagnosis) == ("conservative", ("lacks 1 of 225 holes",))
+    tiny = [[[k, 9], [k + 1, 9], [k, 10]] for k in range(0, 1200, 2)]
+    assert judge(SLOT, tiny).verdict is Verdict.WRONG
+
+
+def box(width: Any, height: Any) -> list[Any]:
+    return [(0, 0), (width, 0), (width, height), (0, height)]
+
+
+def test_a_ring_keyholed_along_an_exact_fit_traces_it() -> None:
+    """In through a door as wide as G, around the room, and out again."""
+    room = [(0, 0), (9, 0), (9, 9), (5, 9), (5, 8), (8, 8), (8, 1), (1, 1), (1, 8), (4, 8)]
+    case = Case.of("door", "", [*room, (4, 9), (0, 9)], SQUARE)
+    ((hanging, inside),) = case.exact_fits
+    exterior, hole = (list(ring) for ring in list_exact_rings(case, "no_fit"))
+    if not any(is_on(hanging, (exterior[k - 1], b)) for k, b in enumerate(exterior)):
+        hanging, inside = inside, hanging
+    k = next(k for k, b in enumerate(exterior) if is_on(hanging, (exterior[k - 1], b)))
+    j = next(j for j, b in enumerate(hole) if is_on(inside, (hole[j - 1], b)))
+    around = [inside, *hole[j:], *hole[:j], inside]
+    keyholed = [*exterior[:k], hanging, *around, hanging, *exterior[k:]]
+    for ring in (keyholed, keyholed[::-1]):
+        found = compare(case, {"no_fit": ring})
+        assert [(p.verdict, p.kind) for p in found.parts] == [("equivalent", "whisker")] * 2
+    doubles = [[float(x), float(y) + 1e-15] for x, y in keyholed]
+    assert compare(case, {"no_fit": doubles}).verdict is Verdict.WITHIN
+    # A whisker beside the fit is none.
+    wrong = [*exterior[:k], hanging, (Fraction(3), Fraction(6)), hanging, *exterior[k:]]
+    assert compare(case, {"no_fit": [wrong, hole]}).verdict is Verdict.MALFORMED
+
+
+def test_fits_are_traced_by_rings_of_an_inner_fit() -> None:
+    """Two rooms, and between them a corridor as wide as G."""
+    rooms = [(0, 0), (4, 0), (4, 1), (8, 1), (8, 0), (12, 0), (12, 3), (8, 3), (8, 2), (4, 2)]
+    case = Case.of("two rooms", "", [*rooms, (4, 3), (0, 3)], SQUARE, inner_fit=True)
+    first, second = map(list, list_exact_rings(case, "inner_fit"))
+    ((a, b),) = case.inner_exact_fits
+    k = next(k for k, p in enumerate(first) if is_on(a, (first[k - 1], p)))
+    for rings in (
+        [[*first[:k], a, b, a, *first[k:]], second],
+        [first, second, [a, b]],
+        [first, [b, a, b], second],
+    ):
+        found = compare(case, {"inner_fit": rings})
+        assert [p.verdict for p in found.parts] == ["equivalent", "equivalent"]
+    found = compare(case, {"inner_fit": [first, second, [a, (9, 9)]]})
+    assert found.verdict is Verdict.MALFORMED
+
+
+def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
+    case = Case.of("exactly as wide", "", box(4, "1/8"), box(1, "1/8"), inner_fit=True)
+    assert case.inner_regions == ()
+    thin = [[0.0, 0.0], [3.0, 0.0], [3.0, 4e-16], [0.0, 4e-16]]
+    found = compare(case, {"inner_fit": [thin]}, numbers="binary64")
+    assert found.verdict is Verdict.WITHIN
+    wide = [[x, y * 10**12] for x, y in thin]
+    assert compare(case, {"inner_fit": [wide]}, numbers="binary64").verdict == "unsound"
+
+
+def test_a_ring_that_touches_itself_is_judged_by_its_region() -> None:
+    exact = [list(p) for p in SLOT.trajectory.vertices]
+    touching = [[10, 10], [12, 10], [11, 11], [12, 12], [10, 12], [11, 11]]
+    assert judge(SLOT, [exact, touching]).verdict is Verdict.CONSERVATIVE
+
+
+def test_crossing_combs_are_wrong_whose_boxes_differ_already(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Too many crossings to say how they differ, which is no reason not to say that they do."""
+    monkeypatch.setattr("exactsweep.conform.judge.region.MAX_WORK", 1000)
+    teeth = [(x, 0 if x % 2 else 300) for x in range(61)]
+    case = Case.of("comb", "", [*teeth, (60, -9), (0, -9)], [(0, 0), ("1/9", 0), (0, "1/9")])
+    turned = [[y, x] for x, y in case.trajectory.vertices]
+    assert judge(case, turned[::-1]).verdict is Verdict.WRONG
 
 
 # Rounding.
@@ -99,12 +182,13 @@ def holds(value: Fraction) -> bool:
     return abs(value) < Fraction(2) ** 1000
 
 
+@few_or_all
 @pytest.mark.parametrize("name", ["trajectory", "inner", "outer"])
-def test_the_nearest_rounded_answer_is_within(name: str) -> None:
+def test_the_nearest_rounded_answer_is_within(name: str, step: int) -> None:
     """Each vertex to the nearest number: snapping may make a loop touch itself, or a spike."""
     good = {Verdict.EXACT, Verdict.EQUIVALENT, Verdict.WITHIN}
     broken = 0
-    for case in ALL_CASES:
+    for case in ALL_CASES[::step]:
         exact = list_exact_rings(case, name)
         if case.size > 60 or not all(holds(c) for ring in exact for p in ring for c in p):
             continue
@@ -113,7 +197,7 @@ def test_the_nearest_rounded_answer_is_within(name: str) -> None:
             found = judge(case, rings, name)
             assert found.verdict in good, (case.id, to, found.reason)
             broken += find_fault(read_loop(rings, "").rings, "") is not None
-    if name == "trajectory":
+    if name == "trajectory" and step == 1:
         assert broken >= 4
 
 

@@ -234,6 +234,7 @@ def vars_of(case: Case) -> dict[str, Any]:
     return {name: getattr(case, name) for name in Case.__dataclass_fields__}
 
 
+@pytest.mark.long
 def test_a_case_with_holes_is_made_smaller_with_them() -> None:
     case = find_case("plates-sizes")
 

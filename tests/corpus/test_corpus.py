@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 from shipped_cases import shipped_cases
+from tiers import few_or_all
 
 from exactsweep.corpus import Case, UnknownNameError, cases, find_case, notes, themes
 from exactsweep.corpus.case import KINDS
@@ -48,9 +49,10 @@ def test_ids_are_unique_and_begin_with_their_theme(shipped: list[Case]) -> None:
         assert ids == [case.id for case in shipped if case.id.startswith(f"{theme}-")]
 
 
-def test_schema_describes_every_file() -> None:
+@few_or_all
+def test_schema_describes_every_file(step: int) -> None:
     Draft202012Validator.check_schema(SCHEMA)
-    for theme, title in themes().items():
+    for theme, title in [*themes().items()][::step]:
         data = theme_file(theme)
         A_THEME.validate(data)
         assert (data["theme"], data["title"]) == (theme, title)
@@ -146,6 +148,7 @@ def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[C
             assert not all((c * scale / prime).denominator == 1 for c in input_of(case))
 
 
+@pytest.mark.long
 def test_representable_means_that_the_type_holds_every_coordinate(shipped: list[Case]) -> None:
     for case in shipped:
         scale = case.integer_scale

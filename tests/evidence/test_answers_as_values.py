@@ -21,6 +21,7 @@ import exactsweep
 from exactsweep import (
     DirectionError,
     ExactSweepError,
+    NoFitPolygon,
     Polygon,
     Region,
     Sweep,
@@ -30,7 +31,6 @@ from exactsweep import (
 )
 from exactsweep.check import classify
 from exactsweep.draw import plot_positions, plot_sweep
-from exactsweep.sweep import FoundPositions
 from exactsweep.view import InlinePage
 
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
@@ -169,7 +169,7 @@ def test_no_module_raises_a_bare_value_error() -> None:
 def test_pictures_of_a_sweep_have_the_defaults_of_those_who_draw_them() -> None:
     drawn: list[tuple[Callable[..., Any], Callable[..., Any]]] = [
         (Sweep.plot, plot_sweep),
-        (FoundPositions.plot, plot_positions),
+        (NoFitPolygon.plot, plot_positions),
         (Sweep.view, InlinePage),
     ]
     for method, function in drawn:

@@ -58,8 +58,8 @@ def on_line(piece: Segment, whole: Segment) -> bool:
 def test_what_draws_an_edge_covers_it_and_is_looked_for_in_order(s: Sweep) -> None:
     assert verify(s.certificate()).proved
     path, g = s._route, s._boundaries[0]
-    for loop in s._inner[0], s._outer[0]:
-        for edge in list_edges(loop):
+    for loop in s.solution.inner, s.solution.outer:
+        for edge in list_edges(s._enter(loop)):
             whole = make_segment(edge)
             found = s._tracer.trace(edge)
             tried: list[tuple[Segment, Trace]] = []

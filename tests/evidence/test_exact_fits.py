@@ -14,8 +14,8 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import classify, point_in_polygon, reference_exact_fits
-from exactsweep.evidence.exact_fit import find_exact_fits
 from exactsweep.paper.counting import make_counted, watch_operations
+from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
 
 Pair = tuple[Polygon, Polygon]
@@ -56,7 +56,8 @@ def test_fits_of_many_rectilinear_pairs_are_fits() -> None:
         s = sweep(pair.generatrix, pair.directrix)
         expected = reference_exact_fits(pair.generatrix, pair.directrix, pair.direction)
         assert s.exact_fits == expected, number
-        assert all(is_exact_fit(s.generatrix, s.directrix, f) for f in s.exact_fits)
+        shapes = pair.generatrix, pair.directrix
+        assert all(is_exact_fit(*shapes, f) for f in s.exact_fits)
         found += len(s.exact_fits)
     assert found > 50
 

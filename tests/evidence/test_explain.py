@@ -17,7 +17,7 @@ from exactsweep.check.location import point_in_polygon
 from exactsweep.evidence.contact import Contact, find_contacts
 from exactsweep.evidence.steps import Step, blocks, explain
 from exactsweep.geometry.outline import Outline
-from exactsweep.numbers.point import ORIGIN, Vertex
+from exactsweep.numbers.point import Vertex
 from exactsweep.text.explanation import tell
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -167,7 +167,7 @@ def ends_of(polygon: Polygon) -> dict[int, set[int]]:
 
 def test_at_a_corner_vertices_meet_of_what_touches_on_the_way() -> None:
     for s in known():
-        g_ends, d_ends = ends_of(s.generatrix), ends_of(s.directrix)
+        g_ends, d_ends = ends_of(s.generatrix.exterior), ends_of(s.directrix.exterior)
         for step in explain(s):
             if step.ending == "corner":
                 near = {
@@ -203,8 +203,9 @@ def test_what_blocks_leads_to_overlap_and_all_else_does_not(
     compass = st.tuples(own.tiny(-2, 2), own.tiny(-2, 2)).filter(any)
     aside = data.draw(compass | st.just(vector(edge, position)).filter(any))
     loops = s._boundaries
-    way = s._frame.enter_point(Point(*map(Fraction, aside)), ORIGIN)
-    t = s._frame.enter_point(position, s.reference)
+    frame = s.solution.frame
+    way = frame.enter_point(Point(*map(Fraction, aside)))
+    t = frame.enter_point(position, s.reference)
     stopped = any(blocks(c, way, *loops) for c in find_contacts(*loops, t))
     assert stopped == (verdict(s, beyond(position, aside)) == "OVERLAP")
 
@@ -251,7 +252,7 @@ def test_every_undercut_is_closed_once(s: Sweep) -> None:
 @given(any_sweeps())
 def test_an_undercut_is_begun_before_it_is_done_with(s: Sweep) -> None:
     steps = explain(s)
-    p, q = s.direction
+    p, q = s.solution.frame.direction
     # From the beginning of the lower sweep, wherever the trajectory begins.
     start = min(
         range(len(steps)),
@@ -278,13 +279,14 @@ def test_the_halves_follow_each_other(s: Sweep) -> None:
     changes = sum(p != q for p, q in pairwise([*halves, halves[0]]))
     assert changes == len(set(halves))
     assert {"lower", "upper"} <= set(halves)
+    p, q = s.solution.frame.direction
     for step in explain(s):
-        along = step.direction[0] * s.direction[0] + step.direction[1] * s.direction[1]
+        along = step.direction[0] * p + step.direction[1] * q
         assert along == 0 or (along > 0) == (step.half == "lower")
         assert along == 0 or step.half in ("lower", "upper")
         if step.half in ("left", "right"):
-            ways = [x * s.direction[0] + y * s.direction[1] for x, y in s.trajectory.vertices]
-            here = step.start.x * s.direction[0] + step.start.y * s.direction[1]
+            ways = [x * p + y * q for x, y in s.trajectory.vertices]
+            here = step.start.x * p + step.start.y * q
             assert here == (min if step.half == "left" else max)(ways)
 
 

@@ -5,12 +5,12 @@ import random
 import families
 import pytest
 
-from exactsweep.evidence.shape_undercuts import find_mouths
-from exactsweep.evidence.undercut import Pocket, find_pockets
 from exactsweep.numbers.point import Vertex
 from exactsweep.procedures.chain import split, take_corners
 from exactsweep.procedures.mm import trajectory_mm
 from exactsweep.procedures.mm_inner import inner_mm
+from exactsweep.procedures.mouths import find_mouths
+from exactsweep.procedures.pockets import Pocket, find_pockets
 
 Chain = list[Vertex]
 

@@ -279,6 +279,7 @@ def test_sizes_of_convex_sweeps(pair: Pair) -> None:
 
 @given(own.pairs("CM"))
 @often
+@pytest.mark.long
 def test_sizes_of_sweeps_with_a_convex_generatrix(pair: Pair) -> None:
     """Corollaries 4.3 and 4.4 for each half: k convex parts of D_b, meeting k - 1 times.
 

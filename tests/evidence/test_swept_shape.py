@@ -12,11 +12,12 @@ from tiers import examples
 
 from exactsweep import Point, Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import classify, verify
-from exactsweep.evidence.shape_undercuts import find_mouths
+from exactsweep.evidence.contact import number_as_given
 from exactsweep.evidence.steps import explain
-from exactsweep.evidence.swept_shape import SweptShape, _number
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.numbers.point import ORIGIN
+from exactsweep.procedures.mouths import find_mouths
 
 Ring = list[tuple[int, int]]
 SHEARS = [(1, 0, 0, 1), (1, 1, 0, 1), (2, 1, 1, 1), (0, -1, 1, 0)]
@@ -26,8 +27,8 @@ DOOR = [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (3, 3), (3, 2), (4, 2), (4, 4), 
 PLATE = [(0, 0), (9, 0), (9, 9), (6, 9), (6, 3), (5, 3), (5, 9), (0, 9)]
 
 
-def shape_sweep(g: Region, d: Region) -> SweptShape:
-    return SweptShape(g, d, ORIGIN)
+def shape_sweep(g: Region, d: Region) -> Sweep:
+    return Sweep(g, d, None, ORIGIN)
 
 
 def on_segment(p: Point, a: Point, b: Point) -> bool:
@@ -197,8 +198,8 @@ def test_features_of_several_holes_are_numbered_as_given() -> None:
     following = [p for ring in rings for p in ring[1:] + ring[:1]]
     outline = Outline(shape.lattice()[1])
     for k, vertex in enumerate(outline.vertices):
-        assert given[_number(shape, outline, k, of_edge=False)] == vertex
-        i = _number(shape, outline, k, of_edge=True)
+        assert given[number_as_given(shape, outline, k, of_edge=False)] == vertex
+        i = number_as_given(shape, outline, k, of_edge=True)
         assert {given[i], following[i]} == set(outline.edge(k))
     swept = sweep(UNIT, shape).directrix
     for k, vertex in enumerate(swept.vertices):

@@ -113,7 +113,7 @@ def test_generatrix_closes_undercuts_where_it_is_said_to(pair: Pair) -> None:
         if len(undercut.positions) == 1:
             assert undercut.intersection == "point"
         if len(undercut.positions) == 1 or undercut.intersection == "segment":
-            assert all(covers(s.generatrix, p, undercut) for p in undercut.positions)
+            assert all(covers(s.generatrix.exterior, p, undercut) for p in undercut.positions)
 
 
 @given(own.pairs("CM"))
@@ -133,7 +133,7 @@ def test_convex_generatrix_closes_an_undercut_in_one_place(pair: Pair) -> None:
 def test_one_position_is_given_where_one_will_do(pair: Pair) -> None:
     s = sweep(*pair)
     for undercut in s.undercuts:
-        closing = [t for t in s.trajectory.vertices if covers(s.generatrix, t, undercut)]
+        closing = [t for t in s.trajectory.vertices if covers(s.generatrix.exterior, t, undercut)]
         if len(undercut.bottom) > 2 and closing:
             assert len(undercut.positions) == 1
             assert {*undercut.positions} <= {*closing}
@@ -151,8 +151,8 @@ def test_segments_go_as_far_as_they_can(pair: Pair) -> None:
                 share = Fraction(1, 10**20)
                 beyond = Point(b.x + share * (b.x - a.x), b.y + share * (b.y - a.y))
                 on_path = point_in_polygon(beyond, s.trajectory) == 0
-                assert not (on_path and covers(s.generatrix, beyond, undercut))
-                assert covers(s.generatrix, middle(a, b), undercut)
+                assert not (on_path and covers(s.generatrix.exterior, beyond, undercut))
+                assert covers(s.generatrix.exterior, middle(a, b), undercut)
 
 
 @given(own.pairs("CC"))

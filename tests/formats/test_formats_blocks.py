@@ -103,6 +103,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=range(len(REFUSED)))
+@pytest.mark.long
 def test_blocks_that_cannot_be_drawn_are_refused(text: str) -> None:
     with pytest.raises(FormatError, match=re.escape(REFUSED[text])):
         parse_polygon(text)

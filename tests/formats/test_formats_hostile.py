@@ -52,10 +52,12 @@ def test_long_texts_are_refused_in_linear_time(text: Callable[[int], str]) -> No
 
 
 @pytest.mark.parametrize("body", SHAPES.values(), ids=SHAPES)
+@pytest.mark.long
 def test_long_shapes_are_refused_in_linear_time(body: Callable[[int], str]) -> None:
     require_linear(lambda n: refuse(f"<svg>{body(n)}</svg>"))
 
 
+@pytest.mark.long
 def test_equal_rings_are_one_ring_in_linear_time() -> None:
     def read(n: int) -> None:
         text = f'<svg><path d="{"M0 0h1v1z" * (n // 20)}"/></svg>'
@@ -159,10 +161,10 @@ def test_of_what_is_no_polygon_a_bounded_number_is_kept(
     made = 0
     refused = Candidate.refused
 
-    def count(reason: str, name: str | None = None, layer: str | None = None) -> Candidate:
+    def count(*words: str | None, ornament: bool = False) -> Candidate:
         nonlocal made
         made += 1
-        return refused(reason, name, layer)
+        return refused(*words, ornament=ornament)  # type: ignore[arg-type]
 
     monkeypatch.setattr(Candidate, "refused", count)
     with pytest.raises(FormatError, match=f"more than {MAX_FAULTS:,} "):

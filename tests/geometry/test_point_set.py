@@ -20,6 +20,7 @@ from polyominoes import polyominoes, region
 from exactsweep import NumberError, Point, Polygon, PolygonError, Region
 from exactsweep.check.location import point_in_polygon
 from exactsweep.geometry.point_set import AffineMap, PointSet
+from exactsweep.geometry.region import AnyPolygon
 
 PLATE = Region(
     [(0, 0), (9, 0), (9, 9), (0, 9)], [[(5, 5), (8, 5), (5, 8)], [(1, 1), (3, 1), (1, 2)]]
@@ -32,7 +33,7 @@ def turns() -> st.SearchStrategy[Any]:
     return st.sampled_from([0, 90, 180, 270, -90, 450, "90", *TRIPLES])
 
 
-def given_features(shape: Polygon | Region) -> dict[tuple[str, int], set[Point]]:
+def given_features(shape: AnyPolygon) -> dict[tuple[str, int], set[Point]]:
     """The places of vertices and edges by their numbers in the input."""
     found: dict[tuple[str, int], set[Point]] = {}
     first = 0
@@ -61,7 +62,7 @@ def affine(*places: list[Point]) -> Callable[[Point], Point]:
 
 
 @given(SHAPES)
-def test_a_shape_is_the_sequence_of_its_vertices(shape: Polygon | Region) -> None:
+def test_a_shape_is_the_sequence_of_its_vertices(shape: AnyPolygon) -> None:
     assert list(shape) == list(shape.vertices) == [shape[k] for k in range(len(shape))]
     assert shape[-1] == shape.vertices[-1]
     assert shape[1:3] == shape.vertices[1:3]
@@ -73,7 +74,7 @@ def test_a_shape_is_the_sequence_of_its_vertices(shape: Polygon | Region) -> Non
 
 @given(SHAPES, strategies.translations(), st.data())
 def test_a_shape_contains_what_the_definition_locates_in_it(
-    shape: Polygon | Region, point: tuple[Fraction, Fraction], data: st.DataObject
+    shape: AnyPolygon, point: tuple[Fraction, Fraction], data: st.DataObject
 ) -> None:
     k = data.draw(st.integers(0, len(shape.rings[0]) - 1))
     (ax, ay), (bx, by) = shape.rings[0][k - 1], shape.rings[0][k]
@@ -88,7 +89,7 @@ def test_a_shape_contains_what_the_definition_locates_in_it(
 
 @given(SHAPES, turns(), st.sampled_from([1, -2, "1/3", (2, "-1/2")]), strategies.translations())
 def test_a_map_takes_every_numbered_feature_along(
-    shape: Polygon | Region, turn: Any, factor: Any, center: tuple[Fraction, Fraction]
+    shape: AnyPolygon, turn: Any, factor: Any, center: tuple[Fraction, Fraction]
 ) -> None:
     axis = turn if isinstance(turn, tuple) else (1, 2)
     images = [
@@ -112,7 +113,7 @@ def test_a_map_takes_every_numbered_feature_along(
 
 @given(SHAPES, turns(), strategies.translations())
 def test_turns_and_mirror_images_undo_each_other(
-    shape: Polygon | Region, turn: Any, center: tuple[Fraction, Fraction]
+    shape: AnyPolygon, turn: Any, center: tuple[Fraction, Fraction]
 ) -> None:
     turned = shape.rotated(turn, center)
     assert turned.area == shape.area
@@ -183,7 +184,7 @@ def test_what_is_not_exact_is_refused(shape: PointSet, action: Any, message: str
 
 
 @given(SHAPES)
-def test_the_interface_of_other_libraries_loses_nothing(shape: Polygon | Region) -> None:
+def test_the_interface_of_other_libraries_loses_nothing(shape: AnyPolygon) -> None:
     told: Any = SimpleNamespace(__geo_interface__=shape.__geo_interface__)
     feature: Any = SimpleNamespace(
         __geo_interface__={"type": "Feature", "geometry": shape.__geo_interface__}

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from command import HOUSE, NOTCH, run
-from hostile_table import require_row
 
 PATHS = [
     *(
@@ -91,9 +90,9 @@ def test_paths_that_cannot_be_used(
     monkeypatch.chdir(tmp_path)
     for path in paths:
         require_one_line(arguments, path)
-    require_row(f"paths {done} by `{command}`", len(paths))
 
 
+@pytest.mark.long
 def test_too_little_memory_is_one_line(tmp_path: Path) -> None:
     """A polygon of which every coordinate has 4,300 digits, in less memory than it takes."""
     path = tmp_path / "long.json"
@@ -119,6 +118,7 @@ FULL = [
 ]
 
 
+@pytest.mark.long
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     """Once help and version ended in Python's own words."""
     for arguments in FULL:
@@ -133,4 +133,3 @@ def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
             )
         assert result.returncode == 1, arguments
         assert re.fullmatch(r"Error: .*No space left on device\n", result.stderr), arguments
-    require_row("output to a full disk", len(FULL))

@@ -186,6 +186,7 @@ def test_a_figure_fits_the_page_with_one_unit_on_both_axes(figure: PaperFigure) 
 
 
 @each_figure
+@pytest.mark.long
 def test_the_same_figure_gives_the_same_bytes(figure: PaperFigure, tmp_path: Path) -> None:
     found = []
     for name in ("one", "two"):

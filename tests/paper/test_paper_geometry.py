@@ -10,11 +10,12 @@ from tiers import examples
 from exactsweep import sweep
 from exactsweep.corpus.generator.growing import (
     bumps,
+    ceilings,
     edges_of_bumps,
     edges_over_needles,
     needles,
     printed_count,
-    terraces,
+    undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
 from exactsweep.geometry.polygon import Polygon
@@ -37,7 +38,13 @@ from exactsweep.paper.checks.segments import (
     pieces_in,
 )
 from exactsweep.paper.checks.undercuts import lower_undercuts
-from exactsweep.paper.functions import clip, evaluate, find_common_points, sample_between
+from exactsweep.paper.functions import (
+    clip,
+    evaluate,
+    find_common_points,
+    sample_between,
+    take_bottom,
+)
 from exactsweep.paper.pairs import SweepPair, draw_pair
 from exactsweep.procedures.mm import sweep_mm
 
@@ -153,12 +160,20 @@ def test_needles_have_as_many_inner_edges_as_proved() -> None:
 
 
 @pytest.mark.parametrize(
-    ("m", "n", "undercuts"), [(7, 20, 10), (7, 68, 34), (10, 68, 68), (16, 68, 136)]
+    ("m", "n", "undercuts"), [(7, 16, 43), (7, 32, 211), (13, 16, 129), (25, 16, 301)]
 )
-def test_terraces_have_order_mn_undercuts(m: int, n: int, undercuts: int) -> None:
-    s = sweep(*terraces(m, n))
+def test_ceilings_have_order_mn2_undercuts(m: int, n: int, undercuts: int) -> None:
+    pair = ceilings(m, n)
+    s = sweep(*pair)
     assert (len(s.directrix), len(s.generatrix), s.kind) == (m, n, "MM")
-    assert lower_undercuts(s) == undercuts >= (m - 4) // 3 * ((n - 4) // 2)
+    assert lower_undercuts(s) == undercuts == undercuts_under_ceilings(m, n)
+    # The trajectory between the outer needles is that of the needles without ceilings.
+    start, end = -max(x for x, _ in pair[0]), max(x for x, y in pair[1] if y == 0)
+    low, high = (
+        clip(take_bottom(t.vertices), Fraction(start), Fraction(end))
+        for t in (s.trajectory, sweep(*needles(m, n)).trajectory)
+    )
+    assert low == high
 
 
 @examples(60)

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 import pytest
 
 from exactsweep import sweep
-from exactsweep.evidence.swept import Swept, pause_collector
+from exactsweep.evidence.sweep import Sweep
+from exactsweep.procedures.collector import pause_collector
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.procedures.made_once import made_once
 
@@ -52,4 +53,4 @@ def test_what_is_made_once_is_made_once() -> None:
     assert isinstance(LowerSweep.outer, made_once)
     s = sweep(SQUARE, SQUARE)
     assert s.trajectory is s.trajectory
-    assert isinstance(Swept._trajectory, made_once)
+    assert isinstance(Sweep.trajectory, made_once)

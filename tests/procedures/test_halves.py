@@ -90,7 +90,7 @@ def test_outer_boundary_is_the_trajectory_swept_by_the_inverse(kind: own.Kind) -
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_inner_boundary_closes_and_never_opens(kind: own.Kind) -> None:
-    """Swept again, it is its own inner boundary, and has the same trajectory."""
+    """Sweep again, it is its own inner boundary, and has the same trajectory."""
 
     @given(chains(kind))
     @usually

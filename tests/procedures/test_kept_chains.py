@@ -28,7 +28,7 @@ BARGE = Polygon([(0, 2), (1, 0), (2, 1), (3, 0), (4, 2), (2, 3)])
 
 def list_loops(generatrix: Polygon, directrix: Polygon) -> list[tuple[Any, ...]]:
     s = sweep(generatrix, directrix)
-    return [s.direction, *(loop.vertices for loop in (s.trajectory, s.inner, s.outer))]
+    return [(s.direction,), *(loop.vertices for loop in (s.trajectory, s.inner, s.outer))]
 
 
 def forget(polygon: Polygon) -> Polygon:

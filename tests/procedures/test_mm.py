@@ -27,7 +27,7 @@ usually = examples(100)
 @given(own.pairs("MM"))
 @usually
 def test_pairs_under_a_ceiling_are_all_that_matters(pair: Pair) -> None:
-    """Swept in batches of as few pairs as there are, or all at once."""
+    """Sweep in batches of as few pairs as there are, or all at once."""
     (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
     whole = list(trajectory_mm(g_top, bottom)), *sweep_mm(g_top, g_bottom, bottom)
     with pytest.MonkeyPatch.context() as patch:
@@ -47,6 +47,7 @@ def envelope_of_all_pairs(top: list[Vertex], bottom: list[Vertex]) -> list[Verte
 
 @pytest.mark.parametrize("few", [0, part_pairs.FEW_PAIRS])
 @pytest.mark.parametrize("first", range(0, 40, 20))
+@pytest.mark.long
 def test_no_pair_of_convex_parts_is_missed(
     first: int, few: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -14,7 +14,7 @@ from tiers import examples
 from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.corpus import cases
 from exactsweep.corpus.generator.cells import connect
-from exactsweep.evidence.no_fit import NoFitPositions
+from exactsweep.evidence.no_fit import NoFitPolygon
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.numbers.point import ORIGIN, Point, Vertex
 from exactsweep.procedures.contact_lines import Stretch, _join_segments
@@ -34,9 +34,9 @@ def fits(*ends: tuple[int, int]) -> Fits:
     return tuple(zip(points[::2], points[1::2], strict=True))
 
 
-def computed(directrix: Region, generatrix: Region) -> NoFitPositions:
+def computed(directrix: Region, generatrix: Region) -> NoFitPolygon:
     """By the contact segments, whatever the shapes."""
-    return NoFitPositions(directrix, generatrix, ORIGIN, None)
+    return NoFitPolygon(directrix, generatrix, None, ORIGIN)
 
 
 UNIT = box(0, 0, 1, 1)
@@ -68,7 +68,7 @@ def test_holes_come_in_order() -> None:
     rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
     plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
     plate += [room[::-1] for room in rooms]
-    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).holes]
+    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).within]
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
 
@@ -190,9 +190,10 @@ def test_the_paper_s_procedures_give_the_same(pair: tuple[Polygon, Polygon]) -> 
     assert (n.exterior, n.holes, n.exact_fits) == (s.trajectory, (), s.exact_fits)
 
 
+@pytest.mark.long
 def test_it_gives_what_the_corpus_has() -> None:
     for case in cases(max_size=150):
-        n = NoFitPositions(Region(case.directrix), Region(case.generatrix), case.reference, None)
+        n = NoFitPolygon(Region(case.directrix), Region(case.generatrix), None, case.reference)
         assert (n.exterior, n.holes, n.exact_fits) == (
             case.trajectory,
             case.holes,

@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 
 from exactsweep.evidence.contact import Contact
-from exactsweep.evidence.swept import Swept
+from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import Region, walk_rings
 from exactsweep.numbers.point import Point
 
 
-def without_parts(s: Swept, contacts: Iterable[Contact]) -> set[Contact]:
+def without_parts(s: Sweep, contacts: Iterable[Contact]) -> set[Contact]:
     """Contacts less those of an end of an edge that, as a whole, touches the other one."""
     listed = set(contacts)
     ends = [_ends(Region(shape)) for shape in (s.generatrix, s.directrix)]

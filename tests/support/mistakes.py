@@ -43,6 +43,7 @@ DIFFERS = ("conservative", "unsound", "wrong")
 LARGER = ("conservative", "wrong")
 SMALLER = ("unsound", "wrong")
 FITS = ("equivalent except for exact fits",)
+FALSE = ("false exact fits",)
 BROKEN = ("malformed",)
 
 
@@ -323,7 +324,7 @@ MISTAKES: dict[str, Mistake] = {
                 for fit in fits
             ]
         ),
-        (*FITS, "unsound"),
+        (*FALSE, "unsound"),
         "missing, invented|too long",
     ),
     "fits about the origin": Mistake(
@@ -336,7 +337,7 @@ MISTAKES: dict[str, Mistake] = {
                 ]
             ),
         ),
-        (*FITS, "unsound"),
+        (*FALSE, "unsound"),
         "invented|too",
     ),
     "a fit invented": Mistake(

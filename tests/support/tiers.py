@@ -1,8 +1,22 @@
-"""How many examples a property is tried on: a few in the plain run, many in the long one."""
+"""How much is tried: a few examples in the plain run, many or all in the long one."""
 
+from collections.abc import Collection
+
+import pytest
 from hypothesis import settings
+
+few_or_all = pytest.mark.parametrize(
+    "step", [12, pytest.param(1, marks=pytest.mark.long)], ids=["few", "all"]
+)
+"""Every so many of a list, given as `step`."""
 
 
 def examples(many: int) -> settings:
     """So many with `--hypothesis-profile many`, as in the long run, a quarter else."""
     return settings(max_examples=-(-many * settings().max_examples // 100))
+
+
+def mostly_long(names: Collection[str], plain: Collection[str]) -> list[object]:
+    """Parameters of which all but some are for the long run."""
+    assert {*plain} <= {*names}
+    return [name if name in plain else pytest.param(name, marks=pytest.mark.long) for name in names]

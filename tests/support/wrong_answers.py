@@ -1,20 +1,23 @@
 """Sabotages of the paper's procedures, and of the evidence, that give wrong answers."""
 
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.evidence import contact, exact_fit, steps, undercut
+from exactsweep.evidence import contact, steps, undercut
 from exactsweep.procedures import (
     cc,
     chain,
     cm,
     convex_part,
+    exact_fit,
     lower_envelope,
     mm,
     mm_inner,
     part_pairs,
+    pockets,
 )
 from exactsweep.procedures.envelope import Envelope
 
@@ -25,6 +28,9 @@ from exactsweep.procedures.envelope import Envelope
     "Trajectory_CC",
     "Lemma 3.1",
     "Corollary 3.3",
+    "Figure 4",
+    "Figure 5",
+    "Slope",
 )
 def lay_end_to_end(right: Procedure) -> Procedure:
     def trajectory_cc(generatrix: Any, directrix: Any) -> Any:
@@ -65,6 +71,25 @@ def forget_bottom(right: Procedure) -> Procedure:
     "SweepO_CM",
     "Lemma 4.2",
     "Corollary 4.3",
+    "Definition 1.3",
+    "Sum with the trajectory",
+    "Figure 1",
+    "Theorem 2.2",
+    "Figure 3",
+    "Upper and lower sweep",
+    "Figure 6",
+    "Figure 7",
+    "Monotone trajectory",
+    "Outside j_i or inside j_o",
+    "Figure 8",
+    "Local width",
+    "Figure 9",
+    "Figure 10",
+    "Figure 11",
+    "Figure 12",
+    "Figure 13",
+    "The trajectory alone",
+    "Swept area of any shape",
 )
 def take_first_part(right: Procedure) -> Procedure:
     return lambda directrix, unit: right(directrix, unit)[:1]
@@ -173,7 +198,7 @@ def draw_straight(right: Procedure) -> Procedure:
 
 @sabotage(
     "undercuts: all forgotten but the first of each half",
-    undercut.find_pockets,
+    pockets.find_pockets,
     "Number of undercuts, MM",
     "Lemma 5.5",
 )
@@ -199,6 +224,7 @@ def halve_fits(right: Procedure) -> Procedure:
     "Lemma 4.1",
     "Lemma 5.1",
     "Trajectory_CM",
+    "Total size of the parts",
 )
 def never_split(right: Procedure) -> Procedure:
     def split_by_slope(points: Any, unit: Any) -> Any:
@@ -226,6 +252,12 @@ def leave_out_last(right: Procedure) -> Procedure:
     "Definition 5.1",
     "Trajectory_CC",
     "Theorem 2.1",
+    "Paths of two points",
+    "Sweep and Minkowski sum",
+    "Minkowski sum algorithms",
+    "Start and stop",
+    "Distance travelled",
+    "VV is incidental",
 )
 def mirror_in_an_axis(right: Procedure) -> Procedure:
     return lambda points: [(-x, y) for x, y in points]
@@ -257,9 +289,7 @@ def lose_parallel(right: Procedure) -> Procedure:
     return edge_contacts
 
 
-@sabotage(
-    "undercuts: the first one forgotten", undercut.find_pockets, "Two forms of a bottom chain"
-)
+@sabotage("undercuts: the first one forgotten", pockets.find_pockets, "Two forms of a bottom chain")
 def lose_first(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[1:]
 
@@ -296,3 +326,118 @@ def close_once(right: Procedure) -> Procedure:
 @sabotage("steps: the last contact of each forgotten", steps.explain, "Table 1", "Lemma A.1")
 def forget_last_touch(right: Procedure) -> Procedure:
     return lambda s: [step._replace(touches=step.touches[:-1]) for step in right(s)]
+
+
+@sabotage(
+    "SweepI_CC: a vertex of any D_b with more than six is lost",
+    cc.sweep_inner_cc,
+    "SweepI_CC",
+    "Lemma 3.2",
+    "Corollary 3.3",
+    "Corollary 3.4",
+)
+def lose_vertex(right: Procedure) -> Procedure:
+    def sweep_inner_cc(generatrix: Any, directrix: Any) -> Any:
+        found = right(generatrix, directrix)
+        return [*found[:3], *found[4:]] if len(found) > 6 else found
+
+    return sweep_inner_cc
+
+
+@sabotage(
+    "Trajectory_MM: a corner of large trajectories is lost",
+    mm.trajectory_mm,
+    "Trajectory_MM",
+    "Sweep_MM",
+    "Corollary 5.7",
+    "Corollary 5.8",
+)
+def lose_corner(right: Procedure) -> Procedure:
+    def trajectory_mm(generatrix: Any, directrix: Any) -> Any:
+        found = right(generatrix, directrix)
+        corners = list(found)
+        if len(generatrix) <= 12 or len(corners) <= 40:
+            return found
+        return Envelope.of([*corners[:20], *corners[21:]])
+
+    return trajectory_mm
+
+
+@sabotage(
+    "Trajectory_MM: a ceiling drops a pair that it should sweep",
+    part_pairs.Ceiling,
+    "Trajectory_MM",
+    "Lemma 5.3",
+)
+def drop_pair(right: Procedure) -> Procedure:
+    class Leaky(right):  # type: ignore[misc, valid-type]
+        def find_reaching(self, *arguments: Any) -> Any:
+            return super().find_reaching(*arguments)[1:]
+
+    return Leaky
+
+
+@sabotage(
+    "exact fits: all but the first of each half are lost",
+    exact_fit.find_exact_fits,
+    "Definition 1.1",
+)
+def keep_first_fit(right: Procedure) -> Procedure:
+    return lambda *arguments: list(right(*arguments))[:1]
+
+
+@sabotage(
+    "contacts: the third and later ones at a vertex are lost",
+    contact.find_contacts,
+    "Table 1",
+    "Labels of events",
+    "Lemma A.1",
+    "Lemma A.2",
+    "Theorem 2.1",
+)
+def keep_two_contacts(right: Procedure) -> Procedure:
+    return lambda *arguments: right(*arguments)[:2]
+
+
+@sabotage(
+    "Trajectory_CC: parallel edges are left as two",
+    cc.merge_by_slope,
+    "Trajectory_CC",
+    "SweepO_CC",
+    "Lemma 3.1",
+    "Lemma 3.2",
+)
+def leave_in_two(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        found = list(right(first, second))
+        steps = {(q[0] - p[0], q[1] - p[1]) for c in (first, second) for p, q in pairwise(c)}
+        for k, (p, q) in enumerate(pairwise(found)):
+            halves = [(a, b) for a, b in steps if (p[0] + a, p[1] + b) != q and a < q[0] - p[0]]
+            for a, b in halves:
+                if a * (q[1] - p[1]) == b * (q[0] - p[0]):
+                    return [*found[: k + 1], (p[0] + a, p[1] + b), *found[k + 1 :]]
+        return found
+
+    return merge_by_slope
+
+
+@sabotage(
+    "undercuts: one of several closing positions",
+    undercut.find_closing_positions,
+    "Number of undercuts, MM",
+)
+def close_at_first(right: Procedure) -> Procedure:
+    def closing_positions(*arguments: Any) -> Any:
+        intersection, positions = right(*arguments)
+        return intersection, positions if intersection == "segment" else positions[:1]
+
+    return closing_positions
+
+
+@sabotage("split: an edge beyond the right end", chain.split, "Figure 2")
+def split_late(right: Procedure) -> Procedure:
+    def split(loop: Any) -> Any:
+        bottom, top = right(loop)
+        return [*bottom, *top[1:2]], top[1:]
+
+    return split

@@ -44,8 +44,7 @@ def walk_as_a_whole(right: Procedure) -> Procedure:
 @sabotage(
     "LowerEnvelope_CM: right, but all of the partial trajectory is copied each time",
     lower_envelope.lower_envelope_cm,
-    "Corollary 4.5",
-    timed=True,
+    "LowerEnvelope_CM",
 )
 def copy_each_time(right: Procedure) -> Procedure:
     def lower_envelope_cm(partial: Any, piece: Any) -> Any:
@@ -236,3 +235,71 @@ for fault, procedure, row in (
     sabotage(f"{fault}: right, but copied for each vertex", procedure, row, timed=True)(
         copy_for_each
     )
+
+
+@sabotage(
+    "LowerEnvelope_MM to the letter: right, but one chain after the other",
+    literal.lower_envelope_mm,
+    "LowerEnvelope_MM",
+    "Corollary 5.7",
+    "Envelopes at first glance",
+)
+def merge_literally_by_turns(right: Procedure) -> Procedure:
+    return lambda chains: reduce(literal.merge, chains)
+
+
+@sabotage(
+    "Trajectory_CC: right, but with (m + n)^1.5 additions", cc.merge_by_slope, "Corollary 3.4"
+)
+def add_often(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        size = len(first) + len(second)
+        for x, _ in first:
+            for _ in range(int(size**0.5)):
+                x + x
+        return right(first, second)
+
+    return merge_by_slope
+
+
+@sabotage(
+    "Trajectory_CC: right, but (m + n)^1.4 slots of a list are kept",
+    cc.merge_by_slope,
+    "Corollary 3.4",
+)
+def keep_slots(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        kept = [None] * int((len(first) + len(second)) ** 1.4)
+        return right(first, second) if kept else []
+
+    return merge_by_slope
+
+
+@sabotage(
+    "Trajectory_CC: right, but each third vertex is compared log(m + n) times",
+    cc.merge_by_slope,
+    "Corollary 3.4",
+)
+def compare_log_times(right: Procedure) -> Procedure:
+    def merge_by_slope(first: Any, second: Any) -> Any:
+        found = list(right(first, second))
+        for x, _ in found[::3]:
+            for _ in range(len(found).bit_length()):
+                x < x  # noqa: B015
+        return found
+
+    return merge_by_slope
+
+
+@sabotage(
+    "Trajectory_CM to the letter: right, but begun anew for each vertex of D_b",
+    literal.trajectory_cm,
+    "Cost of step 2",
+)
+def begin_literally_anew(right: Procedure) -> Procedure:
+    def trajectory_cm(top: Any, directrix: Any) -> Any:
+        for end in range(2, len(directrix)):
+            right(top, directrix[:end])
+        return right(top, directrix)
+
+    return trajectory_cm

@@ -162,6 +162,7 @@ def test_the_story_says(
     assert expected in lines, "\n".join(lines)
 
 
+@pytest.mark.long
 def test_many_steps_take_linear_time() -> None:
     # A parabola of 100 edges between teeth so deep that it turns wholly about each of them.
     parabola = [(x, x * x) for x in range(100)]

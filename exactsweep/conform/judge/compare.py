@@ -15,11 +15,10 @@ from exactsweep.conform.judge.answer import (
     read_number,
     read_segments,
 )
-from exactsweep.conform.judge.fits import INSIDE, NAME, judge_fits
+from exactsweep.conform.judge.fits import FITS_OF, INSIDE, NAME, judge_fits
 from exactsweep.conform.judge.loops import judge_loop
 from exactsweep.conform.judge.rounding import grant_rounding, limit_claim
 from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import strip_whiskers
 from exactsweep.corpus import Case
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
@@ -91,7 +90,7 @@ def compare(
         return granted if claim is None else limit_claim(case, claim, granted)
 
     parts = []
-    whiskers: list[Fit] = []
+    whiskers: dict[str, list[Fit]] = {}
     for name in LOOPS:
         if name == "inner_fit" and case.inner_regions is None:
             continue
@@ -104,11 +103,11 @@ def compare(
         except AnswerError as error:
             parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
             continue
-        part = judge_loop(case, name, loop, grant(name, loop))
+        part, traced = judge_loop(case, name, loop, grant(name, loop))
         if part.verdict is Verdict.WITHIN and claim is not None:
             part = replace(part, reason=f"{part.reason}, as it claims for itself")
-        if part.kind == "whisker":
-            _, whiskers = strip_whiskers(loop.rings, case.exact_fits)
+        if name in FITS_OF:
+            whiskers[FITS_OF[name]] = [*whiskers.get(FITS_OF[name], ()), *traced]
         parts.append(part)
     judged = {part.name for part in parts}
     for name, loops in ((NAME, {"trajectory", "no_fit"}), (INSIDE, {"inner_fit"})):
@@ -117,8 +116,8 @@ def compare(
         try:
             fits = read_segments(result.get(name, []), f"$.{name}")
             segments = [(p, q) for p, q in fits.rings]
-            on_loop = whiskers if name == NAME else ()
-            parts.append(judge_fits(case, segments, grant(name, fits), on_loop, name))
+            on_loops = whiskers.get(name, ())
+            parts.append(judge_fits(case, segments, grant(name, fits), on_loops, name))
         except AnswerError as error:
             parts.append(PartComparison(name, Verdict.MALFORMED, str(error)))
     if not parts:

@@ -10,25 +10,36 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
+from itertools import chain
+from operator import itemgetter
+from typing import NamedTuple
 
-from exactsweep.conform.judge.arithmetic import name_arithmetic
 from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
 from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.centroid import find_centroid
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import abridge
 from exactsweep.numbers.point import ORIGIN, Point, PointRings
-from exactsweep.sweep import no_fit_polygon
+from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import write_pair
 
 _MOST_ROUNDED = 16
 _NEARLY = 4
 _POSITIONS = ("trajectory", "no_fit", "inner_fit")
 """Loops that are told of a reference point."""
+
+
+class _Answered(NamedTuple):
+    """Answered rings, and the corners of the box around them."""
+
+    rings: PointRings
+    low: Point
+    high: Point
 
 
 def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tuple[str, ...]:
@@ -49,26 +60,65 @@ def diagnose(case: Case, name: str, rings: PointRings, rounding: Fraction) -> tu
     if not any(map(find_doubled_area, rings)):
         return ()
     low, high = _box(rings)
+    theirs = _Answered(rings, low, high)
     if min(high.x - low.x, high.y - low.y) < _MOST_ROUNDED * rounding:
         # Nearly everything is something else except for so much.
         rounding = Fraction(0)
     exact = list_exact_rings(case, name)
-    if len(rings) == 1 < len(exact) and _is_same(exact[:1], rings, rounding):
-        return ("lacks the holes",)
+    counted = tuple(_count_rings(case, name, exact, rings, rounding))
+    if counted:
+        return counted
     spoilt = name_arithmetic(exact, rings)
-    if rounding and _is_same(exact, rings, _NEARLY * rounding):
+    if rounding and _is_same(exact, theirs, _NEARLY * rounding):
         # So much makes another reference point of nothing, or another scale.
         named = spoilt or tuple(_name_vertices(exact, rings))
         return *named, f"exact except for {_NEARLY} times the rounding granted"
-    found = [*_other_loops(case, name, rings, rounding)]
+    found = [*_other_loops(case, name, theirs, rounding)]
     if name in _POSITIONS and exact and not found:
         found += spoilt
-        found += _other_positions(case, name, rings, rounding)
-    if name == "outer" and not found and _is_same(_add(case, name), rings, rounding):
+        found += _other_positions(case, name, theirs, rounding)
+    if name == "outer" and not found and _is_same(_add(case, name), theirs, rounding):
         found.append("D + G, without the way there")
     if not found:
         found += spoilt or _name_vertices(exact, rings)
     return tuple(dict.fromkeys(found))
+
+
+def _count_rings(
+    case: Case, name: str, exact: PointRings, theirs: PointRings, rounding: Fraction
+) -> Iterator[str]:
+    """Say whether all exact rings are there, and how many more, or how many are missing."""
+    left = list(theirs)
+    missing = []
+    for ring in exact:
+        # A ring that is the same, or else one that is so except for rounding.
+        for bound in dict.fromkeys((Fraction(0), rounding)):
+            found = next((o for o in left if _are_same([ring], [o], bound)), None)
+            if found is not None:
+                left.remove(found)
+                break
+        else:
+            missing.append(ring)
+    if len(missing) == len(exact):
+        return
+    if not missing:
+        if name in ("trajectory", "no_fit") and _are_same(_find_inside(case), left, rounding):
+            yield "the sum of the boundaries: where one polygon is inside the other is left open"
+        yield f"all exact rings, and {len(left)} more"
+    elif not left and name != "inner_fit" and exact[0] not in missing:
+        lost, holes = len(missing), len(exact) - 1
+        yield "lacks the holes" if lost == holes else f"lacks {lost} of {holes} holes"
+    elif not left:
+        yield f"lacks {len(missing)} of {len(exact)} rings"
+
+
+def _find_inside(case: Case) -> PointRings:
+    """The positions in which G is inside D, or D inside G: where their boundaries do not meet."""
+    shapes = case.directrix, case.generatrix
+    inside = inner_fit_polygon(*shapes, reference=case.reference)
+    around = inner_fit_polygon(*shapes[::-1])
+    turned = [_map(region.rings, -1, 0, 0, -1, case.reference) for region in around.regions]
+    return [*chain.from_iterable(region.rings for region in inside.regions), *chain(*turned)]
 
 
 def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
@@ -85,7 +135,7 @@ def _name_vertices(exact: PointRings, theirs: PointRings) -> Iterator[str]:
         yield "has more vertices than the exact one, and all of its own"
 
 
-def _other_loops(case: Case, name: str, theirs: PointRings, rounding: Fraction) -> Iterator[str]:
+def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> Iterator[str]:
     """Loops of the case that are not the one asked for."""
     exact = list_exact_rings(case, name)
     for other, words in LOOP_NAMES.items():
@@ -106,34 +156,41 @@ def _other_loops(case: Case, name: str, theirs: PointRings, rounding: Fraction) 
             yield words
 
 
-def _other_positions(
-    case: Case, name: str, theirs: PointRings, rounding: Fraction
-) -> Iterator[str]:
-    """Mistakes in what is computed, each about any reference point."""
+def _other_positions(case: Case, name: str, theirs: _Answered, rounding: Fraction) -> list[str]:
+    """Mistakes in what is computed, each about any reference point, the likeliest first.
+
+    On symmetric shapes one of them looks like another one. Usual reference points come before what
+    is turned or added, and that before others.
+    """
     rings = list_exact_rings(case, name)
     positions = _map(rings, 1, 0, 0, 1, subtract(ORIGIN, case.reference))
     shapes: list[tuple[str, PointRings]] = [("", positions)]
     if name != "inner_fit":
         shapes.append(("D + G, G not reflected", _add(case, name)))
     shapes += ((words, _map(positions, *matrix)) for words, matrix in _AXES.items())
+    found: list[tuple[int, str]] = []
     for words, shape in shapes:
         offset = _find_offset(shape, theirs, rounding)
         if offset is None:
             continue
         points = [*_name_offsets(case, offset, rounding)]
+        if words and _GIVEN in points:
+            found.append((1, f"exact for {words}"))
+            continue
+        joint = f"{words}, and for " if words else ""
+        ranks = (3, 3) if words else (0, 2)
+        found += ((ranks[point not in _USUAL], f"exact for {joint}{point}") for point in points)
         if not points:
             by = write_pair(subtract(offset, case.reference))
-            points = [f"another reference point: all is moved by {by}"]
-        if words and "the reference point given" in points:
-            yield f"exact for {words}"
-        else:
-            joint = ", and for " if words else ""
-            yield from (f"exact for {words}{joint}{point}" for point in points)
+            found.append((4, f"exact for {joint}another reference point: all is moved by {by}"))
     factor = _find_scale(rings, theirs, rounding)
     if factor is not None:
-        yield f"exact for another scale: it is {abridge(factor)} times as large"
+        found.append((5, f"exact for another scale: it is {abridge(factor)} times as large"))
+    return [words for _, words in sorted(found, key=itemgetter(0))]
 
 
+_GIVEN = "the reference point given"
+_USUAL = ("G's first vertex as reference", "G's origin as reference")
 _AXES = {
     "exchanged roles, D around G": (-1, 0, 0, -1),
     "another orientation: y is negated": (1, 0, 0, -1),
@@ -163,13 +220,13 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
     d_low, _ = case.directrix.bounding_box
     middle = Point((low.x + high.x) / 2, (low.y + high.y) / 2)
     named = {
-        "the reference point given": case.reference,
+        _GIVEN: case.reference,
         "G's first vertex as reference": first,
         "G's origin as reference": ORIGIN,
         "the reference point negated": subtract(ORIGIN, case.reference),
         "the lower left corner of G's box as reference": low,
         "the centre of G's box as reference": middle,
-        "G's centroid as reference": _centroid(Polygon(ring)),
+        "G's centroid as reference": find_centroid(ring),
         "the mean of G's vertices as reference": _mean(ring),
         "G's last vertex as reference": ring[-1],
         "G's lowest vertex as reference": min(ring, key=lambda p: (p.y, p.x)),
@@ -185,34 +242,24 @@ def _name_offsets(case: Case, offset: Point, rounding: Fraction) -> Iterator[str
             yield name
 
 
-def _centroid(polygon: Polygon) -> Point:
-    edges = [*pairwise((*polygon.vertices, polygon.vertices[0]))]
-    weights = [p.x * q.y - p.y * q.x for p, q in edges]
-    x, y = (
-        add_up((p[k] + q[k]) * weight for (p, q), weight in zip(edges, weights, strict=True))
-        for k in (0, 1)
-    )
-    return Point(x / (6 * polygon.area), y / (6 * polygon.area))
-
-
 def _mean(ring: Sequence[Point]) -> Point:
     x, y = (add_up(values) / len(ring) for values in zip(*ring, strict=True))
     return Point(x, y)
 
 
-def _find_offset(shape: PointRings, theirs: PointRings, rounding: Fraction) -> Point | None:
+def _find_offset(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Point | None:
     """The translation that makes some rings others, except for rounding."""
-    (low, high), (other_low, other_high) = _box(shape), _box(theirs)
-    if not _is_near(subtract(high, low), subtract(other_high, other_low), 2 * rounding):
+    low, high = _box(shape)
+    if not _is_near(subtract(high, low), subtract(theirs.high, theirs.low), 2 * rounding):
         return None
-    by = subtract(other_low, low)
+    by = subtract(theirs.low, low)
     return by if _is_same(_map(shape, 1, 0, 0, 1, by), theirs, 2 * rounding) else None
 
 
-def _find_scale(shape: PointRings, theirs: PointRings, rounding: Fraction) -> Fraction | None:
+def _find_scale(shape: PointRings, theirs: _Answered, rounding: Fraction) -> Fraction | None:
     """The factor that makes some rings others, except for rounding."""
-    (low, high), (other_low, other_high) = _box(shape), _box(theirs)
-    factor = (other_high.x - other_low.x) / (high.x - low.x)
+    low, high = _box(shape)
+    factor = (theirs.high.x - theirs.low.x) / (high.x - low.x)
     scaled = [[Point(x * factor, y * factor) for x, y in ring] for ring in shape]
     return factor if factor not in (0, 1) and _is_same(scaled, theirs, 4 * rounding) else None
 
@@ -226,11 +273,18 @@ def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
     return p == q or all(abs(a - b) < rounding for a, b in zip(p, q, strict=True))
 
 
-def _is_same(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
-    """Whether some rings are others, except for rounding."""
-    if len(exact) != len(theirs):
+def _is_same(exact: PointRings, theirs: _Answered, rounding: Fraction) -> bool:
+    """Whether some rings are others, except for rounding; the boxes tell most that are not."""
+    if not (exact and len(exact) == len(theirs.rings)):
         return False
-    if not all(_is_near(p, q, rounding) for p, q in zip(_box(exact), _box(theirs), strict=True)):
+    low, high = _box(exact)
+    if not (_is_near(low, theirs.low, rounding) and _is_near(high, theirs.high, rounding)):
+        return False
+    return _are_same(exact, theirs.rings, rounding)
+
+
+def _are_same(exact: PointRings, theirs: PointRings, rounding: Fraction) -> bool:
+    if len(exact) != len(theirs):
         return False
     if rounding:
         return match_rings(exact, theirs, rounding)

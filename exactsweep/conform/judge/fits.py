@@ -3,27 +3,33 @@
 - missing: no position of it is answered;
 - too short: only a part of it is answered;
 - too long: what is answered goes on beyond it;
-- invented: what is answered is no part of any; in free space it does no harm;
+- invented: what is answered is no part of any;
 - given twice, or in pieces: all the same positions;
 - rounded: both ends are off by less than the rounding;
-- whisker: traced by the loop, and not listed.
+- whisker: traced by the loop, and not listed. Programs that orbit, moving G along D from contact to
+  contact, go into a slot that fits exactly and come back the same way, so that the ring that they
+  leave has a spike for each fit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
+from exactsweep.conform.judge.boundary import are_collinear, is_on, subtract_fits
+from exactsweep.conform.judge.frechet import find_close_part
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
-from exactsweep.conform.judge.whiskers import is_on
 from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.numbers.point import Fit, Point
+from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.words import count
 
 NAME = "exact_fits"
 INSIDE = "inner_exact_fits"
+FITS_OF = {"trajectory": NAME, "no_fit": NAME, "inner_fit": INSIDE}
+"""The exact fits that belong to the loops of positions."""
 
 
 def judge_fits(
@@ -44,9 +50,10 @@ def judge_fits(
 
     Returns:
         The part of that name. Its verdict is exact; equivalent, for the same positions given in
-        another way; "equivalent except for exact fits" where some are missing, too short, invented
-        in free space or rounded; or unsound, with a position that overlaps. Its kind says in
-        which of these ways they differ.
+        another way; "equivalent except for exact fits" where some are missing, too short or
+        rounded; "false exact fits" where some are too long or invented, with a position that is on
+        no exact fit; or unsound, with a position that overlaps. Its kind says in which of these
+        ways they differ.
 
     Cost: O(f t) for f segments and t edges of the trajectory, times that of `classify`.
     """
@@ -67,24 +74,32 @@ def judge_fits(
         ways["given twice"] = twice
     if rounded:
         ways["rounded"] = rounded
-    for fit in others:
-        for position in _places(case, fit, name):
-            found = at_position(case, position, inside=name == INSIDE)
-            if found.classified == "OVERLAP":
-                says = f"{found.says}; that is on an exact fit of theirs"
-                return PartComparison(
-                    name,
-                    Verdict.UNSOUND,
-                    f"an exact fit of theirs overlaps: {_list(ways)}",
-                    unsound=Witness(says, found.translation, "OVERLAP", found.point),
-                    kind=", ".join(ways),
-                )
+    far = [fit for fit in others if find_rounded_fit(fit, fits, rounding) is None]
+    shown = [
+        at_position(case, position, inside=name == INSIDE)
+        for fit in subtract_fits(far, fits)[1]
+        for position in _places(case, fit, name)
+        if not any(is_on(position, known) for known in fits)
+    ]
+    overlap = next((found for found in shown if found.classified == "OVERLAP"), None)
+    false = overlap or next(iter(shown), None)
+    kind, listed = ", ".join(ways), _list(ways)
+    if false is not None:
+        says = replace(false, says=f"{false.says}; that is on an exact fit of theirs")
+        return PartComparison(
+            name,
+            Verdict.UNSOUND if overlap else Verdict.FALSE_EXACT_FITS,
+            f"an exact fit of theirs {'overlaps' if overlap else 'is none'}: {listed}",
+            unsound=says if overlap else None,
+            conservative=None if overlap else says,
+            kind=kind,
+        )
     return PartComparison(
         name,
         Verdict.EQUIVALENT_EXCEPT_FOR_EXACT_FITS,
-        _list(ways),
+        listed,
         conservative=_find_missed(case, missing[0], name) if missing else None,
-        kind=", ".join(ways),
+        kind=kind,
         granted=rounding if rounded else None,
     )
 
@@ -107,19 +122,37 @@ def unite(segments: Iterable[Fit]) -> set[frozenset[Point]]:
         joined = segment
         rest = []
         for other in united:
-            ends = sorted({*joined, *other})
-            whole = (ends[0], ends[-1])
-            if all(is_on(p, whole) for p in ends) and _meet(joined, other):
-                joined = whole
+            if are_collinear((*joined, *other)) and max(*map(min, (joined, other))) <= min(
+                *map(max, (joined, other))
+            ):
+                joined = min(*joined, *other), max(*joined, *other)
             else:
                 rest.append(other)
         united = [*rest, joined]
     return {_forget_order(segment) for segment in united}
 
 
-def _meet(one: Fit, other: Fit) -> bool:
-    """Whether two segments of one line have a point in common."""
-    return any(is_on(p, other) for p in one) or any(is_on(p, one) for p in other)
+def find_rounded_fit(ring: Loop, fits: Iterable[Fit], rounding: Fraction) -> Fit | None:
+    """Return a ring that is off an exact fit by less than a rounding as a segment, or None."""
+    for a, b in fits:
+        if rounding and all(find_close_part(p, a, b, rounding) for p in ring):
+            return min(ring), max(ring)
+    return None
+
+
+def trace_whiskers(rings: Sequence[Loop], fits: Iterable[Fit]) -> tuple[Loop, ...]:
+    """Return rings with each fit that hangs on one of them traced as a whisker of it. Cost: O(nf).
+
+    A fit hangs on a ring by its first end.
+    """
+    grown = [list(ring) for ring in rings]
+    for hanging, inside in fits:
+        for ring in grown:
+            k = next((k for k, b in enumerate(ring) if is_on(hanging, (ring[k - 1], b))), None)
+            if k is not None:
+                ring[k:k] = [hanging, inside, hanging]
+                break
+    return tuple(map(tuple, grown))
 
 
 def _forget_order(segment: Fit) -> frozenset[Point]:
@@ -169,11 +202,10 @@ def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
 
 def _unite_to_one(one: Fit, other: Fit) -> bool:
     """Whether two segments are on one line, and have more than an end of one in common."""
-    ends = sorted({*one, *other})
-    if not all(is_on(p, (ends[0], ends[-1])) for p in ends):
-        return False
     low, high = max(min(one), min(other)), min(max(one), max(other))
-    return low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
+    return are_collinear((*one, *other)) and (
+        low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))
+    )
 
 
 def _list(ways: dict[str, int]) -> str:

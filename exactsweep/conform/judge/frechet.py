@@ -119,7 +119,7 @@ def _starts(p: Point, loop: Sequence[Point], bound: Fraction) -> Iterator[list[P
     """Yield the loop as a path from a place close to a point all the way around to it."""
     for k, b in enumerate(loop):
         a = loop[k - 1]
-        if close := _close(p, a, b, bound):
+        if close := find_close_part(p, a, b, bound):
             rest = [*loop[k:], *loop[:k]]
             if close.high > 1:
                 yield [*rest, b]
@@ -149,8 +149,8 @@ def _walk(
                 below = lower.get(j)
                 if (below is None and left is None) or next(cells, None) is None:
                     break
-                right = _close(second[j + 1], first[i], first[i + 1], bound)
-                above = _close(first[i + 1], second[j], second[j + 1], bound)
+                right = find_close_part(second[j + 1], first[i], first[i + 1], bound)
+                above = find_close_part(first[i + 1], second[j], second[j + 1], bound)
                 if right and left and below is None:
                     right = right.after(left.low)
                 if above and below and left is None:
@@ -166,7 +166,7 @@ def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgeP
     """The parts of edges, by number, up to the first place of a path not close to a point."""
     found: dict[int, _EdgePart] = {}
     for k, (a, b) in enumerate(pairwise(path)):
-        close = _close(p, a, b, bound)
+        close = find_close_part(p, a, b, bound)
         if close is None or close.low >= 0:
             break
         found[k] = close
@@ -175,7 +175,7 @@ def _along(p: Point, path: Sequence[Point], bound: Fraction) -> dict[int, _EdgeP
     return found
 
 
-def _close(p: Point, a: Point, b: Point, bound: Fraction) -> _EdgePart | None:
+def find_close_part(p: Point, a: Point, b: Point, bound: Fraction) -> _EdgePart | None:
     """The places on an edge that are closer to a point than the bound, in x and in y."""
     low, high = Fraction(-1), Fraction(2)
     for place, start, end in zip(p, a, b, strict=True):

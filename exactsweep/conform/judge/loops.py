@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import combinations
+from typing import NamedTuple
 
 from exactsweep.conform.judge.answer import AnsweredLoop, AnswerError
-from exactsweep.conform.judge.arithmetic import name_arithmetic
+from exactsweep.conform.judge.boundary import (
+    are_bridges,
+    find_boundary,
+    subtract_fits,
+    trace_rings,
+)
 from exactsweep.conform.judge.diagnosis import diagnose
+from exactsweep.conform.judge.fits import FITS_OF, find_rounded_fit, list_exact_fits, trace_whiskers
 from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.hausdorff import bound_distance
 from exactsweep.conform.judge.region import (
@@ -18,26 +24,48 @@ from exactsweep.conform.judge.region import (
     find_differences,
     find_overlap,
 )
+from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
-from exactsweep.conform.judge.whiskers import strip_whiskers, trace_whiskers
 from exactsweep.conform.judge.witness import LOOP_NAMES, find_witness, list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.numbers.point import Loop, Point
+from exactsweep.numbers.point import Fit, Loop
 
-_POSITIONS = ("trajectory", "no_fit")
-"""Loops on which exact fits of G around D may hang."""
 MOST_MEASURED = 3000
 """Of loops with more edges, exact and theirs together, neither area nor distance is measured."""
 _MOST_SHOWN = 100
 """Of these, so many places are enough to choose a witness from."""
-MOST_RINGS = 200
-"""More rings than that are not looked at: each has to be held against each other one."""
 
 
-def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> PartComparison:
-    """Hold an answered loop against the exact one.
+class JudgedLoop(NamedTuple):
+    """What became of a loop.
+
+    Attributes:
+        part: the comparison.
+        traced: segments of positions that its rings go along and back, on exact fits.
+    """
+
+    part: PartComparison
+    traced: Sequence[Fit] = ()
+
+
+class _Writing(NamedTuple):
+    """The region of some rings, and how it is written.
+
+    Attributes:
+        rings: as answered; or of the region alone, nothing doubled, if these are faulty.
+        traced: segments on exact fits that rings go along and back.
+        fault: why the rings determine no region, or None.
+    """
+
+    rings: Sequence[Loop]
+    traced: Sequence[Fit]
+    fault: str | None
+
+
+def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) -> JudgedLoop:
+    """Compare an answered loop with the exact one.
 
     Args:
         case: the case.
@@ -46,75 +74,104 @@ def judge_loop(case: Case, name: str, loop: AnsweredLoop, rounding: Fraction) ->
         rounding: by how much less a coordinate may be off.
 
     Returns:
-        A PartComparison; `Verdict` says what its verdict means. All rings count, and each of them
-        on its own: a broken one is not made good by others.
+        A JudgedLoop; `Verdict` says what its verdict means.
 
     Raises:
         WitnessError: the expected answer of the case is refuted by the definition.
 
-    Cost: linear for an exact answer; otherwise that of `find_differences`, `bound_distance`,
-        `match_rings` and `diagnose`, all of which are bounded by counts, and of a witness. What is
-        too large to be compared so is undecided.
+    Cost: linear for an exact answer, O(n log n) for an equivalent one; otherwise that of
+        `find_differences`, `bound_distance`, `match_rings` and `diagnose`, all of which are bounded
+        by counts, and of a witness.
     """
     exact = list_exact_rings(case, name)
-    if _are_rotations(loop.rings, exact):
-        return _same(name, Verdict.EXACT)
-    try:
-        fault = find_fault(loop.rings, f"$.{name}")
-    except RegionError as error:
-        return PartComparison(name, Verdict.UNDECIDED, str(error))
-    if fault is None and _canonical(loop.rings) == sorted(exact):
-        return _same(name, Verdict.EQUIVALENT)
-    if name in _POSITIONS and fault is not None:
-        rings, whiskers = strip_whiskers(loop.rings, case.exact_fits)
-        if whiskers and find_fault(rings, "") is None and _canonical(rings) == sorted(exact):
-            reason = "exact fits are traced as whiskers of the loop"
-            return _same(name, Verdict.EQUIVALENT, reason, "whisker")
-    return _measure(case, name, loop.rings, exact, fault, rounding)
+    if _have_same_vertices(loop.rings, exact):
+        return JudgedLoop(_same(name, Verdict.EXACT))
+    fits = list_exact_fits(case, FITS_OF[name]) if name in FITS_OF else ()
+    boundary = find_boundary(loop.rings)
+    on_fits, others = subtract_fits(boundary.doubled, fits)
+    is_bridged = are_bridges(others, [*boundary.solid, *on_fits])
+    if is_bridged and boundary.solid == find_boundary(exact).solid:
+        kind = "whisker" if on_fits else ""
+        reason = "exact fits are traced by the loop" if kind else ""
+        return JudgedLoop(_same(name, Verdict.EQUIVALENT, reason, kind), on_fits)
+    writing = _Writing(loop.rings, on_fits, find_fault(loop.rings, f"$.{name}"))
+    if writing.fault is not None and is_bridged:
+        rings = trace_rings(boundary)
+        if find_fault(rings, "") is None:
+            writing = _Writing(rings, on_fits, None)
+    traced = _match_rounded(loop.rings, writing, exact, fits, rounding)
+    return JudgedLoop(
+        _measure(case, name, loop.rings, writing, exact, traced, rounding),
+        writing.traced if traced is None else traced,
+    )
 
 
 def find_fault(rings: Sequence[Loop], place: str) -> str | None:
-    """Say what is wrong with some rings by themselves, or return None; raises RegionError."""
-    polygons: list[Polygon] = []
+    """Say what is wrong with some rings by themselves, or return None."""
     try:
         for k, ring in enumerate(rings):
-            polygons.append(_polygon(ring, place if len(rings) == 1 else f"{place}[{k}]"))
-        _require_apart(polygons, place)
+            _require_simple(ring, place if len(rings) == 1 else f"{place}[{k}]")
     except AnswerError as error:
         return str(error)
+    try:
+        overlap = find_overlap(rings) if len(rings) > 1 else None
+    except RegionError:
+        # They are compared with the exact ones all the same.
+        return None
+    return f"{place}: rings {overlap[0]} and {overlap[1]} overlap" if overlap else None
+
+
+def _match_rounded(
+    rings: Sequence[Loop],
+    writing: _Writing,
+    exact: Sequence[Loop],
+    fits: Sequence[Fit],
+    rounding: Fraction,
+) -> Sequence[Fit] | None:
+    """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
+    if not rounding:
+        return None
+    thin = [find_rounded_fit(ring, fits, rounding) for ring in rings]
+    rest = [ring for ring, fit in zip(rings, thin, strict=True) if fit is None]
+    found = [fit for fit in thin if fit is not None]
+    if match_rings(exact, rest, rounding):
+        return found
+    if fits and match_rings(trace_whiskers(exact, fits), rest, rounding):
+        return [*found, *fits]
+    if writing.fault is None and writing.rings is not rings:
+        plain = trace_rings(find_boundary(exact))
+        thin = [find_rounded_fit(ring, fits, rounding) for ring in writing.rings]
+        rest = [ring for ring, fit in zip(writing.rings, thin, strict=True) if fit is None]
+        if match_rings(plain, rest, rounding):
+            return [*writing.traced, *(fit for fit in thin if fit is not None)]
     return None
 
 
 def _measure(
     case: Case,
     name: str,
-    rings: Sequence[Loop],
+    given: Sequence[Loop],
+    writing: _Writing,
     exact: Sequence[Loop],
-    fault: str | None,
+    traced: Sequence[Fit] | None,
     rounding: Fraction,
 ) -> PartComparison:
-    """Compare a loop that is not the exact one, ring for ring."""
-    kind = ""
-    diagnosis: tuple[str, ...] = ()
-    rounded = match_rings(exact, rings, rounding)
-    if not rounded and name in _POSITIONS and case.exact_fits:
-        rounded = match_rings(trace_whiskers(exact, case.exact_fits), rings, rounding)
-        kind = "whisker" if rounded else ""
+    """Compare a loop whose region is not the exact one."""
+    rings, fault = writing.rings, writing.fault
     is_small = sum(map(len, exact)) + sum(map(len, rings)) <= MOST_MEASURED
     lost: list[Trapezoid] = []
     extra: list[Trapezoid] = []
     is_whole = False
-    if is_small or not (rounded or fault):
+    if is_small or (traced is None and not fault):
         lost, extra, is_whole = _find_cells(exact, rings, is_small)
-    if fault is None and is_whole and not lost and not extra:
-        return _same(name, Verdict.EQUIVALENT)
-    if rounded:
-        whiskers = ", exact fits traced as whiskers of the loop" if kind else ""
-        verdict, reason = Verdict.WITHIN, f"rounded{whiskers}"
+    diagnosis: tuple[str, ...] = ()
+    if traced is not None:
+        verdict = Verdict.WITHIN
+        reason = f"rounded{', exact fits traced by the loop' if traced else ''}"
     else:
         # Other mistakes than those of numbers make sound rings of sound ones.
         diagnosis = (
-            name_arithmetic(exact, rings) if fault else diagnose(case, name, rings, rounding)
+            name_arithmetic(exact, given) if fault else diagnose(case, name, rings, rounding)
         )
         verdict, reason = _judge_difference(name, fault, lost, extra, is_whole)
         if diagnosis:
@@ -132,7 +189,7 @@ def _measure(
         find_witness(case, name, rings, overlapping) if overlapping else None,
         find_witness(case, name, rings, free) if free else None,
         rounding,
-        kind,
+        "whisker" if traced else "",
         diagnosis,
     )
 
@@ -168,9 +225,7 @@ def _judge_difference(
         return Verdict.WRONG, f"neither holds the exact {loop_name} nor is held by it"
     if not is_whole:
         rest = "too many edges cross for the rest to be compared"
-        if lost or extra:
-            return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"
-        return Verdict.UNDECIDED, rest
+        return Verdict.WRONG, f"not the exact {loop_name}, and {rest}"
     reason = (
         f"part of the exact {loop_name} is missing" if lost else f"more than the exact {loop_name}"
     )
@@ -183,63 +238,29 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
     return PartComparison(name, verdict, reason, (zero, zero), zero, zero, kind=kind)
 
 
-def _are_rotations(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
+def _have_same_vertices(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
     """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
     if len(rings) != len(exact):
         return False
     if not exact:
         return True
-    if not _is_rotation(rings[0], exact[0]):
+    if _rotate(rings[0]) != _rotate(exact[0]):
         return False
-    left = list(exact[1:])
-    for ring in rings[1:]:
-        # Holes are written in either orientation.
-        same = [other for other in left if _is_rotation(ring, other)]
-        same += [other for other in left if _is_rotation(ring[::-1], other)]
-        if not same:
-            return False
-        left.remove(same[0])
-    return True
+    # Holes are written in either orientation.
+    return sorted(map(_orient, rings[1:])) == sorted(map(_orient, exact[1:]))
 
 
-def _is_rotation(ring: Loop, vertices: Loop) -> bool:
-    if len(ring) != len(vertices):
-        return False
-    if ring == vertices:
-        return True
+def _rotate(ring: Loop) -> Loop:
+    least = ring.index(min(ring))
+    return ring[least:] + ring[:least]
+
+
+def _orient(ring: Loop) -> Loop:
+    return min(_rotate(ring), _rotate(ring[::-1]))
+
+
+def _require_simple(ring: Loop, place: str) -> None:
     try:
-        start = ring.index(vertices[0])
-    except ValueError:
-        return False
-    return ring[start:] + ring[:start] == vertices
-
-
-def _canonical(rings: Sequence[Loop]) -> list[Loop]:
-    return sorted(Polygon(ring).vertices for ring in rings)
-
-
-def _polygon(ring: Loop, place: str) -> Polygon:
-    try:
-        return Polygon(ring)
+        Polygon(ring)
     except PolygonError as error:
         raise AnswerError(f"{place}: {error}") from None
-
-
-def _require_apart(polygons: Sequence[Polygon], place: str) -> None:
-    """Refuse rings that overlap, unless one is inside the other, with other points between."""
-    if len(polygons) > MOST_RINGS:
-        raise AnswerError(f"{place} has more than {MOST_RINGS} rings")
-    boxes = [polygon.bounding_box for polygon in polygons]
-    if any(_boxes_meet(*one, *other) for one, other in combinations(boxes, 2)):
-        overlap = find_overlap([polygon.vertices for polygon in polygons])
-        if overlap is not None:
-            raise AnswerError(f"{place}: rings {overlap[0]} and {overlap[1]} overlap")
-
-
-def _boxes_meet(low: Point, high: Point, other_low: Point, other_high: Point) -> bool:
-    return (
-        low.x < other_high.x
-        and other_low.x < high.x
-        and low.y < other_high.y
-        and other_low.y < high.y
-    )

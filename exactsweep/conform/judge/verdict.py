@@ -15,27 +15,28 @@ from exactsweep.numbers.point import Point
 class Verdict(StrEnum):
     """What an answer is worth, from best to worst. The worst part of an answer decides.
 
-    E is the closed region inside the exact loop, T the one inside theirs; of several rings, T is
-    what an odd number of them enclose. One loop gets the first of these that holds, malformed
-    before all others:
+    E is the closed region inside the exact loop, T the one inside theirs: what an odd number of
+    windings of their rings enclose. One loop gets the first of these that holds, malformed before
+    those that say how regions differ:
 
-    - malformed: no loop, though what there is may still be measured. A number is nan, infinite or
-      unreadable; a vertex has not two coordinates; any of the rings encloses nothing (fewer than
-      three distinct vertices, or zero area), or has a spike, or touches or crosses itself; two
-      rings overlap, neither inside the other; a loop that was promised is missing or empty; it is
-      too large to be judged (`limits`, `loops.MOST_RINGS`).
-      Two things are not malformed: what rounding each vertex does to the exact loop, and spikes
-      along exact fits.
+    - malformed: the answer determines no region, though what there is may still be measured. A
+      number is nan, infinite or unreadable; a vertex has not two coordinates; a loop that was
+      promised is missing or empty, or larger than `limits` allow. Or the region is not the exact
+      one, nor rounded, and programs that read the rings would not agree on it: edges cross, two
+      rings overlap, a ring encloses nothing (fewer than three distinct vertices, or zero area),
+      or a line is traced in and out, which is no exact fit and does not lead to another ring.
     - exact: the vertices of the exact loop, each once, counter-clockwise. Any of them may come
       first, and may be repeated at the end.
     - equivalent: T = E, given in another way: clockwise, with collinear or repeated vertices, in
-      other rings, or with exact fits as whiskers.
+      other rings, keyholed, crossing itself where it does no harm, or with exact fits traced.
     - within: theirs is the exact loop except for rounding. It has as many rings, and two points can
       travel once around each of theirs and one of the exact rings, neither ever turning back, and
       never be `rounding` or more apart in x or in y. (So the Fréchet distance of the loops, by
       the larger of the two coordinate differences, is below `rounding`.) Vertices may fall
-      together or appear on edges so, but nothing that is wider than `rounding` is lost. A rounded
-      answer may permit overlap, or lose free space: the witnesses say whether it does.
+      together or appear on edges so, but nothing that is wider than `rounding` is lost. Rings that
+      are nowhere so far from one exact fit trace it. A rounded answer may permit overlap, or lose
+      free space: the witnesses say whether it does.
+    - false exact fits: of exact fits alone: positions are answered that are on none.
     - conservative: T holds E. For the trajectory, theirs permits no overlap, and forbids free
       positions.
     - unsound: E holds T. For the trajectory, theirs permits overlap.
@@ -46,9 +47,9 @@ class Verdict(StrEnum):
     program's numbers hold there. An answer's own claim is granted up to `rounding.MOST_CLAIMED`.
 
     Exact fits, where the trajectory is answered, are a part of their own; `judge_fits` says what
-    they may be. Where they are only missing, too short, invented in free space or rounded, the part
-    is "equivalent except for exact fits", which is thus the verdict on an answer whose loops are
-    exact or equivalent.
+    they may be. Where they are only missing, too short or rounded, the part is "equivalent except
+    for exact fits", which is thus the verdict on an answer whose loops are exact or equivalent.
+    Programs for Minkowski sums cannot know them; who answers a false one is convicted.
 
     The runner adds timeout, memory (more than was allowed), crash, and unsupported: no answer that
     could be judged; and undecided, where there is one that could not be compared in time, by no
@@ -63,6 +64,7 @@ class Verdict(StrEnum):
     EQUIVALENT = "equivalent"
     EQUIVALENT_EXCEPT_FOR_EXACT_FITS = "equivalent except for exact fits"
     WITHIN = "within"
+    FALSE_EXACT_FITS = "false exact fits"
     CONSERVATIVE = "conservative"
     UNSOUND = "unsound"
     WRONG = "wrong"

@@ -24,7 +24,7 @@ from exactsweep.conform.judge.region import Trapezoid, find_differences
 from exactsweep.conform.judge.verdict import Witness
 from exactsweep.corpus import Case
 from exactsweep.geometry.polygon import Polygon
-from exactsweep.geometry.region import Region
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Point, PointRings
 from exactsweep.words import write_pair
@@ -116,7 +116,7 @@ def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness
     return Witness(f"at {write_pair(position)} G {does[verdict]}", translation, verdict, point)
 
 
-def _obstacles(case: Case, t: Point) -> list[Polygon | Region]:
+def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
     """What is around D, as far as G + t reaches and farther, and the holes of D."""
     exterior, *holes = Region(case.directrix).rings
     corners = [*exterior, *(add(p, t) for p in case.generatrix_ring)]
@@ -201,13 +201,13 @@ _SHOW = {
 }
 
 
-def _is_in(point: Point, shape: Polygon | Region) -> bool:
+def _is_in(point: Point, shape: AnyPolygon) -> bool:
     """Whether a point is in a closed shape."""
     exterior, *holes = shape.rings
     return locate(point, exterior) >= 0 and all(locate(point, hole) <= 0 for hole in holes)
 
 
-def _onto(case: Case, point: Point) -> Polygon | Region:
+def _onto(case: Case, point: Point) -> AnyPolygon:
     """The translations that put G onto a point."""
     return case.generatrix.reflected((point.x / 2, point.y / 2))
 
@@ -217,7 +217,7 @@ def _positions(case: Case) -> Polygon:
     return case.trajectory.translated((-case.reference.x, -case.reference.y))
 
 
-def _on_boundary(positions: Polygon, onto: Polygon | Region) -> Iterator[Point]:
+def _on_boundary(positions: Polygon, onto: AnyPolygon) -> Iterator[Point]:
     """Points of one polygon's boundary in the other shape: vertices first, then crossings."""
     vertices = positions.vertices
     yield from (vertex for vertex in vertices if _is_in(vertex, onto))

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from importlib.resources import files
@@ -22,14 +22,15 @@ from exactsweep.canvas import style
 from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.report.text import take_root, tell_costs, tell_witness
+from exactsweep.conform.report.text import tell_costs, tell_witness
 from exactsweep.conform.run.outcome import Outcome, list_witnesses
+from exactsweep.conform.run.peer import replace_controls
 from exactsweep.conform.run.run import SHOWN, Run
 from exactsweep.conform.run.tally import fails
 from exactsweep.corpus.case_json import FITS, OF_POSITIONS, list_expected_rings
 from exactsweep.numbers.number import NumberError, read_any_length, to_fraction
 from exactsweep.numbers.point import Point
-from exactsweep.text.report import approximate
+from exactsweep.text.report import approximate, take_root
 
 _MOST_LISTED = 2000
 _KEY = (
@@ -79,7 +80,7 @@ def write_html(run: Run) -> str:
     template = (
         files("exactsweep.conform.report").joinpath("report.html.j2").read_text(encoding="utf-8")
     )
-    failed = (outcome for outcome in run.outcomes if fails(outcome.verdict, run.accepted))
+    failed = (outcome for outcome in run.list_outcomes() if fails(outcome.verdict, run.accepted))
     summary = run.summary
     failures = summary.failures(run.accepted)
     numbers = count(1)
@@ -99,6 +100,11 @@ def write_html(run: Run) -> str:
             ]
             for name, worst in summary.worst.items()
         },
+        answers=[
+            name.replace("_", " ")
+            for name in (*run.hello.loops, *run.hello.questions)
+            if name != "sweep"
+        ],
         costs=tell_costs(summary),
         granted=(_about(summary.granted[0]), summary.granted[1]),
         objections=run.find_objections(),
@@ -119,7 +125,7 @@ def write_html(run: Run) -> str:
 def _show(outcome: Outcome, smaller: Outcome | None = None) -> Failure:
     case = outcome.case
     return Failure(
-        outcome,
+        replace(outcome, stderr=replace_controls(outcome.stderr)),
         case["title"] if case else "",
         _draw(outcome) if case else [],
         [_part(part) for part in outcome.parts],

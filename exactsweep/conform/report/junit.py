@@ -22,8 +22,10 @@ def write_junit(run: Run) -> str:
     """Write a run as JUnit XML: a test case each, the class of its pair as the class name.
 
     Crashes, timeouts and too much memory are errors, other verdicts that are not accepted are
-    failures, and what was not judged is skipped. Properties say how many cases were judged, what
-    the trajectories that differ are exact for, and, of a case, its fault, memory and rounding.
+    failures, and what was not judged is skipped. Whatever else makes a run fail is a test case of
+    its own that fails, so that no run with exit code 1 is green. Properties say how many cases were
+    judged, what the trajectories that differ are exact for, and, of a case, its fault, memory and
+    rounding.
 
     Args:
         run: a Run.
@@ -33,12 +35,12 @@ def write_junit(run: Run) -> str:
 
     Cost: linear.
     """
-    summary = run.summary
+    summary, objections = run.summary, run.find_objections()
     errors = sum(summary.total(v) for v in _ERRORS if fails(v, run.accepted))
     counts = {
         "name": run.hello.name,
-        "tests": str(summary.total()),
-        "failures": str(summary.failures(run.accepted) - errors),
+        "tests": str(summary.total() + len(objections)),
+        "failures": str(summary.failures(run.accepted) - errors + len(objections)),
         "errors": str(errors),
         "skipped": str(sum(map(summary.total, _SKIPPED))),
         "time": f"{summary.seconds:.3f}",
@@ -46,12 +48,12 @@ def write_junit(run: Run) -> str:
     suites = ElementTree.Element("testsuites")
     suite = ElementTree.SubElement(suites, "testsuite", _clean(counts))
     _add_properties(suite, {"judged": str(summary.judged), "diagnosis": summary.diagnosis()})
-    whole = {outcome.id: outcome for outcome in run.show()}
-    for outcome in run.outcomes:
-        _add_case(suite, whole.get(outcome.id, outcome), run.accepted)
-    said = run.find_objections()
-    if said:
-        ElementTree.SubElement(suite, "system-err").text = _text("\n".join(said))
+    for outcome in run.list_outcomes():
+        _add_case(suite, outcome, run.accepted)
+    for objection in objections:
+        names = {"classname": "run", "name": objection}
+        case = ElementTree.SubElement(suite, "testcase", _clean(names))
+        ElementTree.SubElement(case, "failure", _clean({"message": objection}))
     ElementTree.indent(suites)
     written: str = ElementTree.tostring(suites, encoding="unicode")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{written}\n'

@@ -6,20 +6,19 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from decimal import MAX_EMAX, MIN_EMIN, ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
-from math import isqrt
 from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from exactsweep.conform.judge.verdict import Comparison, PartComparison
+from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import LOOP_NAMES
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.peer import cut, tell_bytes
 from exactsweep.conform.run.run import Run
-from exactsweep.conform.run.tally import Tally
-from exactsweep.text.report import lay_out
+from exactsweep.conform.run.tally import Tally, fails
+from exactsweep.text.report import lay_out, take_root
 from exactsweep.words import count
 
 _MOST_LISTED = 20
@@ -91,20 +90,6 @@ def _about(value: Fraction, rounding: str = ROUND_HALF_EVEN) -> str:
     return f"{rounded.normalize(context):g}"
 
 
-def take_root(square: Fraction) -> Fraction:
-    """Return the square root of a number of any size: exactly, or to 60 bits or so, rounded up.
-
-    >>> take_root(Fraction(1, 4)), float(take_root(Fraction(2)))
-    (Fraction(1, 2), 1.4142135623730951)
-    """
-    n, d = square.as_integer_ratio()
-    exact = Fraction(isqrt(n), isqrt(d))
-    if exact * exact == square:
-        return exact
-    bits = max(0, 120 + d.bit_length() - n.bit_length())
-    return Fraction(isqrt((n << 2 * bits) // d) + 1, 1 << bits)
-
-
 def write_table(summary: Tally, terminal_width: int | None = None) -> str:
     """Write how many cases of each class and flag got which verdict.
 
@@ -167,6 +152,9 @@ def close(run: Run, *, is_timed: bool = False) -> str:
     granted, where = run.summary.granted
     if granted:
         lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
+    rounded = run.summary.total(Verdict.WITHIN)
+    if rounded and fails(Verdict.WITHIN, run.accepted):
+        lines.append(f"{count(rounded, 'answer')} exact but for rounding pass with --accept within")
     if is_timed:
         lines += tell_costs(run.summary)
     summary = run.summary

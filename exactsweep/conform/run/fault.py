@@ -62,7 +62,7 @@ def name_fault(
         # What it says last follows the code, and is in stderr in full.
         said = [reason.partition(";")[0], *_find_place(stderr)]
     else:
-        said = [_without_numbers(reason), *_find_place(stderr)[1:]]
+        said = [write_cause(reason), *_find_place(stderr)[1:]]
     return f"{verdict.value}: {'; '.join(filter(None, said))}"
 
 
@@ -71,15 +71,20 @@ def _name_difference(part: Mapping[str, Any]) -> str:
     named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
     shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
     place = part["name"].replace("_", " ")
-    return ", ".join([place, _without_numbers(named), *(kind.lower() for kind in shown if kind)])
+    return ", ".join([place, write_cause(named), *(kind.lower() for kind in shown if kind)])
 
 
 def _find_place(stderr: str) -> list[str]:
     """The last line of standard error, and the innermost frame of a traceback, if there is one."""
     lines = stderr.strip().splitlines()
     frames = _FRAME.findall(stderr)
-    return [_without_numbers(lines[-1]) if lines else "", " ".join(frames[-1]) if frames else ""]
+    return [write_cause(lines[-1]) if lines else "", " ".join(frames[-1]) if frames else ""]
 
 
-def _without_numbers(text: str) -> str:
+def write_cause(text: str) -> str:
+    """Write a diagnosis, or other words, as `name_fault` does: without numbers.
+
+    >>> write_cause("all is moved by (3,-1/2)")
+    'all is moved by (#,-#)'
+    """
     return _NUMBER.sub(lambda found: found[1] or "#", cut(text))

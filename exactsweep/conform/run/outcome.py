@@ -5,16 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 import signal
+import threading
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from typing import Any, NoReturn
 
 from exactsweep.conform.judge.compare import compare
 from exactsweep.conform.judge.shrink import shrink
 from exactsweep.conform.judge.verdict import Comparison, Verdict
-from exactsweep.conform.run.fault import name_fault
+from exactsweep.conform.run.fault import name_fault, write_cause
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
 from exactsweep.corpus import Case, case_from_json, case_to_json
@@ -40,6 +41,7 @@ class Outcome:
         verdict: the verdict.
         reason: one line.
         fault: what `name_fault` says: the same for failures of the same kind.
+        diagnosis: what the worst part is exact for, the likeliest first.
         seconds: that the answer took.
         memory: bytes that the program held at most meanwhile, or None where nobody knows.
         digest: of the case as it was given; the same only for the same case.
@@ -57,6 +59,7 @@ class Outcome:
     verdict: Verdict
     reason: str = ""
     fault: str = ""
+    diagnosis: tuple[str, ...] = ()
     seconds: float = 0.0
     memory: int | None = None
     digest: str = ""
@@ -69,6 +72,26 @@ class Outcome:
         """Return plain data; what is empty is left out."""
         return {name: value for name, value in asdict(self).items() if value not in ("", (), None)}
 
+    def lead_with(self, cause: str | None) -> Outcome:
+        """Return the outcome with one of its diagnoses first; unchanged if it has it not."""
+        if cause not in self.diagnosis[1:]:
+            return self
+        first, parts = self.diagnosis[0], []
+        for part in self.parts:
+            said = part["diagnosis"]
+            if cause in said:
+                others = [words for words in said if words != cause]
+                reason = part["reason"].replace(said[0], cause, 1)
+                part = {**part, "diagnosis": [cause, *others], "reason": reason}
+            parts.append(part)
+        return replace(
+            self,
+            reason=self.reason.replace(first, cause, 1),
+            fault=self.fault.replace(write_cause(first), write_cause(cause), 1),
+            diagnosis=(cause, *(words for words in self.diagnosis if words != cause)),
+            parts=tuple(parts),
+        )
+
 
 def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
     """Read what `Outcome.to_json` gave.
@@ -78,7 +101,7 @@ def outcome_from_json(data: Mapping[str, Any]) -> Outcome:
     """
     try:
         parts = {**data, "verdict": Verdict(data["verdict"])}
-        for name in ("flags", "parts"):
+        for name in ("flags", "parts", "diagnosis"):
             parts[name] = tuple(data.get(name, ()))
         return Outcome(**parts)
     except (KeyError, TypeError) as error:
@@ -90,25 +113,19 @@ def list_witnesses(part: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return [part[name] for name in ("unsound", "conservative") if part[name]]
 
 
-def judge_case(peer: Peer, case: Case) -> Outcome:
+def judge_case(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
     """Put a case to an implementation and judge its answer.
 
     Args:
         peer: the implementation.
         case: a Case.
+        rounding: by how much less a coordinate may be off, as for `compare`.
 
     Returns:
         The Outcome.
     """
     hello = peer.hello
-    return judge_answer(case, *ask(peer, case), hello.parts(case), hello.numbers)
-
-
-def judge_in_time(peer: Peer, case: Case, rounding: Fraction | None = None) -> Outcome:
-    """Judge a case as `judge_case` does, but do not compare for ever; in the main thread only."""
-    hello = peer.hello
-    promised = hello.parts(case)
-    return judge_answer_in_time(case, *ask(peer, case), promised, hello.numbers, rounding)
+    return judge_answer(case, *ask(peer, case), hello.parts(case), hello.numbers, rounding)
 
 
 def ask(peer: Peer, case: Case) -> tuple[Case, Answer]:
@@ -139,15 +156,15 @@ def judge_answer(
         rounding: by how much less a coordinate may be off, as for `compare`.
 
     Returns:
-        The Outcome.
+        The Outcome; in the main thread its verdict is undecided if comparing takes more than
+        TO_COMPARE seconds: it is not the implementation that was slow.
     """
-    if answer.result is not None:
-        comparison = compare(
-            put, answer.result, rounding=rounding, promised=promised, numbers=numbers
-        )
-    else:
-        assert answer.verdict is not None
-        comparison = Comparison(case.id, answer.verdict, answer.reason)
+    try:
+        with stop_after(TO_COMPARE):
+            comparison = _compare(put, answer, promised, numbers, rounding)
+    except OvertimeError:
+        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
+        comparison = Comparison(case.id, Verdict.UNDECIDED, reason)
     verdict = comparison.verdict
     kept = verdict not in (Verdict.EXACT, Verdict.EQUIVALENT, Verdict.UNSUPPORTED)
     parts = tuple(part.to_json() for part in comparison.parts) if kept else ()
@@ -159,6 +176,7 @@ def judge_answer(
         verdict=verdict,
         reason=comparison.reason,
         fault=name_fault(verdict, comparison.reason, parts, answer.stderr, case.id),
+        diagnosis=comparison.worst.diagnosis if kept and comparison.worst else (),
         seconds=round(answer.seconds, 6),
         memory=answer.memory,
         parts=parts,
@@ -168,27 +186,17 @@ def judge_answer(
     )
 
 
-def judge_answer_in_time(
+def _compare(
     case: Case,
-    put: Case,
     answer: Answer,
     promised: Collection[str],
-    numbers: str | None = None,
-    rounding: Fraction | None = None,
-) -> Outcome:
-    """Judge an answer as `judge_answer` does; in the main thread only.
-
-    Returns:
-        The Outcome; its verdict is undecided if comparing takes more than TO_COMPARE seconds: it
-            is not the implementation that was slow.
-    """
-    try:
-        with stop_after(TO_COMPARE):
-            return judge_answer(case, put, answer, promised, numbers, rounding)
-    except OvertimeError:
-        reason = f"there is an answer, but comparing it takes more than {TO_COMPARE:g} s"
-        late = answer._replace(result=None, verdict=Verdict.UNDECIDED, reason=reason)
-        return judge_answer(case, put, late, ())
+    numbers: str | None,
+    rounding: Fraction | None,
+) -> Comparison:
+    if answer.result is None:
+        assert answer.verdict is not None
+        return Comparison(case.id, answer.verdict, answer.reason)
+    return compare(case, answer.result, rounding=rounding, promised=promised, numbers=numbers)
 
 
 class OvertimeError(Exception):
@@ -197,7 +205,7 @@ class OvertimeError(Exception):
 
 @contextmanager
 def stop_after(seconds: float) -> Iterator[None]:
-    """Stop what is in the `with` block after seconds of the processor; in the main thread only.
+    """Stop what is in the `with` block after seconds of the processor, in the main thread.
 
     Raises:
         OvertimeError: it was stopped.
@@ -209,7 +217,8 @@ def stop_after(seconds: float) -> Iterator[None]:
         Traceback (most recent call last):
         exactsweep.conform.run.outcome.OvertimeError
     """
-    if not hasattr(signal, "SIGALRM"):  # Windows
+    is_main = threading.current_thread() is threading.main_thread()
+    if not (hasattr(signal, "SIGPROF") and is_main):  # Windows
         yield
         return
 

@@ -71,8 +71,14 @@ def cut(reason: str) -> str:
     >>> cut("first   second ") + cut(chr(27))
     'first second�'
     """
-    words = " ".join(reason[:_MAX_REASON].split())
-    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in words)
+    return replace_controls(" ".join(reason[:_MAX_REASON].split()))
+
+
+def replace_controls(text: str) -> str:
+    """Return a foreign text without characters that a terminal or a page obeys, but line ends."""
+    return "".join(
+        c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text
+    )
 
 
 def tell_bytes(number: int) -> str:

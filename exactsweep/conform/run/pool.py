@@ -8,7 +8,7 @@ from concurrent.futures.process import BrokenProcessPool
 from fractions import Fraction
 from typing import Any, Self
 
-from exactsweep.conform.run.outcome import Outcome, judge_in_time, shrink_outcome
+from exactsweep.conform.run.outcome import Outcome, judge_case, shrink_outcome
 from exactsweep.conform.run.peer import SECONDS
 from exactsweep.conform.run.process import TO_START, ProcessPeer
 from exactsweep.conform.run.protocol import Hello, ProtocolError
@@ -182,7 +182,7 @@ def _start(
 
 def _judge(case: Case) -> Outcome:
     with limits(**_limits):
-        return judge_in_time(_peer, case, _rounding)
+        return judge_case(_peer, case, _rounding)
 
 
 def _shrink(outcome: Outcome, seconds: float) -> Outcome:

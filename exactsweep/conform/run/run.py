@@ -44,6 +44,17 @@ class NamedFault:
         del self._kept[SHOWN:]
         self.count += 1
 
+    def lead_with(self, cause: str | None) -> str:
+        """Return its name, with a cause that its failures share in the place of another one."""
+        return self.kept[0].lead_with(cause).fault if cause in self.kept[0].diagnosis else self.name
+
+    def take(self, other: NamedFault, cause: str | None) -> None:
+        """Take in the failures of another one, as it is called if a cause comes first."""
+        self.name = other.lead_with(cause)
+        merged = [(size, k + self.count, o.lead_with(cause)) for size, k, o in other._kept]
+        self._kept = sorted([*self._kept, *merged], key=lambda kept: kept[:2])[:SHOWN]
+        self.count += other.count
+
     @property
     def kept(self) -> list[Outcome]:
         """The smallest ones, whole, the smallest first."""
@@ -86,7 +97,8 @@ class Run:
     def add(self, outcome: Outcome) -> None:
         """Take in an outcome."""
         self.summary.add(outcome)
-        self.outcomes.add(replace(outcome, parts=(), case=None, result=None, stderr=""))
+        bare = replace(outcome, parts=(), case=None, result=None, stderr="")
+        self.outcomes.add(bare if len(bare.diagnosis) > 1 else replace(bare, diagnosis=()))
         if fails(outcome.verdict, self.accepted):
             name = outcome.fault
             if name not in self._faults and len(self._faults) >= MOST_FAULTS:
@@ -94,8 +106,23 @@ class Run:
             self._faults.setdefault(name, NamedFault(outcome.verdict, name)).add(outcome)
 
     def list_faults(self) -> list[NamedFault]:
-        """Return the failures, those with the same fault together, the worst verdict first."""
-        return sorted(self._faults.values(), key=lambda f: (-f.verdict.severity, -f.count))
+        """Return the failures, those with the same fault together, the worst verdict first.
+
+        Where one cause explains all answers of the run that differ, it is the fault of all.
+        """
+        cause = self.summary.find_cause()
+        found: dict[str, NamedFault] = {}
+        for fault in self._faults.values():
+            found.setdefault(fault.lead_with(cause), NamedFault(fault.verdict, "")).take(
+                fault, cause
+            )
+        return sorted(found.values(), key=lambda f: (-f.verdict.severity, -f.count))
+
+    def list_outcomes(self) -> Iterator[Outcome]:
+        """Yield all outcomes, those that are kept whole as they are."""
+        cause = self.summary.find_cause()
+        whole = {outcome.id: outcome for outcome in self.show()}
+        return (whole.get(bare.id) or bare.lead_with(cause) for bare in self.outcomes)
 
     def show(self) -> Iterator[Outcome]:
         """Yield the failures that are kept whole, fault by fault, the smallest first."""
@@ -118,15 +145,14 @@ class Run:
         always answer the same may bring about.
         """
         (fault,) = (found.fault for found in self.show() if found.id == id)
-        if outcome.fault == fault:
-            self.shrunk[id] = outcome
+        smaller = outcome.lead_with(self.summary.find_cause())
+        if smaller.fault == fault:
+            self.shrunk[id] = smaller
 
     def find_objections(self) -> list[str]:
         """Return what is wrong with the run besides failures, a line each."""
         judged, total = self.summary.judged, self.summary.total()
         lines = [*self.complaints, *(["interrupted"] if self.interrupted else [])]
-        if undecided := self.summary.total(Verdict.UNDECIDED):
-            lines.append(f"{count(undecided, 'answer')} could not be compared in time")
         if not judged:
             lines.append("nothing was judged")
         elif judged < self.least_judged * total:
@@ -141,7 +167,6 @@ class Run:
     def to_json(self) -> dict[str, Any]:
         """Return everything as plain data, numbers of the geometry as strings."""
         summary = self.summary
-        whole = {outcome.id: outcome for outcome in self.show()}
         return {
             "format": "exactsweep conform report",
             "version": 1,
@@ -174,7 +199,7 @@ class Run:
                 for fault in self.list_faults()
             ],
             "worst": {name: _worst(worst) for name, worst in summary.worst.items()},
-            "outcomes": [whole.get(bare.id, bare).to_json() for bare in self.outcomes],
+            "outcomes": [outcome.to_json() for outcome in self.list_outcomes()],
             "shrunk": {id: outcome.to_json() for id, outcome in self.shrunk.items()},
         }
 

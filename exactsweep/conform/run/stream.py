@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import BinaryIO
 
 from exactsweep.conform.judge.verdict import Verdict
-from exactsweep.conform.run.outcome import Outcome, judge_answer, judge_answer_in_time
+from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer, read_answer
 from exactsweep.conform.run.protocol import ProtocolError, adapt, read_hello, read_object
 from exactsweep.conform.run.spool import SeenNames
@@ -49,7 +49,7 @@ class Stream:
         self._seen = SeenNames()
 
     def outcomes(self, find: Callable[[str], Case]) -> Iterator[Outcome]:
-        """Judge the answers as they come; in the main thread only.
+        """Judge the answers as they come.
 
         Args:
             find: gives the case of an id, or raises UnknownNameError.
@@ -63,7 +63,7 @@ class Stream:
                 result = read_object(line)
                 case = self._case(result.get("id"), find)
                 put = adapt(case, terms)
-                outcome = judge_answer_in_time(
+                outcome = judge_answer(
                     case, put, read_answer(result), self.hello.parts(case), self.hello.numbers
                 )
             except ValueError as error:

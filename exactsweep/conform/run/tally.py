@@ -90,12 +90,17 @@ class Tally:
                 old = self.worst.get(part["name"], Worst(distance, area))
                 self.worst[part["name"]] = Worst(max(old[0], distance), max(old[1], area))
 
-    def diagnosis(self) -> str | None:
-        """Say what all trajectories that differ are exact for, or None."""
+    def find_cause(self) -> str | None:
+        """Return what all trajectories that differ are exact for, or None."""
         for words, number in self.diagnoses.most_common(1):
             if number == self.different > 1:
-                return f"all {number} trajectories that differ: {words}"
+                return words
         return None
+
+    def diagnosis(self) -> str | None:
+        """Say what all trajectories that differ are exact for, or None."""
+        cause = self.find_cause()
+        return cause and f"all {self.different} trajectories that differ: {cause}"
 
     def total(self, verdict: Verdict | None = None, group: str = ALL) -> int:
         """Return how many cases there are, in a group, with a verdict or with any."""

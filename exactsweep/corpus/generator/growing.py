@@ -127,27 +127,26 @@ def edges_over_needles(m: int, n: int) -> int:
     return 2 * (count - 1) * (peaks * (peaks - 1) - 1)
 
 
-def terraces(m: int, n: int) -> tuple[Ring, Ring]:
-    """An inner loop of order m n undercuts: terraces in D_b, hills and a tall peak in G_t.
+def ceilings(m: int, n: int) -> tuple[Ring, Ring]:
+    """An inner loop of order m n^2 undercuts: `needles` under ceilings that the peaks just reach.
 
-    Each of (m - 4) / 3 terraces begins with a needle. While one of the (n - 4) / 2 hills passes
-    under the needle, the peak leaves the terrace: see the proof at "Number of undercuts, MM".
-
-    >>> terraces(7, 8)
-    ([(0, 0), (5, -10), (12, 0), (10, 40), (8, 0), (6, 10), (4, 0), (2, 10)], \
-[(-3, 200), (0, 0), (1, 35), (21, 35), (22, 0), (25, 200), (11, 300)])
+    Between two needles G touches the ceiling in `inner_peaks(n)` (`inner_peaks(n)` - 1) places, and
+    in no other: see the proof at "Number of undercuts, MM".
     """
-    hills = (n - 4) // 2
-    width = 4 * hills + 2
-    generatrix = [(0, 0), (width // 2, -10), (width + 2, 0), (width, 40)]
-    for k in range(hills, 0, -1):
-        generatrix += [(4 * k, 0), (4 * k - 2, 10)]
-    directrix = [(-3, 200)]
-    for k in range((m - 4) // 3):
-        start = k * (width + 12)
-        directrix += [(start, 0), (start + 1, 35), (start + width + 11, 35)]
-    end = (m - 4) // 3 * (width + 12)
-    return generatrix, [*directrix, (end, 0), (end + 3, 200), (end // 2, 300)]
+    generatrix, directrix = needles(m, n)
+    high = max(y for _, y in generatrix)
+    lowered = [(x, min(y, high)) for x, y in directrix[1:-2]]
+    return generatrix, [directrix[0], *lowered, *directrix[-2:]]
+
+
+def undercuts_under_ceilings(m: int, n: int) -> int:
+    """Undercuts that the lower sweep of `ceilings` has, by the same proof.
+
+    >>> undercuts_under_ceilings(7, 16), undercuts_under_ceilings(13, 32)
+    (43, 633)
+    """
+    count, peaks = max(2, (m - 1) // 3), inner_peaks(n)
+    return (count - 1) * (peaks * (peaks - 1) + 1)
 
 
 def wide(m: int, n: int, seed: int = 0) -> tuple[Ring, Ring]:

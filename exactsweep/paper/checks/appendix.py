@@ -15,7 +15,7 @@ from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section4 import lowest
 from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence, find_first_failure
-from exactsweep.paper.counting import PairFamily, make_counted, watch_operations
+from exactsweep.paper.counting import CountedList, PairFamily, make_counted, watch_operations
 from exactsweep.paper.functions import (
     clip,
     evaluate,
@@ -120,6 +120,8 @@ def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fract
 def contact_moves_right(pair: SweepPair) -> str:
     """Both ends of the contact move to the right; points come in at the right, and leave left."""
     s, (_, _, directrix) = sweep(*pair), pair.chains
+    if failure := contacts_are_right(s):
+        return failure
     positions = {t for step in explain(s) if step.half == "lower" for t in (step.start, step.end)}
     positions |= {t for _, t in list_lasting_positions(s)}
     before: list[Fraction] = []
@@ -279,8 +281,13 @@ def count_operations(effort: Effort) -> Evidence:
     return Evidence("", find_first_failure(g.failure for g in growth), growth=growth)
 
 
+def _watch_slots(partial: Envelope) -> Envelope:
+    """The same envelope, whose lists count what is read of them; that is all of it, just now."""
+    return Envelope(CountedList(CountedList(partial.breaks)), CountedList(partial.pieces))
+
+
 def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
-    """Operations of LowerEnvelope_CM beside what is handed in and what is trimmed off."""
+    """Operations of LowerEnvelope_CM, slots of the partial trajectory that it reads among them."""
 
     def count(m: int, n: int) -> tuple[int, float]:
         top, _, directrix = SweepPair(*family(m, n)).chains
@@ -291,9 +298,11 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 for part in find_convex_parts(make_counted(directrix))  # type: ignore[arg-type]
             ]
             handed_in = sum(len(piece.pieces) for piece in pieces)
-            before, partial = tally.total, pieces[0]
+            partial, before = _watch_slots(pieces[0]), tally.total
             for piece in pieces[1:]:
-                partial = lower_envelope_cm(partial, piece)
+                grown = lower_envelope_cm(partial, piece)
+                # Trimmed in place; where it is not, the new lists were copied.
+                partial = grown if grown.breaks is partial.breaks else _watch_slots(grown)
         trimmed = handed_in - len(partial.pieces)
         return tally.total - before, handed_in + trimmed
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from math import lcm
 
 from exactsweep import no_fit_polygon
 from exactsweep.corpus.generator.growing import cm_hard, figure10, forks, mm
 from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.numbers.point import Vertex
+from exactsweep.paper import literal
 from exactsweep.paper.checks.beyond import no_fit_is_the_definition
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
-from exactsweep.paper.counting import PairFamily
+from exactsweep.paper.costs import STEPS
+from exactsweep.paper.counting import PairFamily, operations
+from exactsweep.paper.functions import tell_difference
 from exactsweep.paper.growth import MN, MN2, Bound, Growth, double, grow
-from exactsweep.paper.pairs import SweepPair
+from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import find_contact_stretches
 
@@ -94,7 +98,7 @@ def count_trajectory(effort: Effort) -> Evidence:
 
 
 def count_convolution(effort: Effort) -> Evidence:
-    """Count the contact segments of G and the trajectory, beside the bound on the outer loop."""
+    """Run a Minkowski sum algorithm for G and the trajectory, and count what another one cuts."""
 
     def stretches(generatrix: Ring, directrix: Ring) -> int:
         corners = no_fit_polygon(directrix, generatrix).exterior.vertices
@@ -104,14 +108,35 @@ def count_convolution(effort: Effort) -> Evidence:
             find_contact_stretches([path], [[(scale * x, scale * y) for x, y in generatrix]])
         )
 
+    def sum_by_parts(chains: Chains) -> list[Vertex]:
+        return literal.trajectory_mm(inverse(chains.bottom), chains.directrix)
+
+    def beyond(run: Callable[[Chains], Iterable[Vertex]], what: str, *, of_path: bool) -> Growth:
+        def count(m: int, n: int) -> tuple[int, float]:
+            chains = SweepPair(*cm_hard(m, n)).chains
+            path = literal.find_trajectory(chains) if of_path else chains.directrix
+            return operations(run, chains._replace(directrix=path)), m * n
+
+        return grow(f"operations of {what}", "cm_hard", "mn", sizes, count, limit=STEPS)
+
     sizes, what = double(16, 2 if effort.quick else 3), "stretches of the convolution"
+    summed = beyond(sum_by_parts, "the sum of T and G by convex parts", of_path=True)
+    swept = beyond(lambda chains: literal.sweep_outer_cm(*chains), "SweepO_CM", of_path=False)
+    chains = SweepPair(*cm_hard(32, 32)).chains
     found = _beside_bounds(
-        _grow(what, stretches, cm_hard, MN, sizes), _grow(what, stretches, figure10, MN2, sizes)
+        summed,
+        swept,
+        _grow(what, stretches, cm_hard, MN, sizes),
+        _grow(what, stretches, figure10, MN2, sizes),
+        failure=tell_difference(
+            "the sum of T and G", literal.find_outer(chains), literal.sweep_outer_cm(*chains)
+        ),
+        tried="Counts; both to the letter.",
     )
-    last = found.growth[0].points[-1]
+    last, beside = summed.points[-1], swept.points[-1]
     against = Counterexample(
-        f"the convolution of G and T has {last.count:,} contact segments for m = n = {last.m}, "
-        f"{last.ratio:.2g} mn, which is the order of the outer loop",
+        f"the sum of T and G by convex parts takes {last.count:,} operations for m = n = {last.m}, "
+        f"and SweepO_CM {beside.count:,}: both {summed.verdict} with mn",
         "deep teeth, at the largest size that was counted",
     )
     return Evidence(found.tried, found.failure, against, growth=found.growth)

@@ -7,7 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from exactsweep import Point, Polygon, Sweep, sweep
-from exactsweep.check import classify, point_in_polygon
+from exactsweep.check import classify, point_in_polygon, reference_no_fit
+from exactsweep.corpus.generator.prng import Prng
 from exactsweep.numbers.point import Rational, Vertex
 from exactsweep.paper.claim import (
     Counterexample,
@@ -15,7 +16,7 @@ from exactsweep.paper.claim import (
     Evidence,
 )
 from exactsweep.paper.functions import evaluate, look_up, take_bottom
-from exactsweep.paper.laws import shrink
+from exactsweep.paper.laws import break_law, shrink
 from exactsweep.paper.pairs import SweepPair
 from exactsweep.paper.tiny import is_convex, search_grid
 
@@ -67,8 +68,34 @@ def find_exact_fit(effort: Effort) -> Evidence:
     against = least and Counterexample(
         fits(least), "a square and its slot, vertices left out as long as it fits exactly", *least
     )
-    missing = fits_are_whole(slot) or ("" if sweep(*slot).exact_fits else "a fit is lost")
-    return Evidence("A slot.", missing, against)
+    combs = [draw_slots(effort.random(f"slots {k}")) for k in range(effort.cases(20))]
+    missing = fits_are_whole(slot) or break_law(fits_are_all_there, [slot, *combs])
+    return Evidence(
+        f"A slot, and {len(combs)} plates with slots above and below.", missing, against
+    )
+
+
+def draw_slots(random: Prng) -> SweepPair:
+    """A box, and a plate with slots in both sides: as wide as the box, wider and narrower."""
+    wide, bottom, top = random.between(1, 3), [(0, 0)], [(0, 40)]
+    for side, sign in ((bottom, 1), (top, -1)):
+        for _ in range(random.between(1, 4)):
+            (x, y), room = side[-1], random.choice([wide, wide, wide - 1, wide + 1])
+            start, depth = x + random.between(1, 2), sign * random.between(1, 9)
+            ends = [(start, y), (start, y + depth), (start + room, y + depth), (start + room, y)]
+            side += ends if room else []
+    end = max(bottom[-1][0], top[-1][0]) + 1
+    box = [(0, 0), (wide, 0), (wide, 2), (0, 2)]
+    return SweepPair(box, [*bottom, (end, 0), (end, 40), *top[::-1]])
+
+
+def fits_are_all_there(pair: SweepPair) -> str:
+    """The exact fits are those that the definition finds for polygons of any shape."""
+    found = {tuple(sorted(fit)) for fit in sweep(*pair).exact_fits}
+    g, d = pair
+    expected = {tuple(sorted(fit)) for fit in reference_no_fit(d, g).exact_fits}
+    missing, surplus = expected - found, found - expected
+    return f"exact fits missing: {missing}, in surplus: {surplus}" if missing or surplus else ""
 
 
 def fits_are_whole(pair: SweepPair) -> str:

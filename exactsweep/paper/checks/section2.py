@@ -67,7 +67,10 @@ def like_chains_have_no_contact(pair: SweepPair) -> str:
         return failure
     found = {c for at in (*s.contacts, *s.vertex_contacts) for c in at}
     for contact in found:
-        sides = _side(s.generatrix, contact, 0), _side(s.directrix, contact, 1)
+        sides = (
+            _side(s.generatrix.exterior, contact, 0),
+            _side(s.directrix.exterior, contact, 1),
+        )
         if sides[0] == sides[1] != "end":
             return f"{contact.event} of two {sides[0]} chains: {contact[1]} of G, {contact[2]} of D"
     return ""
@@ -211,7 +214,10 @@ def find_passing_vertices(effort: Effort) -> Evidence:
     convex = search_grid(2, most, is_convex, is_convex, vertices_belong_to_events)
     found = search(_apexes_and_teeth(), vertices_belong_to_events, "of an apex and teeth")
     failure = f"two convex polygons: {convex.against.text}" if convex.against else ""
-    return replace(found, tried=f"{convex.tried} {found.tried}", failure=failure)
+    count = effort.cases(300)
+    seen = sum(map(bool, map(vertices_belong_to_events, draw_pairs(effort, "CM", count))))
+    tried = f"{convex.tried} {found.tried} Of {count} random CM pairs {seen} have such a contact."
+    return replace(found, tried=tried, failure=failure)
 
 
 def _apexes_and_teeth() -> Iterator[SweepPair]:
@@ -242,8 +248,8 @@ def starts_and_stops_at_the_ends(pair: SweepPair) -> str:
 
 def _shares(s: Sweep, vertices: Contact, other: Contact) -> bool:
     """Whether a contact of two vertices is an end of a lasting contact."""
-    return _has(s.generatrix, vertices[1], other.event[0], other[1]) and _has(
-        s.directrix, vertices[2], other.event[1], other[2]
+    return _has(s.generatrix.exterior, vertices[1], other.event[0], other[1]) and _has(
+        s.directrix.exterior, vertices[2], other.event[1], other[2]
     )
 
 

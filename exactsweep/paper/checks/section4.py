@@ -12,7 +12,7 @@ from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
-from exactsweep.paper.checks.touching import contacts_are_right
+from exactsweep.paper.checks.touching import contacts_are_right, is_on_segment
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import (
     evaluate,
@@ -196,15 +196,9 @@ def labels_name_the_extremes(pair: SweepPair) -> str:
         for t in undercut.positions:
             spots |= {spot for c in s.contacts_at(t) for spot in features.spot(c, t)}
             for k, end in enumerate(corners):
-                if point_on_edge(t, corners[k - 1], end):
+                if is_on_segment(t, corners[k - 1], end):
                     spots |= {spot for c in s.contacts[k - 1] for spot in features.spot(c, t)}
         missed = set(undercut.extremes) - spots
         if missed:
             return f"no label names ({min(missed).x}, {min(missed).y}), an end of an undercut"
     return ""
-
-
-def point_on_edge(t: Point, p: Point, q: Point) -> bool:
-    """Whether a point is on a segment."""
-    turn = (q.x - p.x) * (t.y - p.y) - (q.y - p.y) * (t.x - p.x)
-    return turn == 0 and min(p, q) <= t <= max(p, q)

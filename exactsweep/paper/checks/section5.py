@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -24,7 +24,7 @@ from exactsweep.paper.functions import (
 )
 from exactsweep.paper.laws import shrink
 from exactsweep.paper.pairs import SweepPair
-from exactsweep.paper.tiny import is_any, is_convex, search_grid
+from exactsweep.paper.tiny import is_any, is_bent, is_convex, search_grid
 from exactsweep.procedures.chain import complement, find_convex_parts, inverse, split
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
@@ -162,26 +162,37 @@ def local_width(pair: SweepPair) -> str:
     return ""
 
 
-def _greatest(normal: tuple[Fraction, Fraction], polygon: Polygon) -> Fraction:
-    return max(normal[0] * x + normal[1] * y for x, y in polygon.vertices)
+def _greatest(normal: tuple[Fraction, Fraction], polygon: Iterable[Point]) -> Fraction:
+    return max(normal[0] * x + normal[1] * y for x, y in polygon)
 
 
 def find_missing_edge(effort: Effort) -> Evidence:
-    """Look for an edge of a trajectory that draws no edge of the inner loop, and for near ones."""
+    """Look for edges of trajectories that draw no edge of one of the loops, and for near ones."""
 
-    def fails(pair: SweepPair) -> str:
-        s = sweep(*pair)
-        missing = sorted(_slopes(s.trajectory) - _slopes(s.inner))
-        if not missing:
-            return ""
-        return f"the trajectory has edges of slope {missing[0]}, and the inner loop has none"
+    def lacks(name: str) -> Callable[[SweepPair], str]:
+        def fails(pair: SweepPair) -> str:
+            s = sweep(*pair)
+            missing = sorted(_slopes(s.trajectory) - _slopes(getattr(s, name)))
+            if not missing:
+                return ""
+            return f"the trajectory has edges of slope {missing[0]}, and the {name} loop has none"
 
-    found = search_grid(2, 6, is_convex, is_convex, fails)
+        return fails
+
+    found = search_grid(2, 6, is_convex, is_convex, lacks("inner"))
+    outer = search_grid(3, 8, is_bent, is_bent, lacks("outer"))
     near = shrink(edges_are_near, NARROW)
     how = "by hand, made smaller as long as both edges are there and too near"
-    failure = "" if edges_are_near(near) else "no edges are nearer than G is wide"
+    failure = "" if outer.against else "no edge of an outer loop is missing"
+    failure = failure or ("" if edges_are_near(near) else "no edges are nearer than G is wide")
+    others = Counterexample(edges_are_near(near), how, *near)
+    missing = (outer.against,) if outer.against else ()
     return replace(
-        found, failure=failure, others=(Counterexample(edges_are_near(near), how, *near),)
+        found,
+        tried=f"{found.tried} {outer.tried}",
+        failure=failure,
+        others=(*missing, others),
+        searched=found.searched + outer.searched,
     )
 
 
@@ -211,8 +222,8 @@ def edges_are_near(pair: SweepPair) -> str:
     return ""
 
 
-def _edges(polygon: Polygon) -> list[tuple[Point, Point]]:
-    corners = polygon.vertices
+def _edges(polygon: Iterable[Point]) -> list[tuple[Point, Point]]:
+    corners = [*polygon]
     return list(pairwise([*corners, corners[0]]))
 
 

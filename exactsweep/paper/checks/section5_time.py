@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise, product
@@ -35,10 +36,10 @@ from exactsweep.paper.functions import (
     look_up,
     take_bottom,
     tell_difference,
-    write_chain,
 )
 from exactsweep.paper.growth import MN, MN2, SUM_LOG, Bound, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
+from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.chain import find_convex_parts, inverse
 from exactsweep.procedures.cm import trajectory_cm
 from exactsweep.procedures.envelope import Envelope
@@ -82,30 +83,23 @@ def _tiny_chains() -> list[list[Vertex]]:
 
 
 def find_growing_level(effort: Effort) -> Evidence:
-    """Look for two chains with a larger envelope than both, and count the operations."""
-    against = None
-    pairs = sorted(product(_tiny_chains(), repeat=2), key=lambda pair: sum(map(len, pair)))
-    for searched, (first, second) in enumerate(pairs, 1):  # noqa: B007
-        merged = keep_corners(lower_envelope_mm([Envelope.of(first), Envelope.of(second)]))
-        edges = len(first) + len(second) - 2
-        if len(merged) - 1 > edges:
-            against = Counterexample(
-                f"the chains {write_chain(first)} and {write_chain(second)} have {edges} edges, "
-                f"their lower envelope {len(merged) - 1}",
-                "the first of all pairs of chains with up to two edges on the 3 by 3 grid",
-            )
-            break
+    """Look for sub-trajectories with a larger envelope than all of them; count the operations."""
+    found = search_grid(3, 8, is_bent, is_bent, outgrows_its_parts)
     growth = tuple(_envelope_growth(family, effort) for family in (figure10, mm))
-    return Evidence(
-        f"The first {searched} pairs of chains of one or two edges on the 3 by 3 grid; counts.",
-        find_first_failure(g.failure for g in growth),
-        against,
-        growth=growth,
-        searched=searched,
+    return replace(found, failure=find_first_failure(g.failure for g in growth), growth=growth)
+
+
+def count_halves(effort: Effort) -> Evidence:
+    """Count the operations of merging by halves, by the kernel and to the letter."""
+    growth = (
+        _envelope_growth(mm, effort),
+        _envelope_growth(figure10, effort),
+        _envelope_growth(figure10, effort, to_the_letter=True),
     )
+    return Evidence("Counts.", find_first_failure(g.failure for g in growth), growth=growth)
 
 
-def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
+def _envelope_growth(family: PairFamily, effort: Effort, *, to_the_letter: bool = False) -> Growth:
     """Operations of LowerEnvelope_MM beside N log k, N the size of what goes in."""
 
     def count(m: int, n: int) -> tuple[int, float]:
@@ -115,13 +109,15 @@ def _envelope_growth(family: PairFamily, effort: Effort) -> Growth:
                 trajectory_cm(make_counted(inverse(part)), make_counted(directrix))  # type: ignore[arg-type]
                 for part in find_convex_parts(inverse(top))
             ]
-            before, size = tally.total, sum(len(chain.pieces) for chain in chains)
-            merged = lower_envelope_mm(chains)
-        return tally.total - before + len(merged.pieces), size * max(1.0, log2(len(chains)))
+            size = sum(len(chain.pieces) for chain in chains)
+            paths = [list(chain) for chain in chains]
+            before = tally.total
+            merge_all = literal.lower_envelope_mm if to_the_letter else lower_envelope_mm
+            merged: Iterable[Vertex] = merge_all(paths if to_the_letter else chains)  # type: ignore[arg-type]
+        return tally.total - before + sum(1 for _ in merged), size * max(1.0, log2(len(chains)))
 
-    return grow(
-        "operations of LowerEnvelope_MM", family.__name__, "N log k", sizes_from(effort), count
-    )
+    what = f"operations of LowerEnvelope_MM{' to the letter' if to_the_letter else ''}"
+    return grow(what, family.__name__, "N log k", sizes_from(effort), count)
 
 
 def lower_envelope_mm_is_right(pair: SweepPair) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from exactsweep import Polygon, Sweep
+from fractions import Fraction
+from itertools import product
+
+from exactsweep import Point, Polygon, Sweep
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
@@ -13,7 +16,7 @@ from exactsweep.paper.pairs import SweepPair
 
 def contacts_are_right(s: Sweep) -> str:
     """Say which contact is listed wrongly, or missing; empty if none is."""
-    g, d = s.generatrix, s.directrix
+    g, d = s.generatrix.exterior, s.directrix.exterior
     pair = SweepPair(*([(int(x), int(y)) for x, y in polygon.vertices] for polygon in (g, d)))
     if s.trajectory.vertices != look_up(pair).trajectory:
         return "the trajectory is not that of the definition"
@@ -30,7 +33,40 @@ def contacts_are_right(s: Sweep) -> str:
         check_contacts(trajectory, directrix, generatrix.turn_half(), listed, frame)
     except CertificateError as flaw:
         return str(flaw)
+    for t, at in zip(s.trajectory.vertices, s.vertex_contacts, strict=True):
+        if sorted(at) != (expected := list_touching(g, d, t)):
+            return f"at ({t.x}, {t.y}) contacts are {sorted(at)}, not {expected}"
     return ""
+
+
+def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]]:
+    """All contacts of G + t and D, every feature of one tried with every one of the other."""
+    gs, ds = ([p.vertices[k - len(p)] for k in range(len(p) + 1)] for p in (g, d))
+    gs = [Point(x + t.x, y + t.y) for x, y in gs]
+    found = []
+    for i, j in product(range(len(g)), range(len(d))):
+        (p, q), (v, w) = gs[i : i + 2], ds[j : j + 2]
+        corner, at = (g.vertex_index(i), d.vertex_index(j)), (g.edge_index(i), d.edge_index(j))
+        if p == v:
+            found.append(("VV", *corner))
+        if v not in (p, q) and is_on_segment(v, p, q):
+            found.append(("EV", at[0], corner[1]))
+        if p not in (v, w) and is_on_segment(p, v, w):
+            found.append(("VE", corner[0], at[1]))
+        ends = {o for o in (p, q, v, w) if is_on_segment(o, p, q) and is_on_segment(o, v, w)}
+        if len(ends) > 1:
+            found.append(("EE", *at))
+    return sorted(found)
+
+
+def is_on_segment(point: Point, p: Point, q: Point) -> bool:
+    """Whether a point is on a segment."""
+    return turn(p, q, point) == 0 and min(p, q) <= point <= max(p, q)
+
+
+def turn(p: Point, q: Point, r: Point) -> Fraction:
+    """Twice the area of a triangle, positive if it is counter-clockwise."""
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
 
 
 def _numbers(polygon: Polygon) -> dict[tuple[str, int], int]:

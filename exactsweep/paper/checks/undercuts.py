@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import chain, combinations, pairwise
 
-from exactsweep import Sweep, sweep
+from exactsweep import Point, Sweep, sweep
 from exactsweep.check import verify
-from exactsweep.corpus.generator.growing import edges_over_needles, needles, terraces
-from exactsweep.evidence.undercut import find_pockets
+from exactsweep.corpus.generator.growing import (
+    ceilings,
+    edges_over_needles,
+    needles,
+    undercuts_under_ceilings,
+)
+from exactsweep.paper.checks.touching import is_on_segment, turn
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
@@ -15,6 +22,7 @@ from exactsweep.paper.growth import MN2, Growth, double, grow
 from exactsweep.paper.pairs import Chains, SweepPair
 from exactsweep.paper.tiny import is_bent, search_grid
 from exactsweep.procedures.mm import sweep_mm
+from exactsweep.procedures.pockets import find_pockets
 
 
 def find_long_undercut(effort: Effort) -> Evidence:
@@ -81,39 +89,70 @@ def undercuts_fill_the_inner_loop(pair: SweepPair) -> str:
     return ""
 
 
+def undercuts_are_closed(pair: SweepPair) -> str:
+    """In its positions, and on the way between two of them, G draws all of a bottom chain."""
+    s = sweep(*pair)
+    for undercut in s.undercuts:
+        drawn = _list_drawn(s, undercut.positions)
+        for start, end in pairwise(undercut.bottom):
+            if not _is_covered(start, end, drawn):
+                return f"an undercut from ({start.x}, {start.y}) to ({end.x}, {end.y}) is left open"
+    return ""
+
+
+def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point]]:
+    """The edges of G at some positions, and the ways of its vertices along edges of T."""
+    g, path = s.generatrix.vertices, s.trajectory.vertices
+    drawn = [(t, t, g[k - 1], g[k]) for t in positions for k in range(len(g))]
+    for k, end in enumerate(path):
+        along = [t for t in positions if is_on_segment(t, path[k - 1], end)]
+        drawn += [(t, u, v, v) for t, u in combinations(along, 2) for v in g]
+    return [(Point(v.x + t.x, v.y + t.y), Point(w.x + u.x, w.y + u.y)) for t, u, v, w in drawn]
+
+
+def _is_covered(start: Point, end: Point, drawn: Iterable[tuple[Point, Point]]) -> bool:
+    """Whether segments on the line of another one cover all of it."""
+    first, last = min(start, end), max(start, end)
+    reached = first
+    for p, q in sorted((min(p, q), max(p, q)) for p, q in drawn):
+        if p <= reached < q and turn(first, last, p) == turn(first, last, q) == 0:
+            reached = q
+    return reached >= last
+
+
 def lower_undercuts(s: Sweep) -> int:
     """How many undercuts the lower sweep has."""
     return sum(u.bottom[0].x < u.bottom[-1].x for u in s.undercuts)
 
 
 def count_undercuts(effort: Effort) -> Evidence:
-    """Count the undercuts over terraces; those of one of them are proved by its certificate."""
+    """Count the undercuts under ceilings; those of small pairs are proved by certificates."""
 
     def count(m: int, n: int) -> tuple[int, float]:
-        chains = SweepPair(*terraces(m, n)).chains
-        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n
+        chains = SweepPair(*ceilings(m, n)).chains
+        return len(find_pockets(sweep_mm(*chains)[0], chains.directrix)), m * n * n
 
-    last = 2 if effort.quick else 4
+    last = 2 if effort.quick else 3
     growth = tuple(
-        grow("undercuts of the lower sweep", "terraces", "mn", sizes, count)
+        grow("undercuts of the lower sweep", "ceilings", "mn²", sizes, count)
         for sizes in (
-            [(3 * size + 4, 20) for size, _ in double(2, last)],
-            [(7, 2 * size + 4) for size, _ in double(8, last)],
-            [(3 * size + 4, 6 * size + 4) for size, _ in double(2, last)],
+            [(3 * size + 4, 16) for size, _ in double(8, last)],
+            [(7, 2 * size + 2) for size, _ in double(16, last)],
         )
     )
-    few = (
-        f"{p.count} undercuts for ({p.m}, {p.n}) are fewer than proved"
+    amiss = (
+        f"{p.count} undercuts for ({p.m}, {p.n}) are not as many as proved"
         for g in growth
         for p in g.points
-        if p.count < (p.m - 4) // 3 * ((p.n - 4) // 2)
+        if p.count != undercuts_under_ceilings(p.m, p.n)
     )
-    pair = SweepPair(*terraces(7, 20))
+    pair = SweepPair(*ceilings(7, 8))
     against = Counterexample(
-        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D has "
-        f"{len(pair.directrix)} vertices",
-        "the family of terraces",
+        f"{lower_undercuts(sweep(*pair))} disjoint undercuts of the lower sweep where D_b has "
+        f"{len(pair.chains.directrix)} vertices",
+        "the least of the family of ceilings",
         *pair,
     )
-    failure = proved_case(terraces, 7, 20) or find_first_failure(few)
-    return Evidence("A family of terraces.", failure, against, growth=growth)
+    proved = (proved_case(ceilings, m, n) for m, n in ((7, 8), (10, 12), (13, 16)))
+    failure = find_first_failure(chain(proved, amiss))
+    return Evidence("A family of ceilings.", failure, against, growth=growth)

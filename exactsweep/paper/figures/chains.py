@@ -53,12 +53,14 @@ def find_failures() -> Iterator[str]:
     chains = _chains()
     for letter, ring in POLYGONS.items():
         corners = Polygon(ring).vertices
-        edges = list(pairwise([*corners, corners[0]]))
         bottom, top = chains[f"{letter}_b"], chains[f"{letter}_t"]
-        yield differ("edges", len(bottom) + len(top) - 2, len(edges))
+        yield differ(f"vertices of {letter}", {*bottom, *top}, set(corners))
         for x in sample_between(corners):
-            met = sum(min(p.x, q.x) < x < max(p.x, q.x) for p, q in edges)
-            yield differ(f"edges of {letter} over x = {x}", met, 2)
+            met = [
+                sum(min(p[0], q[0]) < x < max(p[0], q[0]) for p, q in pairwise(chain))
+                for chain in (bottom, top)
+            ]
+            yield differ(f"edges of {letter}'s chains over x = {x}", met, [1, 1])
 
 
 def draw() -> Figure:

@@ -127,13 +127,15 @@ def _draw_pair(panel: BarePicture, s: Sweep) -> None:
 
 
 def _number(panel: BarePicture, edges: Sequence[Edge]) -> None:
-    """Number edges below them, straight below where the chain turns right and room is scarce."""
+    """Number edges below them, but above them where the chain turns right."""
     vectors = [(q[0] - p[0], q[1] - p[1]) for p, q in edges]
     right = [dx * ny < dy * nx for (dx, dy), (nx, ny) in pairwise(vectors)]
     for k, (edge, (dx, dy)) in enumerate(zip(edges, vectors, strict=True)):
-        is_scarce = any(right[max(k - 1, 0) : k + 1])
-        shift = 0 if is_scarce else 7 * float(dy) / (float(dx) + abs(float(dy)))
-        panel.label(find_middle(*edge), str(k + 1), shift, -7, size=SMALL)
+        if any(right[max(k - 1, 0) : k + 1]):
+            panel.label(find_middle(*edge), str(k + 1), -5 if dy > 0 else 5, 8, size=SMALL)
+        else:
+            shift = 7 * float(dy) / (float(dx) + abs(float(dy)))
+            panel.label(find_middle(*edge), str(k + 1), shift, -7, size=SMALL)
 
 
 def _draw_table(panel: BarePicture) -> None:

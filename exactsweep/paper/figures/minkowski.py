@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from exactsweep.canvas import style
 from exactsweep.check import classify, reference_loops
 from exactsweep.draw import Picture, draw_undercuts, place_generatrix
-from exactsweep.evidence.undercut import find_pockets
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.point import Point, Vertex
 from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
@@ -20,6 +19,7 @@ from exactsweep.paper.figures.sheet import INNER, OUTER, PAGE, TRAJECTORY, Exten
 from exactsweep.procedures.chain import complement, inverse, split
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import trajectory_mm
+from exactsweep.procedures.pockets import find_pockets
 from exactsweep.sweep import Sweep, no_fit_polygon, sweep
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def sweep_example() -> Sweep:
 
 def invert_generatrix(s: Sweep) -> Polygon:
     """I(G), its reference point at the origin."""
-    return s.generatrix.translated((-s.reference.x, -s.reference.y)).reflected()
+    return s.generatrix.exterior.translated((-s.reference.x, -s.reference.y)).reflected()
 
 
 def sum_boundary() -> tuple[tuple[Vertex, ...], tuple[tuple[Vertex, ...], ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -54,16 +55,16 @@ KERNEL: dict[str, tuple[Callable[..., Any], Vertex]] = {
     "trajectory_mm": (mm.trajectory_mm, (92, 76)),
     "sweep_pairs": (part_pairs.sweep_pairs, (55, 38)),
     "lower_envelope_mm": (lower_envelope.lower_envelope_mm, (40, 0)),
-    "lower_envelope_cm": (lower_envelope.lower_envelope_cm, (160, 40)),
+    "lower_envelope_cm": (lower_envelope.lower_envelope_cm, (146, 44)),
     "join": (lower_envelope.join, (150, 0)),
-    "ConvexPart.sweep": (ConvexPart.sweep, (250, 0)),
+    "ConvexPart.sweep": (ConvexPart.sweep, (252, 0)),
     "merge_by_slope": (cc.merge_by_slope, (350, 0)),
     "sweep_inner_cm": (cm.sweep_inner_cm, (225, 150)),
     "trajectory_cm": (cm.trajectory_cm, (225, 104)),
-    "sweep_parts": (cm.sweep_parts, (240, 52)),
-    "sweep_outer_cm": (cm.sweep_outer_cm, (318, 104)),
+    "sweep_parts": (cm.sweep_parts, (252, 56)),
+    "sweep_outer_cm": (cm.sweep_outer_cm, (314, 104)),
     "sweep_inner_cc": (cc.sweep_inner_cc, (395, 150)),
-    "sweep_outer_cc": (cc.sweep_outer_cc, (402, 104)),
+    "sweep_outer_cc": (cc.sweep_outer_cc, (403, 104)),
     "trajectory_cc": (cc.trajectory_cc, (420, 45)),
 }
 """Functions of the kernel by their names, and the middles of their boxes."""
@@ -89,6 +90,8 @@ MADE = (
 """The calls among these."""
 PROCEDURE = Look(style.BLUE, 1.0, fill="#56b4e940", order=4)
 HIGH = 16
+ROOM = 6
+"""The height of a box, and the least distance of two, in points."""
 
 
 def list_facts() -> Facts:
@@ -106,6 +109,36 @@ def find_failures() -> Iterator[str]:
     yield differ("calls to the letter", watch_literal(), expected)
     yield differ("procedures that neither call nor are called", set(PLACES) - called, {"SweepI_CC"})
     yield differ("calls of the kernel", watch_kernel(), set(MADE))
+    for title, places, calls in _graphs():
+        yield from _drawn_wrong(title, places, calls)
+
+
+def _graphs() -> tuple[tuple[str, Mapping[str, Vertex], Sequence[tuple[str, str]]], ...]:
+    """Title, middles of boxes, and calls, of both parts."""
+    ours = {name: place for name, (_, place) in KERNEL.items()}
+    return ("(a) as printed", PLACES, PRINTED), ("(b) in the kernel", ours, MADE)
+
+
+def _drawn_wrong(
+    title: str, places: Mapping[str, Vertex], calls: Sequence[tuple[str, str]]
+) -> Iterator[str]:
+    """Say which boxes are nearer than an arrow needs, and which arrows do not run as the call."""
+    rims = {name: _rim(name, place) for name, place in places.items()}
+    for one, other in combinations(rims, 2):
+        (left, low), (right, high) = rims[one][0], rims[one][2]
+        (start, bottom), (end, top) = rims[other][0], rims[other][2]
+        gap = max(start - right, left - end, bottom - high, low - top)
+        yield "" if gap >= ROOM else f"{title}: {one} and {other} are {gap} points apart"
+    for one, other in calls:
+        (x, y), (tail_x, tail_y), (head_x, head_y) = places[one], *_draw_call(places, one, other)
+        tail, head = ((a - x) ** 2 + (b - y) ** 2 for a, b in ((tail_x, tail_y), (head_x, head_y)))
+        yield "" if tail < head else f"{title}: the arrow from {one} to {other} runs backwards"
+
+
+def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vertex, Vertex]:
+    """Tail and head of the arrow of a call."""
+    start, end = places[one], places[other]
+    return _leave(start, _rim(one, start), end), _leave(end, _rim(other, end), start)
 
 
 def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set[tuple[str, str]]:
@@ -171,24 +204,17 @@ def watch_kernel() -> set[tuple[str, str]]:
 
 def draw() -> Figure:
     """The picture."""
-    ours = {name: place for name, (_, place) in KERNEL.items()}
-    graphs: tuple[tuple[str, dict[str, Vertex], Sequence[tuple[str, str]]], ...] = (
-        ("(a) as printed", PLACES, PRINTED),
-        ("(b) in the kernel", ours, MADE),
-    )
-    rims = [{name: _rim(name, place) for name, place in places.items()} for _, places, _ in graphs]
     boxes = [
-        [Extent.around(*own.values(), title=title)]
-        for own, (title, _, _) in zip(rims, graphs, strict=True)
+        [Extent.around(*(_rim(*box) for box in places.items()), title=title)]
+        for title, places, _ in _graphs()
     ]
     with Sheet(boxes, PAGE) as sheet:
-        for panel, own, (_, places, calls) in zip(sheet.panels, rims, graphs, strict=True):
-            for one, other in calls:
-                start = _leave(places[one], own[one], places[other])
-                panel.arrow(start, _leave(places[other], own[other], places[one]))
-            for name, rim in own.items():
-                panel.area(rim, PROCEDURE)
-                panel.label(places[name], name, size=8)
+        for panel, (_, places, calls) in zip(sheet.panels, _graphs(), strict=True):
+            for call in calls:
+                panel.arrow(*_draw_call(places, *call))
+            for name, place in places.items():
+                panel.area(_rim(name, place), PROCEDURE)
+                panel.label(place, name, size=8)
     return sheet.figure
 
 

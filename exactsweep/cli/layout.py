@@ -1,0 +1,279 @@
+"""`exactsweep layout`."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
+
+from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
+from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
+from exactsweep.formats import show_path
+from exactsweep.formats.folder import find_files
+from exactsweep.formats.layouts import FoundLayout, read_layouts
+from exactsweep.numbers.limits import limits, list_limits
+from exactsweep.numbers.number import format_fraction, to_fraction
+
+if TYPE_CHECKING:
+    from exactsweep.layout import Judgement
+
+
+class LayoutRow(NamedTuple):
+    """A layout of several, as the table of all shows it.
+
+    Attributes:
+        name: the file, and which sheet of it.
+        verdict: "valid", what is wrong, or why it could not be read.
+        valid: None where it could not be read.
+        placements: how many there are.
+        worst: how bad the worst fault is; of a valid one the least distance.
+    """
+
+    name: str
+    verdict: str
+    valid: bool | None
+    placements: int = 0
+    worst: str = ""
+
+
+def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fraction | None:
+    try:
+        found = None if text is None else to_fraction(text)
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+    if found is not None and found < 0:
+        raise click.BadParameter(f"{text} is negative")
+    return found
+
+
+@click.command("layout")
+@click.argument("files", nargs=-1, required=True, type=PATH)
+@click.option(
+    "--instance",
+    type=PATH,
+    metavar="FILE",
+    help="The instance that a solution answers: its parts, how many of each, and which turns are "
+    "allowed.",
+)
+@click.option(
+    "--container",
+    metavar="ID",
+    help="Which outline of a drawing is the container, by name, index or layer; the one around all "
+    "others if left out.",
+)
+@click.option(
+    "--spacing",
+    callback=_to_gap,
+    metavar="DISTANCE",
+    help="How far apart any two parts have to be; what the file says if left out, or 0.",
+)
+@click.option(
+    "--margin",
+    callback=_to_gap,
+    metavar="DISTANCE",
+    help="How far parts have to be from the edge of the container and from its defects.",
+)
+@takes_reading
+@click.option("--json", "as_json", is_flag=True, help="Write the judgement, exactly, as JSON.")
+@click.option("--all", "everything", is_flag=True, help="List all faults.")
+@click.option(
+    "--certificate",
+    type=PATH,
+    metavar="FILE",
+    help="Write what 'exactsweep verify' proves the verdict by, from its definition.",
+)
+@click.option("--html", type=PATH, metavar="FILE", help="Write a page with pictures of faults.")
+@click.option("--svg", type=PATH, metavar="FILE", help="Write a picture, faults enlarged below.")
+@click.option(
+    "--workers",
+    type=click.IntRange(1, 1024),
+    metavar="N",
+    help="How many processes judge several files; one for each processor if left out.",
+)
+@takes_output
+def layout_command(
+    files: tuple[str, ...],
+    instance: str | None,
+    container: str | None,
+    spacing: Fraction | None,
+    margin: Fraction | None,
+    reading: ReadingOptions,
+    as_json: bool,
+    everything: bool,
+    certificate: str | None,
+    html: str | None,
+    svg: str | None,
+    workers: int | None,
+    output: str,
+) -> None:
+    """Judge what a nesting program put out.
+
+    Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
+    input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
+    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, SVG and DXF among them, its
+    outlines where they stand. What a file does not say, --instance may. Of a file with several
+    sheets, each a layout, FILE#0 is the first.
+
+    A layout is valid if all parts are inside the container and clear of its defects, no two
+    overlap, all distances are kept, and as many of each part are placed as are wanted, turned and
+    mirrored as is allowed. Each fault is listed with what proves it, how bad it is and the shortest
+    move that repairs it, the worst first. If a whole layout is wrong, the usual mistakes are
+    tried: radians, another center, another sign, Y downward, another scale.
+
+    The exit code is 0 only if all layouts are valid.
+    """
+    found = [path for given in files for path in find_files(given)]
+    options = {"instance": instance, "container": container, **reading}
+    gaps = {
+        name: format_fraction(gap)
+        for name, gap in (("spacing", spacing), ("margin", margin))
+        if gap is not None
+    }
+    if len(found) == 1:
+        layouts = read_layouts(found[0], **options)
+        if len(layouts) == 1:
+            (layout,) = layouts
+            y_down = reading["y_down"]
+            if y_down is None:
+                y_down = found[0].split("#")[0].lower().endswith(".svg")
+            files_out = {"certificate": certificate, "html": html, "svg": svg}
+            form = "json" if as_json else "all" if everything else "report"
+            title = show_path(found[0])
+            sys.exit(0 if _judge_one(layout, gaps, title, form, files_out, y_down, output) else 1)
+    if certificate or html or svg:
+        raise click.UsageError("--certificate, --html and --svg are for a single layout.")
+    rows = [*_judge_all(found, options, gaps, workers)]
+    if as_json:
+        text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
+    else:
+        terminal = measure_terminal(output)
+        text = _write_rows(rows, terminal and terminal.columns)
+    write(text, output)
+    sys.exit(0 if all(row.valid for row in rows) else 1)
+
+
+def _judge_one(
+    found: FoundLayout,
+    gaps: Mapping[str, str],
+    title: str,
+    form: str,
+    files_out: Mapping[str, str | None],
+    y_down: bool,
+    output: str,
+) -> bool:
+    """Judge a layout, write what is wanted, and tell whether it is valid."""
+    from exactsweep.cli.bar import words
+    from exactsweep.layout import judge_layout
+    from exactsweep.layout.diagnose import diagnose
+    from exactsweep.layout.report import (
+        draw_layout,
+        rank_faults,
+        report_layout,
+        write_layout_json,
+        write_layout_page,
+    )
+
+    layout = _make_layout(found, gaps)
+    with words() as tell:
+        tell(f"judging {len(layout.placements)} placements")
+        judgement = judge_layout(layout)
+        notes = [*found.notes, *diagnose(judgement)]
+        ranked = rank_faults(judgement, lambda k, n: tell(f"measuring fault {k + 1} of {n}"))
+        tell("writing")
+        if files_out["html"]:
+            page = write_layout_page(judgement, ranked, title, notes, y_down=y_down)
+            write(page, files_out["html"])
+        if files_out["svg"]:
+            write(draw_layout(judgement, ranked, title, y_down=y_down), files_out["svg"])
+        if files_out["certificate"]:
+            text = json.dumps(judgement.certificate()) + "\n"
+            write_readable(text, files_out["certificate"])
+        if form == "json":
+            text = write_layout_json(judgement, notes)
+        else:
+            terminal = measure_terminal(output)
+            text = report_layout(
+                judgement,
+                ranked,
+                terminal and terminal.columns,
+                notes=notes,
+                everything=form == "all",
+            )
+    write(text, output)
+    return judgement.valid
+
+
+def _make_layout(found: FoundLayout, gaps: Mapping[str, str]) -> Any:
+    from exactsweep.layout import Layout
+
+    return Layout.from_json({**found.data, **gaps})
+
+
+def _judge_all(
+    paths: Sequence[str], options: Mapping[str, Any], gaps: Mapping[str, str], workers: int | None
+) -> Iterator[LayoutRow]:
+    """Judge the layouts of several files, in processes of their own, in order."""
+    from exactsweep.cli.bar import show_bar
+    from exactsweep.processes import Pool, count_cores
+
+    pool = Pool(min(workers or count_cores(), len(paths)))
+    try:
+        jobs = [pool.submit(judge_file, path, options, gaps, list_limits()) for path in paths]
+        with show_bar(len(jobs)) as show:
+            for k, job in enumerate(jobs):
+                yield from job.result()
+                show(k + 1)
+    finally:
+        pool.close()
+
+
+def judge_file(
+    path: str, options: Mapping[str, Any], gaps: Mapping[str, str], raised: Mapping[str, Any]
+) -> list[LayoutRow]:
+    """Judge the layouts of a file; one that cannot be read is a row as well."""
+    from exactsweep.layout import judge_layout
+
+    rows = []
+    with limits(**raised):
+        try:
+            for found in read_layouts(path, **options):
+                name = f"{show_path(path)}, {found.name}" if found.name else show_path(path)
+                rows.append(_sum_up(name, judge_layout(_make_layout(found, gaps))))
+        except ValueError as error:
+            rows.append(LayoutRow(show_path(path), str(error), None))
+    return rows
+
+
+def _sum_up(name: str, judgement: Judgement) -> LayoutRow:
+    from exactsweep.layout.report import rank_faults
+    from exactsweep.layout.report.table import tell_fault, write_verdict
+    from exactsweep.text.report import approximate, take_root
+
+    worst, nearest = "", judgement.distance
+    if judgement.faults:
+        worst = tell_fault(rank_faults(judgement)[0])[1]
+    elif nearest is not None:
+        worst = f"{approximate(take_root(nearest.square))} apart"
+    placements = len(judgement.layout.placements)
+    return LayoutRow(name, write_verdict(judgement), judgement.valid, placements, worst)
+
+
+def _write_rows(rows: Sequence[LayoutRow], terminal_width: int | None) -> str:
+    from rich.table import Table
+
+    from exactsweep.text.report import lay_out
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("layout", style="bold", overflow="fold")
+    table.add_column("placements", justify="right")
+    table.add_column("verdict", overflow="fold")
+    table.add_column("worst or nearest", overflow="fold")
+    for row in rows:
+        placements = "" if row.valid is None else str(row.placements)
+        table.add_row(row.name, placements, row.verdict, row.worst)
+    valid = sum(bool(row.valid) for row in rows)
+    return lay_out([table], terminal_width) + f"{valid} of {len(rows)} valid\n"

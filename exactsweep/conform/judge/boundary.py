@@ -1,0 +1,226 @@
+"""The boundary of the region that rings determine, whatever way they are written in.
+
+A point belongs to the region if an odd number of edges cross a ray from it. So a stretch of a line
+bounds the region if and only if an odd number of edges run along it, in either direction:
+
+    (1)  two regions differ by a set without area exactly if these stretches are the same;
+    (2)  stretches with an even number of edges bound nothing: whiskers, traced in and out;
+         keyholes, by which a ring reaches a hole; borders of parts that a region is split into.
+
+Crossings do not matter to (1), so that only edges of one line are compared with each other.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cmp_to_key
+from itertools import chain, groupby, pairwise
+from operator import itemgetter
+from typing import NamedTuple
+
+from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.numbers.point import Fit, Loop, Point, PointRings
+
+_LineKey = tuple[Fraction | None, Fraction]
+"""The slope, None for a vertical line, and the y at x = 0, or the x."""
+
+
+class RingBoundary(NamedTuple):
+    """The edges of some rings, by line.
+
+    Attributes:
+        solid: segments with an odd number of edges along them, as long as they can be.
+        through: for each of these, the vertices of the rings between its ends.
+        doubled: segments with an even number of edges, likewise; and single points, of rings that
+            are no more than that, as segments of two equal ends.
+    """
+
+    solid: tuple[Fit, ...]
+    through: tuple[Loop, ...]
+    doubled: tuple[Fit, ...]
+
+
+def find_boundary(rings: PointRings) -> RingBoundary:
+    """Find what bounds the region of some rings, and what only seems to.
+
+    Args:
+        rings: sequences of Point, not closed, otherwise anything.
+
+    Returns:
+        The RingBoundary, in an order that depends on these sets of points alone.
+
+    Cost: O(n log n) operations on rationals for n edges.
+
+    Example:
+        >>> square = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 0), (2, 2), (0, 2)]]
+        >>> whisker = [*square, Point(Fraction(0), Fraction(3))]
+        >>> find_boundary([whisker]).solid == find_boundary([square]).solid
+        True
+        >>> [[int(p.y) for p in fit] for fit in find_boundary([whisker]).doubled]
+        [[2, 3]]
+    """
+    lines: dict[_LineKey, list[tuple[Point, int]]] = {}
+    points = set()
+    for ring in rings:
+        for k, p in enumerate(ring):
+            low, high = sorted((ring[k - 1], p))
+            if low != high:
+                lines.setdefault(_find_line(low, high), []).extend([(low, 1), (high, -1)])
+        if len({*ring}) == 1:
+            points.add((ring[0], ring[0]))
+    solid: list[tuple[Fit, Loop]] = []
+    doubled: list[Fit] = []
+    for ends in lines.values():
+        for is_solid, (a, *between, b) in _find_stretches(ends):
+            if is_solid:
+                solid.append(((a, b), tuple(between)))
+            else:
+                doubled.append((a, b))
+    solid.sort()
+    segments, through = zip(*solid, strict=True) if solid else ((), ())
+    return RingBoundary(segments, through, (*sorted(doubled), *sorted(points)))
+
+
+def _find_line(p: Point, q: Point) -> _LineKey:
+    if p.x == q.x:
+        return None, p.x
+    slope = (q.y - p.y) / (q.x - p.x)
+    return slope, p.y - slope * p.x
+
+
+def _find_stretches(ends: list[tuple[Point, int]]) -> Iterator[tuple[bool, list[Point]]]:
+    """Yield whether edges of a line are odd in number along a stretch, and the points on it."""
+    ends.sort()
+    count = 0
+    points: list[Point] = []
+    for p, group in groupby(ends, key=itemgetter(0)):
+        before, count = count, count + sum(step for _, step in group)
+        points.append(p)
+        if not (before and count) or (count - before) % 2:
+            if before:
+                yield before % 2 == 1, points
+            points = [p]
+
+
+def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fit], list[Fit]]:
+    """Split segments into what lies on exact fits and what does not.
+
+    Args:
+        segments: segments, a point being two equal ends.
+        fits: likewise.
+
+    Returns:
+        The pieces on fits, and the others.
+
+    Cost: O(f) for each segment and f fits.
+    """
+    on: list[Fit] = []
+    off: list[Fit] = []
+    known = list(fits)
+    for low, high in map(sorted, segments):
+        near = [sorted(fit) for fit in known if are_collinear((*fit, low, high))]
+        ends = {low, high, *(p for fit in near for p in fit if low < p < high)}
+        pieces = [*pairwise(sorted(ends))] or [(low, high)]
+        for a, b in pieces:
+            is_on_fit = any(p <= a and b <= q for p, q in near)
+            (on if is_on_fit else off).append((a, b))
+    return on, off
+
+
+def are_collinear(points: Sequence[Point]) -> bool:
+    """Whether points lie on one line."""
+    (ax, ay), (bx, by) = min(points), max(points)
+    return all((bx - ax) * (y - ay) == (by - ay) * (x - ax) for x, y in points)
+
+
+def is_on(point: Point, segment: Fit) -> bool:
+    """Whether a point is on a segment, ends included."""
+    low, high = sorted(segment)
+    return low <= point <= high and are_collinear((low, point, high))
+
+
+def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
+    """Whether segments lead from place to place of a boundary, with no end that hangs free.
+
+    Args:
+        segments: what is doubled, and on no exact fit.
+        solid: the boundary, and exact fits that are traced.
+
+    Cost: linear where they lead from corner to corner, else O(s + n) for each end of s segments
+        that is none of n corners.
+    """
+    corners = {*chain.from_iterable(solid)}
+    ends: dict[Point, list[Fit]] = {}
+    for segment in segments:
+        for end in segment:
+            ends.setdefault(end, []).append(segment)
+    held = {p for p in ends if p in corners or any(is_on(p, edge) for edge in solid)}
+    for p in ends.keys() - held:
+        ends[p] = [segment for segment in segments if is_on(p, segment)]
+        if len(ends[p]) < 2:
+            return False
+    grown = list(held)
+    while grown:
+        for segment in ends[grown.pop()]:
+            fresh = {p for p in ends.keys() - held if is_on(p, segment)}
+            held |= fresh
+            grown += fresh
+    return held.issuperset(ends)
+
+
+def trace_rings(boundary: RingBoundary) -> list[Loop]:
+    """Return a boundary as counter-clockwise rings, none of which comes to a corner twice.
+
+    Cost: O(n log n).
+
+    Example:
+        >>> bow = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (2, 2), (2, 0), (0, 2)]]
+        >>> crossed = [*bow[:1], Point(Fraction(1), Fraction(1)), *bow[1:3]]
+        >>> len(trace_rings(find_boundary([[*crossed, crossed[1], bow[3]]])))
+        2
+    """
+    passed = Counter(chain.from_iterable(boundary.through))
+    corners = {*chain.from_iterable(boundary.solid), *(p for p in passed if passed[p] > 1)}
+    near: dict[Point, list[Point]] = {}
+    for (first, last), through in zip(boundary.solid, boundary.through, strict=True):
+        for a, b in pairwise((first, *(p for p in through if p in corners), last)):
+            near.setdefault(a, []).append(b)
+            near.setdefault(b, []).append(a)
+    partner: dict[tuple[Point, Point], Point] = {}
+    for p, others in near.items():
+        ordered = others if len(others) == 2 else _sort_around(p, others)
+        for a, b in zip(ordered[::2], ordered[1::2], strict=True):
+            partner[a, p], partner[b, p] = b, a
+    rings: list[Loop] = []
+    while partner:
+        (a, p), _ = next(iter(partner.items()))
+        path, places = [a], {a: 0}
+        while (after := partner.pop((a, p), None)) is not None:
+            del partner[after, p]
+            if p in places:
+                rings.append(tuple(path[places[p] :]))
+                for q in path[places[p] + 1 :]:
+                    del places[q]
+                del path[places[p] + 1 :]
+            else:
+                places[p] = len(path)
+                path.append(p)
+            a, p = p, after
+        if len(path) > 1:
+            rings.append(tuple(path))
+    return [ring if find_doubled_area(ring) > 0 else ring[::-1] for ring in rings]
+
+
+def _sort_around(p: Point, others: Sequence[Point]) -> list[Point]:
+    """Sort points by their directions from another one, counter-clockwise from straight right."""
+
+    def compare(a: Point, b: Point) -> int:
+        upper = [(q.y, q.x) > (p.y, p.x) for q in (a, b)]
+        if upper[0] != upper[1]:
+            return -1 if upper[0] else 1
+        turn = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x)
+        return -1 if turn > 0 else 1
+
+    return sorted(others, key=cmp_to_key(compare))

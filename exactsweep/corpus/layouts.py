@@ -1,0 +1,75 @@
+"""Layouts with their faults, worked out by hand: what a judge of layouts is held against."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cache
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from exactsweep.corpus.names import require_known
+from exactsweep.layout import Layout
+from exactsweep.numbers.arguments import tells_arguments
+
+
+class LayoutCase(NamedTuple):
+    """A layout, and what is right or wrong with it.
+
+    Attributes:
+        id: the name of the case; it never changes its meaning.
+        title: one line for people.
+        data: the layout as JSON data.
+        expected: "valid"; "faults", each with its "kind" and "placements", and, where it has one,
+            the "part", the "number" of placements, the "distance_squared", or the squared length of
+            the shortest move that repairs it as "move_squared", null where none does or it is
+            irrational; "contacts"; and for some cases the "density" and the least
+            "distance_squared" of two parts. Numbers are strings, reduced rationals.
+        note: what else there is to say.
+    """
+
+    id: str
+    title: str
+    data: dict[str, Any]
+    expected: dict[str, Any]
+    note: str = ""
+
+    @property
+    def layout(self) -> Layout:
+        """The Layout, read anew."""
+        return Layout.from_json(self.data)
+
+
+@tells_arguments
+def layout_cases() -> Iterator[LayoutCase]:
+    """Yield the shipped layouts.
+
+    Example:
+        >>> next(layout_cases()).title
+        'Six tiles fill a box'
+    """
+    for data in _read()["cases"]:
+        yield LayoutCase(
+            data["id"], data["title"], data["layout"], data["expected"], data.get("note", "")
+        )
+
+
+@tells_arguments
+def find_layout_case(id: str) -> LayoutCase:
+    """Return the shipped layout of this id.
+
+    Raises:
+        UnknownNameError: there is none.
+
+    Example:
+        >>> find_layout_case("layouts-slot").expected["valid"]
+        True
+    """
+    found = {case.id: case for case in layout_cases()}
+    return found[require_known(id, found, "layout")]
+
+
+@cache
+def _read() -> Any:
+    text = files("exactsweep.corpus").joinpath("layouts.json").read_text(encoding="utf-8")
+    return json.loads(text)

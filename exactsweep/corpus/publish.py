@@ -1,0 +1,65 @@
+"""The whole corpus as one folder of data, for programs in any language."""
+
+import json
+from collections.abc import Iterator
+from hashlib import sha256
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from exactsweep.corpus.case_json import case_to_json
+from exactsweep.corpus.shipped import cases, read_schema, themes
+
+VERSION = 2
+"""The number of the corpus: one more whenever cases come in. Nothing that is there changes."""
+
+
+def write_corpus(folder: Path) -> int:
+    """Write all shipped cases, with all that it takes to read them without this package.
+
+    Args:
+        folder: where to; it may be there, and files of these names are written anew.
+
+    Returns:
+        How many files were written: cases by theme as JSON lines, the schema, notes on flags,
+        a page on how to read a case, the licence, a reader in each of six languages, checksums.
+
+    Raises:
+        OSError: a file cannot be written.
+
+    Cost: linear.
+    """
+    sums = []
+    for name, data in _list_files():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+        sums.append(f"{sha256(data).hexdigest()}  {name}\n")
+    (folder / "SHA256SUMS").write_text("".join(sums), encoding="utf-8", newline="")
+    return len(sums) + 1
+
+
+def _list_files() -> Iterator[tuple[str, bytes]]:
+    package = files("exactsweep.corpus")
+    yield "VERSION", f"{VERSION}\n".encode()
+    yield "schema.json", read_schema().encode()
+    yield "notes.json", package.joinpath("notes.json").read_bytes()
+    yield from _list_under(package.joinpath("release"))
+    for theme in themes():
+        lines = (
+            json.dumps(
+                {"version": case.version, **case_to_json(case)},
+                separators=(",", ":"),
+                ensure_ascii=False,
+            )
+            for case in cases(prefix=f"{theme}-")
+        )
+        yield f"cases/{theme}.jsonl", "".join(f"{line}\n" for line in lines).encode()
+
+
+def _list_under(folder: Traversable, prefix: str = "") -> Iterator[tuple[str, bytes]]:
+    for entry in sorted(folder.iterdir(), key=lambda entry: entry.name):
+        if entry.is_dir():
+            yield from _list_under(entry, f"{prefix}{entry.name}/")
+        else:
+            yield f"{prefix}{entry.name}", entry.read_bytes()

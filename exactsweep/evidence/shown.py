@@ -1,0 +1,84 @@
+"""Answers as values: equal by what was asked, shown by pictures, made of what the kernel found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import ORIGIN, Fit, Point
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Display(NamedTuple):
+    """The functions that show answers of one kind.
+
+    Attributes:
+        plot: draws one on an Axes of matplotlib.
+        draw: writes its picture as SVG.
+        show: writes the picture and a table as HTML.
+    """
+
+    plot: Callable[..., Axes]
+    draw: Callable[[Any], str]
+    show: Callable[[Any], str]
+
+
+class Shown:
+    """An answer, equal to another one if the same was asked of the same polygons.
+
+    Polygons are equal as sets of points: in which order their vertices were given shows in the
+    numbers of features, and not here.
+    """
+
+    asked: ClassVar[tuple[str, ...]]
+    """The names of the attributes that say what was asked."""
+    _display: ClassVar[Callable[[], Display]]
+    """Loads what shows such an answer. It lies above all evidence: `exactsweep.sweep` sets it."""
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in self.asked)
+
+    def __hash__(self) -> int:
+        return hash(tuple(getattr(self, name) for name in self.asked))
+
+    def plot(
+        self,
+        axes: Axes | None = None,
+        *,
+        positions: Iterable[Iterable[object]] | None = None,
+        y_down: bool = False,
+    ) -> Axes:
+        """Draw the answer with matplotlib, the `plot` extra.
+
+        Arguments are those of `exactsweep.draw.plot_sweep`, or of `plot_positions` for a no-fit
+        polygon and an inner fit.
+        """
+        return type(self)._display().plot(self, axes, positions=positions, y_down=y_down)
+
+    def _repr_svg_(self) -> str:
+        return type(self)._display().draw(self)
+
+    def _repr_html_(self) -> str:
+        return type(self)._display().show(self)
+
+
+def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:
+    """A canonical loop of positions of G's origin as the Polygon of those of a reference point."""
+    return Polygon._from_canonical(_move(loop, reference))
+
+
+def place_fits(fits: Iterable[Fit], reference: Point) -> tuple[Fit, ...]:
+    """Exact fits in positions of a reference point, of those of G's origin."""
+    return tuple((p, q) for p, q in (_move(fit, reference) for fit in fits))
+
+
+def _move(points: Sequence[Point], by: Point) -> Sequence[Point]:
+    if by == ORIGIN:
+        return points
+    dx, dy = by
+    return [Point(x + dx, y + dy) for x, y in points]

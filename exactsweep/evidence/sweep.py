@@ -1,0 +1,297 @@
+"""The sweep (G, D): loops, contacts, undercuts and exact fits, each made when first read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cached_property
+from itertools import chain
+from typing import Any, ClassVar
+
+from exactsweep.evidence.certificate import Statement, write_certificate
+from exactsweep.evidence.contact import (
+    Contact,
+    MonotoneOutline,
+    find_contacts,
+    find_edge_contacts,
+    list_edges,
+    number_as_given,
+)
+from exactsweep.evidence.shape_certificate import claim_no_fit, write_points
+from exactsweep.evidence.shown import Shown, place_fits, place_loop
+from exactsweep.evidence.trace import Trace, Tracer
+from exactsweep.evidence.undercut import Undercut, find_closing_positions
+from exactsweep.geometry.direction import Vector
+from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.reading import read_point
+from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.addition import add_up
+from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.solve import solve
+from exactsweep.words import write_vector
+
+
+class Sweep(Shown):
+    """The sweep (G, D) of a generatrix around a directrix; made by `sweep`.
+
+    Each loop is computed when it is first read.
+
+    Attributes:
+        generatrix: G, a Polygon; a Region, if the kind is "SS".
+        directrix: D, likewise.
+        kind: "CC" if both are convex, "CM" if only G must be, "MM", or "SS" for any shape.
+        direction: the shared direction of monotonicity, a primitive integer vector; None, if the
+            kind is "SS".
+        reference: the point of G whose path the trajectory is, a Point.
+    """
+
+    asked = ("generatrix", "directrix", "direction", "reference")
+    _show_page: ClassVar[Callable[[Sweep, int], Any]]
+    """Makes the interactive page, as `display`."""
+
+    def __init__(
+        self,
+        generatrix: AnyPolygon,
+        directrix: AnyPolygon,
+        direction: Vector | None,
+        reference: Point,
+    ) -> None:
+        self.generatrix = generatrix
+        self.directrix = directrix
+        self.direction = direction
+        self.reference = reference
+        self.solution = solve(generatrix, directrix, direction)
+        self.kind = self.solution.kind
+
+    @made_once
+    def trajectory(self) -> Polygon:
+        """The path of the reference point of G: the boundary of the no-fit polygon."""
+        return place_loop(self.solution.trajectory, self.reference)
+
+    @made_once
+    def inner(self) -> Polygon:
+        """The inner loop of the swept area: D with its undercuts closed, and its holes."""
+        return place_loop(self.solution.inner)
+
+    @made_once
+    def outer(self) -> Polygon:
+        """The outer loop of the swept area."""
+        return place_loop(self.solution.outer)
+
+    @made_once
+    def unswept(self) -> tuple[Polygon, ...]:
+        """The holes of the swept area beside the inner loop, sorted: none, but of kind "SS"."""
+        return tuple(map(place_loop, self.solution.unswept))
+
+    @made_once
+    def no_fit_holes(self) -> tuple[Polygon, ...]:
+        """The holes of the no-fit polygon, sorted: where G fits into a cave or a hole of D."""
+        return tuple(place_loop(loop, self.reference) for loop in self.solution.holes)
+
+    @made_once
+    def exact_fits(self) -> tuple[Fit, ...]:
+        """The segments of positions in slots of D that are exactly as wide as G, sorted.
+
+        Each as (the end that hangs on a loop, the end inside the slot). G touches D there without
+        overlap, but no free positions are near: the trajectory does not show them.
+
+        >>> from exactsweep import sweep
+        >>> slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        >>> for fit in sweep([(0, 0), (1, 0), (1, 1), (0, 1)], slot).exact_fits:
+        ...     print(*((str(x), str(y)) for x, y in fit))
+        ('1', '3') ('1', '1')
+        """
+        return place_fits(self.solution.fits, self.reference)
+
+    @cached_property
+    def area(self) -> Fraction:
+        """The swept area: the outer loop without the inner one and what is not swept."""
+        return self.outer.area - add_up(loop.area for loop in (self.inner, *self.unswept))
+
+    @cached_property
+    def _boundaries(self) -> tuple[Outline, Outline]:
+        """The features of G and of D in the frame."""
+        s = self.solution
+        return self._outline(s.generatrix), self._outline(s.directrix)
+
+    def _outline(self, rings: Sequence[Sequence[Vertex]]) -> Outline:
+        return Outline(rings) if self.direction is None else MonotoneOutline(rings[0])
+
+    @cached_property
+    def _route(self) -> Outline:
+        """The trajectory of G's origin in the frame, for finding what lies on it."""
+        return self._outline([self._enter(self.solution.trajectory)])
+
+    def _enter(self, points: Iterable[Point]) -> list[Vertex]:
+        return list(map(self.solution.frame.enter_point, points))
+
+    @cached_property
+    def _numbered_contacts(self) -> list[list[Contact]]:
+        """Contacts along the edges of the trajectory, features numbered in canonical order."""
+        return find_edge_contacts(list_edges(self._route.vertices), *self._boundaries)
+
+    @cached_property
+    def contacts(self) -> tuple[tuple[Contact, ...], ...]:
+        """The contacts along each edge of the trajectory (Table 1).
+
+        Item k holds those that last for a piece of positive length of edge k, from vertex k of
+        the trajectory to the next: EV, VE and EE events. Features are numbered as the caller gave
+        the polygons: vertex i, and edge i from vertex i to the next.
+
+        >>> from exactsweep import sweep
+        >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> sweep(square, [(0, 0), (3, 0), (0, 3)]).contacts[2]
+        (Contact(event='VE', generatrix=0, directrix=1),)
+        """
+        return tuple(tuple(map(self._as_given, found)) for found in self._numbered_contacts)
+
+    @tells_arguments
+    def contacts_along(
+        self, loops: Iterable[Iterable[Iterable[object]]]
+    ) -> Iterator[tuple[tuple[Contact, ...], ...]]:
+        """The contacts along each edge of each of some loops of positions, all free, as `contacts`.
+
+        A loop of two positions is the way from one to the other, and back; along no way there are
+        no contacts.
+
+        Cost: that of `contacts` for all loops together, not for each.
+        """
+        enter, reference = self.solution.frame.enter_point, self.reference
+        edges = [
+            list_edges([enter(read_point(point, "position"), reference) for point in loop])
+            for loop in loops
+        ]
+        ways = [(p, q) for p, q in chain.from_iterable(edges) if p != q]
+        found = iter(find_edge_contacts(ways, *self._boundaries))
+        return (
+            tuple(tuple(map(self._as_given, next(found))) if p != q else () for p, q in of_loop)
+            for of_loop in edges
+        )
+
+    @cached_property
+    def vertex_contacts(self) -> tuple[tuple[Contact, ...], ...]:
+        """All contacts at each vertex of the trajectory, VV among them, numbered as `contacts`.
+
+        Cost: O(t (m + n) log(m + n)) for t vertices.
+        """
+        return tuple(self.contacts_at(vertex) for vertex in self.trajectory.vertices)
+
+    def contacts_at(self, position: Iterable[object]) -> tuple[Contact, ...]:
+        """All contacts when the reference point of G is at a position, numbered as `contacts`.
+
+        Cost: O((m + n) log(m + n)).
+        """
+        t = self.solution.frame.enter_point(read_point(position, "position"), self.reference)
+        return tuple(map(self._as_given, find_contacts(*self._boundaries, t)))
+
+    def _as_given(self, contact: Contact) -> Contact:
+        event, i, j = contact
+        g, d = self._boundaries
+        return Contact(
+            event,
+            number_as_given(self.generatrix, g, i, of_edge=event[0] == "E"),
+            number_as_given(self.directrix, d, j, of_edge=event[1] == "E"),
+        )
+
+    @cached_property
+    def _tracer(self) -> Tracer:
+        return Tracer(self._route, self._boundaries[0])
+
+    def view(self, height: int = 600) -> Any:
+        """Return the interactive page, which a notebook shows: see `exactsweep.view.page`.
+
+        Args:
+            height: of the frame in the notebook, in pixels.
+
+        Returns:
+            An `exactsweep.view.InlinePage`.
+        """
+        return type(self)._show_page(self, height)
+
+    @cached_property
+    def undercuts(self) -> tuple[Undercut, ...]:
+        """The regions between D and the inner loop (Figure 7), along the inner loop.
+
+        Holes of D are none.
+        """
+        return tuple(self._undercut(*pocket) for pocket in self.solution.pockets)
+
+    def _undercut(self, bottom: list[Vertex], back: list[Vertex]) -> Undercut:
+        """The undercut above a bottom chain, with the vertices of D on the way back."""
+        intersection, positions = find_closing_positions(bottom, self._tracer)
+        frame = self.solution.frame
+        points = frame.leave(bottom + back)
+        chain = tuple(points[: len(bottom)])
+        return Undercut(
+            Polygon(points),
+            (chain[0], chain[-1]),
+            chain,
+            intersection,
+            tuple(frame.leave(positions, self.reference)),
+        )
+
+    def certificate(self) -> dict[str, Any]:
+        """Plain JSON data from which anyone can check the sweep: see `evidence.certificate`.
+
+        Of kind "SS", positions are those of G's origin.
+        """
+        if isinstance(self.generatrix, Polygon) and isinstance(self.directrix, Polygon):
+            assert self.direction is not None
+            return write_certificate(
+                Statement(
+                    generatrix=self.generatrix,
+                    directrix=self.directrix,
+                    kind=self.kind,
+                    direction=self.direction,
+                    reference=self.reference,
+                    trajectory=self.trajectory,
+                    inner=self.inner,
+                    outer=self.outer,
+                    area=self.area,
+                    exact_fits=self.exact_fits,
+                    contacts=self._numbered_contacts,
+                    inner_drawn=self._trace(self.solution.inner),
+                    outer_drawn=self._trace(self.solution.outer),
+                )
+            )
+        return {
+            **claim_no_fit(
+                Region(self.directrix),
+                Region(self.generatrix),
+                place_loop(self.solution.trajectory),
+                map(place_loop, self.solution.holes),
+                self.solution.fits,
+            ),
+            "claim": "sweep",
+            "kind": "SS",
+            "inner": write_points(self.inner.vertices),
+            "outer": write_points(self.outer.vertices),
+            "unswept": [write_points(loop.vertices) for loop in self.unswept],
+            "area": format_fraction(self.area),
+        }
+
+    def _trace(self, loop: Sequence[Point]) -> list[list[Trace]]:
+        """What draws the edges of a loop."""
+        return list(map(self._tracer.trace, list_edges(self._enter(loop))))
+
+    def __str__(self) -> str:
+        names = "trajectory", "inner", "outer"
+        loops = [(name, getattr(self, name)) for name in names]
+        # Of kind "SS" there is no direction.
+        to = f"monotone to {write_vector(self.direction)}" if self.direction else "of any shape"
+        return "\n".join(
+            [f"{self.kind} sweep, {to}, area {abridge(self.area)}"]
+            + [f"{name}, {len(loop)} vertices: {loop}" for name, loop in loops]
+        )
+
+    def __repr__(self) -> str:
+        direction = self.direction and write_vector(self.direction)
+        return (
+            f"<Sweep {self.kind} of {len(self.generatrix)} around {len(self.directrix)} vertices, "
+            f"direction {direction}: trajectory {len(self.trajectory)}, "
+            f"inner {len(self.inner)}, outer {len(self.outer)} vertices>"
+        )

@@ -1,0 +1,180 @@
+"""The usual mistakes behind a layout that is wrong as a whole: another convention of placements.
+
+Each convention makes another exact layout of the same numbers, which is judged. A turn R about a
+center c is R (P - c) + c + t: parts are shifted, and moves with them, so that no angle needs to be
+rational.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.turn import read_turn
+from exactsweep.layout.judge import Judgement, judge_layout
+from exactsweep.layout.layout import Layout, LayoutPart, Placement
+from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.point import Point
+
+# A layout is wrong as a whole if at least so many placements are at fault, and one in so many, but
+# no more than can be judged again and again. A convention is named if it leaves no more than one in
+# so many of the faults, and so many conventions at most.
+_FEW, _SHARE, _MANY, _LEFT, _NAMED = 2, 8, 1000, 10, 3
+# Degrees of a radian, off by less than 10**-45.
+_DEGREES = Fraction("57.2957795130823208767981548141051703324054724665643")
+_NEARLY = Fraction(1, 10**4)
+_SCALES = (
+    *map(Fraction, (10, 100, 1000)),
+    Fraction(127, 5),
+    Fraction(480, 127),
+    Fraction(360, 127),
+)
+_PLACED = {"overlap", "outside", "undecided"}
+
+Convention = Callable[[LayoutPart, Placement], tuple[LayoutPart, Placement]]
+
+
+def diagnose(judgement: Judgement) -> list[str]:
+    """Find the conventions by which a layout would have nearly no overlap and nothing outside.
+
+    Args:
+        judgement: of the layout as it is.
+
+    Returns:
+        list of sentences, the convention first that leaves the fewest faults; empty where few
+        placements are at fault, or no convention explains it.
+
+    Cost: that of `judge_layout` for each of some thirty conventions, if many are at fault.
+    """
+    layout, faults = judgement.layout, _count_faults(judgement)
+    wrong = {k for f in judgement.faults if f.kind in _PLACED for k in f.placements}
+    if len(wrong) < max(_FEW, len(layout.placements) / _SHARE) or len(wrong) > _MANY:
+        return []
+    found = []
+    for name, change in _list_conventions(layout):
+        left = _count_faults(judge_layout(_apply(layout, change)))
+        if left * _LEFT <= faults:
+            found.append((left, f"with {name}, {left} of {faults} faults would be left"))
+    return [said for _, said in sorted(found, key=lambda one: one[0])][:_NAMED]
+
+
+def _count_faults(judgement: Judgement) -> int:
+    return sum(fault.kind in _PLACED for fault in judgement.faults)
+
+
+def _apply(layout: Layout, change: Convention) -> Layout:
+    """Make the layout that is meant; what is changed alike is one part."""
+    parts: dict[LayoutPart, str] = {}
+    placements = []
+    for placement in layout.placements:
+        part, placed = change(layout.part_by_id[placement.part], placement)
+        name = parts.setdefault(replace(part, demand=None, turns=None), str(len(parts)))
+        placements.append(replace(placed, part=name))
+    named = tuple(replace(part, id=name) for part, name in parts.items())
+    return replace(layout, parts=named, placements=tuple(placements))
+
+
+def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
+    """What may be meant by a placement instead, the likeliest first."""
+    low, high = layout.container.bounding_box
+
+    def turn(by: Callable[[Fraction], Fraction], *, all_of_them: bool = True) -> Convention:
+        return lambda part, p: (part, _turn(p, by) if p.mirrored or all_of_them else p)
+
+    def move(by: Callable[[Point], Point]) -> Convention:
+        return lambda part, p: (part, replace(p, move=by(p.move)))
+
+    def mirror(point: Point) -> Point:
+        return Point(point.x, low.y + high.y - point.y)
+
+    yield "turns in radians", turn(_from_radians)
+    yield "clockwise turns", turn(lambda angle: -angle)
+    for name, find in _CENTERS.items():
+        yield f"turns about {name}", _shift_by(find, move=True)
+        yield f"moves that say where {name} is", _shift_by(find, move=False)
+    yield "moves that say where the lower left corner of the turned box is", _from_turned_corner
+    yield "the move before the turn", _move_first
+    yield "Y of parts downward", _flip
+    yield "Y of moves downward", move(mirror)
+    yield "Y of parts and moves downward", lambda part, p: move(mirror)(*_flip(part, p))
+    yield (
+        "Y of moves downward and clockwise turns",
+        lambda part, p: move(mirror)(part, _turn(p, lambda angle: -angle)),
+    )
+    yield "the turn before the mirror", turn(lambda angle: -angle, all_of_them=False)
+    yield "a mirror that exchanges up and down", turn(lambda a: a + 180, all_of_them=False)
+    for scale in _SCALES:
+        for factor, times in ((scale, "times"), (1 / scale, "divided by")):
+            name = f"moves {times} {format_fraction(scale)}"
+            yield name, move(lambda at, factor=factor: Point(at.x * factor, at.y * factor))  # type: ignore[misc]
+
+
+def _from_radians(angle: Fraction) -> Fraction:
+    """Return degrees; whole ones where the digits of the radians may mean these.
+
+    The angle is from 0 to 360; one beyond 180 was negative.
+    """
+    degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
+    return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
+
+
+def _turn(p: Placement, by: Callable[[Fraction], Fraction]) -> Placement:
+    if p.turn.degrees is None:
+        return p
+    return replace(p, turn=read_turn(by(p.turn.degrees)))
+
+
+def _shift_by(find: Callable[[LayoutPart], Point], *, move: bool) -> Convention:
+    """Put the origin of parts somewhere else; if moves go with it, parts turn about that."""
+
+    def change(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
+        at = find(part)
+        there = Point(p.move.x + at.x, p.move.y + at.y) if move else p.move
+        return _map(part, lambda q: Point(q.x - at.x, q.y - at.y)), replace(p, move=there)
+
+    return change
+
+
+def _move_first(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
+    moved = _map(part, lambda q: Point(q.x + p.move.x, q.y + p.move.y))
+    return moved, replace(p, move=Point(Fraction(0), Fraction(0)))
+
+
+def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
+    """Put the corner of the turned part's box where the move says, where the turn is exact."""
+    if p.turn.exact is None:
+        return part, p
+    c, s = p.turn.exact
+    across = -1 if p.mirrored else 1
+    corners = [(c * across * x - s * y, s * across * x + c * y) for x, y in part.exterior]
+    x, y = (min(values) for values in zip(*corners, strict=True))
+    return part, replace(p, move=Point(p.move.x - x, p.move.y - y))
+
+
+def _flip(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Placement]:
+    return _map(part, lambda q: Point(q.x, -q.y)), p
+
+
+def _map(part: LayoutPart, to: Callable[[Point], Point]) -> LayoutPart:
+    exterior, *holes = (tuple(map(to, ring)) for ring in (part.exterior, *part.holes))
+    return replace(part, exterior=exterior, holes=tuple(holes))
+
+
+def _box(part: LayoutPart) -> tuple[Point, Point]:
+    xs, ys = zip(*part.exterior, strict=True)
+    return Point(min(xs), min(ys)), Point(max(xs), max(ys))
+
+
+def _find_middle(part: LayoutPart) -> Point:
+    low, high = _box(part)
+    return Point((low.x + high.x) / 2, (low.y + high.y) / 2)
+
+
+_CENTERS: dict[str, Callable[[LayoutPart], Point]] = {
+    "the centroid": lambda part: find_centroid(part.exterior),
+    "the center of the box": _find_middle,
+    "the lower left corner of the box": lambda part: _box(part)[0],
+    "the first vertex": lambda part: part.exterior[0],
+}

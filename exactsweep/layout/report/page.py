@@ -1,0 +1,74 @@
+"""A judged layout as one HTML page that needs nothing else, and runs no script."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from importlib.resources import files
+
+from exactsweep import __version__
+from exactsweep.canvas import style
+from exactsweep.layout.judge import Judgement
+from exactsweep.layout.report.picture import SIDE, STYLE, draw_parts, enlarge_faults
+from exactsweep.layout.report.table import tell_fault, write_verdict
+from exactsweep.layout.report.worst import WorstFirst
+from exactsweep.numbers.number import abridge
+from exactsweep.text.report import approximate, take_root
+
+_MOST_LISTED = 1000
+
+
+def write_layout_page(
+    judgement: Judgement,
+    ranked: Sequence[WorstFirst],
+    title: str,
+    notes: Iterable[str] = (),
+    *,
+    y_down: bool = False,
+) -> str:
+    """Write a judged layout as an HTML page, with pictures of the worst faults.
+
+    Args:
+        judgement: a Judgement.
+        ranked: its faults, as `rank_faults` sorts them.
+        title: what was judged.
+        notes: what else there is to say of it.
+        y_down: whether Y points down in the pictures.
+
+    Returns:
+        The page. Names are in it as text, never as markup.
+
+    Cost: that of `draw_layout`.
+    """
+    from jinja2 import Environment, StrictUndefined
+    from markupsafe import Markup
+
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    template = files("exactsweep.layout.report").joinpath("page.html.j2").read_text("utf-8")
+    width, height, main = draw_parts(judgement, ranked, y_down=y_down)
+    nearest = judgement.distance
+    return environment.from_string(template).render(
+        side=SIDE,
+        title=title,
+        version=__version__,
+        style=Markup(style.write_style_sheet() + STYLE),
+        verdict=write_verdict(judgement),
+        valid=judgement.valid,
+        layout=judgement.layout,
+        density=approximate(judgement.density),
+        exact_density=abridge(judgement.density),
+        contacts=len(judgement.contacts),
+        nearest=nearest,
+        apart=None if nearest is None else approximate(take_root(nearest.square)),
+        width=width,
+        height=height,
+        main=Markup(main),
+        panels=[
+            (panel.number, panel.caption, Markup(panel.svg))
+            for panel in enlarge_faults(judgement, ranked, y_down=y_down)
+        ],
+        faults=[(one.fault.kind, *tell_fault(one)) for one in ranked[:_MOST_LISTED]],
+        more=max(0, len(ranked) - _MOST_LISTED),
+        notes=[*notes],
+    )

@@ -1,0 +1,272 @@
+"""Pictures of judged layouts: all parts, faults in red, and the place of each fault enlarged.
+
+Places are clipped and scaled exactly and become floats last, so that an overlap of a part in 10^15
+is in sight where it is enlarged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from html import escape
+from typing import NamedTuple
+
+from exactsweep.canvas import style
+from exactsweep.canvas.svg import write_path
+from exactsweep.canvas.window import Window
+from exactsweep.layout.judge import Judgement
+from exactsweep.layout.layout import Layout
+from exactsweep.layout.report.worst import WorstFirst, rank_faults
+from exactsweep.numbers.point import Point
+from exactsweep.text.report import approximate, take_root
+from exactsweep.words import count
+
+_WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
+_MARGIN, _GAP, _LINE = 14, 20, 20
+_MOST_ENLARGED = 12
+
+SIDE = 218
+"""Of the square picture of a place, in pixels."""
+
+_ROUND = 3
+_BITS = 64
+
+STYLE = f"""
+.layout {{ --fault: {style.RED}; --ink: #1b1b1b; --paper: #ffffff; --defect: #8f8f8f; }}
+@media (prefers-color-scheme: dark) {{
+.layout {{ --fault: #ff7a4d; --ink: #eeeeea; --paper: #16181b; --defect: #7b7e82; }} }}
+.layout path {{ stroke-linejoin: round; fill-rule: evenodd; }}
+.layout .paper {{ fill: var(--paper); }}
+.layout .container {{ fill: none; stroke: var(--directrix); stroke-width: 1.6; }}
+.layout .defect {{ fill: var(--defect); stroke: var(--directrix); }}
+.layout .part {{ fill: var(--generatrix-fill); stroke: var(--generatrix); stroke-width: .8; }}
+.layout .bad {{ fill: var(--fault); fill-opacity: .35; stroke: var(--fault); stroke-width: 1.8; }}
+.layout .frame {{ fill: none; stroke: var(--directrix); }}
+.layout .mark {{ fill: none; stroke: var(--ink); stroke-width: 1.6; }}
+.layout circle.number {{ fill: var(--paper); fill-opacity: .75; }}
+.layout text.number {{ text-anchor: middle; }}
+.layout .way {{ fill: none; stroke: var(--ink); stroke-width: 2; stroke-dasharray: 5 3; }}
+.layout text {{ font: 13px system-ui, "DejaVu Sans", sans-serif; fill: var(--ink); }}
+"""
+"""The style of these pictures, beside `exactsweep.canvas.style.write_style_sheet`."""
+
+
+class Enlarged(NamedTuple):
+    """The place of a fault, enlarged.
+
+    Attributes:
+        number: of the fault, from 1.
+        caption: what it shows, and how wide it is.
+        svg: the elements of a square of SIDE pixels.
+    """
+
+    number: int
+    caption: str
+    svg: str
+
+
+def draw_layout(
+    judgement: Judgement, ranked: Sequence[WorstFirst], title: str, *, y_down: bool = False
+) -> str:
+    """Draw a layout as an SVG image with its faults enlarged below.
+
+    Args:
+        judgement: a Judgement.
+        ranked: its faults, as `rank_faults` sorts them.
+        title: what the picture shows.
+        y_down: whether Y points down, as viewers of SVG have it.
+
+    Returns:
+        An SVG document, for light and dark grounds.
+
+    Raises:
+        DrawError: a point is too far outside the picture.
+
+    Cost: linear in the vertices of the placed parts, and of those of the faults enlarged.
+    """
+    width, height, main = draw_parts(judgement, ranked, y_down=y_down)
+    panels = enlarge_faults(judgement, ranked, y_down=y_down)
+    across = (width - 2 * _MARGIN + _GAP) // (SIDE + _GAP)
+    drawn = []
+    for k, panel in enumerate(panels):
+        row, column = divmod(k, across)
+        x, y = _MARGIN + column * (SIDE + _GAP), height + _GAP + row * (SIDE + _GAP + 2 * _LINE)
+        first, _, rest = panel.caption.partition("; ")
+        drawn.append(
+            f'<svg x="{x}" y="{y}" width="{SIDE}" height="{SIDE}">{panel.svg}</svg>'
+            f'<text x="{x}" y="{y + SIDE + 16}">{panel.number}: {escape(first)}</text>'
+            f'<text x="{x}" y="{y + SIDE + 34}">{escape(rest)}</text>'
+        )
+    rows = -(-len(panels) // across)
+    total = height + rows * (SIDE + _GAP + 2 * _LINE)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="layout" viewBox="0 0 {width} {total}" '
+        f'width="{width}" height="{total}" role="img"><title>{escape(title)}</title>'
+        f"<style>{style.write_style_sheet()}{STYLE}</style>"
+        f'<rect class="paper" width="100%" height="100%"/>{main}{"".join(drawn)}</svg>\n'
+    )
+
+
+class LayoutPicture:
+    """The picture of a judged layout, which a notebook shows at the end of a cell.
+
+    Args:
+        judgement: a Judgement.
+
+    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+
+    Example:
+        >>> from exactsweep.corpus import find_layout_case
+        >>> from exactsweep.layout import judge_layout
+        >>> LayoutPicture(judge_layout(find_layout_case("layouts-tiles").layout))
+        <LayoutPicture: 6 placements>
+    """
+
+    def __init__(self, judgement: Judgement) -> None:
+        self.judgement = judgement
+
+    def __repr__(self) -> str:
+        return f"<LayoutPicture: {count(len(self.judgement.layout.placements), 'placement')}>"
+
+    def _repr_svg_(self) -> str:
+        return draw_layout(self.judgement, rank_faults(self.judgement), "a layout")
+
+
+def draw_parts(
+    judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
+) -> tuple[int, int, str]:
+    """Draw the container and all parts; faults are red, and numbered at their witnesses.
+
+    Returns:
+        The width and the height, in pixels, and elements of SVG.
+    """
+    layout = judgement.layout
+    placed = [place_part(layout, k, y_down=y_down) for k in range(len(layout.placements))]
+    around = _up(layout.container.rings, y_down)
+    points = [
+        point for ring in (*around, *(ring for one in placed for ring in one)) for point in ring
+    ]
+    (xs, ys) = zip(*points, strict=True)
+    share = Fraction(max(ys) - min(ys)) / (max(xs) - min(xs))
+    wide, high = _WIDTH - 2 * _MARGIN, _MOST - 2 * _MARGIN
+    width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
+    height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
+    window = Window.around(points, width, height, _MARGIN)
+    # That there are too few, or too many, is no fault of one of them.
+    bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
+    drawn = [_path("defect", [hole], window) for hole in around[1:]]
+    for is_bad in (False, True):
+        name = "bad" if is_bad else "part"
+        drawn += [_path(name, one, window) for k, one in enumerate(placed) if (k in bad) == is_bad]
+    drawn.append(_path("container", around[:1], window))
+    marked = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
+    for number, one in enumerate(marked, 1):
+        x, y = window.place(_up_point(one.fault.points[0], y_down))
+        drawn.append(
+            f'<circle class="mark number" cx="{x:.1f}" cy="{y:.1f}" r="10"/>'
+            f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{number}</text>'
+        )
+    return width, height, "".join(drawn)
+
+
+def enlarge_faults(
+    judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
+) -> list[Enlarged]:
+    """Draw the places of the worst faults, each so large that the fault is in sight."""
+    layout = judgement.layout
+    found = []
+    shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
+    for number, one in enumerate(shown, 1):
+        fault = one.fault
+        points = [_up_point(point, y_down) for point in fault.points]
+        move = None if one.square is None else fault.move
+        sizes = [square for square in (one.square, fault.distance_squared) if square]
+        placed = {k: place_part(layout, k, y_down=y_down) for k in fault.placements}
+        near = _measure(placed[fault.placements[-1]])
+        near = min([near, *(_ROUND * take_root(square) for square in sizes)])
+        center = points[0] if len(points) == 1 else _middle(points)
+        window = Window(
+            center.x - near, center.y - near, center.x + near, center.y + near, SIDE, SIDE
+        )
+        around = _up(layout.container.rings, y_down)
+        drawn = [_path("defect", [_clip(hole, window)], window) for hole in around[1:]]
+        drawn += [
+            _path("bad", [_clip(ring, window) for ring in one], window) for one in placed.values()
+        ]
+        drawn.append(_path("container", [_clip(around[0], window)], window))
+        if move is not None:
+            end = Point(center.x + move.x, center.y + (-move.y if y_down else move.y))
+            drawn.append(_path("way", [[center, end]], window, closed=False))
+        for x, y in map(window.place, points):
+            drawn.append(f'<circle class="mark" cx="{x:.1f}" cy="{y:.1f}" r="4"/>')
+        drawn.append(f'<rect class="frame" x=".5" y=".5" width="{SIDE - 1}" height="{SIDE - 1}"/>')
+        named = " and ".join(map(str, fault.placements))
+        caption = f"{fault.kind}, {named}; {approximate(2 * near)} wide"
+        found.append(Enlarged(number, caption, "".join(drawn)))
+    return found
+
+
+def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Point]]:
+    """Return the rings of a placement where they are: mirrored, turned, moved.
+
+    An angle without a rational turn is replaced by one that is off by at most 2**-64.
+    """
+    placement = layout.placements[k]
+    part = layout.part_by_id[placement.part]
+    cosine, sine, _ = placement.turn.near(_BITS)
+    across = -1 if placement.mirrored else 1
+    x0, y0 = placement.move
+    rings = [
+        [
+            Point(cosine * across * x - sine * y + x0, sine * across * x + cosine * y + y0)
+            for x, y in ring
+        ]
+        for ring in (part.exterior, *part.holes)
+    ]
+    return _up(rings, y_down)
+
+
+def _up(rings: Iterable[Sequence[Point]], y_down: bool) -> list[list[Point]]:
+    return [[_up_point(point, y_down) for point in ring] for ring in rings]
+
+
+def _up_point(point: Point, y_down: bool) -> Point:
+    return Point(point.x, -point.y) if y_down else point
+
+
+def _middle(points: Sequence[Point]) -> Point:
+    (a, b), (c, d) = points[0], points[-1]
+    return Point((a + c) / 2, (b + d) / 2)
+
+
+def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
+    xs, ys = zip(*rings[0], strict=True)
+    return max(max(xs) - min(xs), max(ys) - min(ys)) or Fraction(1)
+
+
+def _path(
+    name: str, rings: Iterable[Sequence[Point]], window: Window, *, closed: bool = True
+) -> str:
+    data = write_path((map(window.place, ring) for ring in rings), closed=closed)
+    return f'<path class="{name}" d="{data}"/>' if data else ""
+
+
+def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
+    """Cut off what is far outside of a window, exactly; along the cuts, lines run out of sight."""
+    room = window.longest
+    for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
+        for side, limit in ((1, high + room), (-1, low - room)):
+            ring = list(_cut(ring, axis, side, limit))
+    return ring
+
+
+def _cut(ring: Sequence[Point], axis: int, side: int, limit: Fraction) -> Iterator[Point]:
+    """The part of a ring on one side of a line (Sutherland and Hodgman)."""
+    for k, point in enumerate(ring):
+        before = ring[k - 1]
+        over, under = side * (point[axis] - limit), side * (before[axis] - limit)
+        if over * under < 0:
+            share = under / (under - over)
+            yield Point(*(p + share * (q - p) for p, q in zip(before, point, strict=True)))
+        if over <= 0:
+            yield point

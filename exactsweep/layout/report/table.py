@@ -1,0 +1,167 @@
+"""A judged layout as text: facts, and a table of its faults; or as JSON."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from exactsweep.formats.exact_json import write_json
+from exactsweep.layout.fault import Fault
+from exactsweep.layout.judge import Judgement
+from exactsweep.layout.report.worst import WorstFirst, rank_faults
+from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.point import Point
+from exactsweep.text.report import approximate, lay_out, list_facts, take_root
+from exactsweep.words import count
+
+_MOST_LISTED = 30
+
+
+def report_layout(
+    judgement: Judgement,
+    ranked: Sequence[WorstFirst] | None = None,
+    terminal_width: int | None = None,
+    *,
+    notes: Iterable[str] = (),
+    everything: bool = False,
+) -> str:
+    """Describe a judged layout: what is wrong, the worst first, or how near it is to being so.
+
+    Args:
+        judgement: a Judgement.
+        ranked: its faults as `rank_faults` sorts them, if that is done.
+        terminal_width: columns of the terminal to be filled; None for plain text.
+        notes: what else there is to say of it.
+        everything: whether all faults are listed.
+
+    Returns:
+        Lines of text.
+
+    Cost: that of `rank_faults` and of `Judgement.distance`.
+
+    Example:
+        >>> from exactsweep.layout import Layout, judge_layout
+        >>> tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+        >>> layout = Layout.from_json({
+        ...     "container": {"exterior": [[0, 0], [2, 0], [2, 1], [0, 1]]},
+        ...     "parts": [tile],
+        ...     "placements": [{"part": "tile", "turn": 0, "move": [x, 0]} for x in (0, "0.9")],
+        ... })
+        >>> print(report_layout(judge_layout(layout)), end="")
+        verdict     not valid: 1 overlap
+        placements  2 of 1 part
+        density     1
+        contacts    0
+        <BLANKLINE>
+        fault    where    how bad   witness      repaired by
+        overlap  0 and 1  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
+    """
+    ranked = rank_faults(judgement) if ranked is None else ranked
+    layout = judgement.layout
+    facts = {
+        "verdict": write_verdict(judgement),
+        "placements": f"{len(layout.placements)} of {count(len(layout.parts), 'part')}",
+        "density": _about(approximate(judgement.density), abridge(judgement.density)),
+        "contacts": str(len(judgement.contacts)),
+    }
+    nearest = judgement.distance
+    if nearest is not None and not judgement.faults:
+        first, second = nearest.placements
+        root = approximate(take_root(nearest.square))
+        facts["nearest"] = f"placements {first} and {second}, {root} apart"
+    tables = [list_facts(facts, max(map(len, facts)))]
+    if ranked:
+        tables.append(_list_faults(ranked if everything else ranked[:_MOST_LISTED]))
+    text = lay_out(tables, terminal_width)
+    if len(ranked) > _MOST_LISTED and not everything:
+        text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
+    return text + "".join(f"note: {note}\n" for note in notes)
+
+
+def write_verdict(judgement: Judgement) -> str:
+    """Say whether a layout is valid, or how many faults of each kind it has."""
+    kinds = Counter(fault.kind for fault in judgement.faults)
+    if not kinds:
+        return "valid"
+    plain = {"overlap", "turn", "shape"}
+    said = [
+        count(number, kind) if kind in plain else f"{number} {kind}"
+        for kind, number in kinds.items()
+    ]
+    if set(kinds) == {"undecided"}:
+        return ", ".join(said)
+    return f"not valid: {', '.join(said)}"
+
+
+def _list_faults(ranked: Sequence[WorstFirst]) -> Any:
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("fault", style="bold")
+    for name in ("where", "how bad", "witness", "repaired by"):
+        table.add_column(name, overflow="fold")
+    for one in ranked:
+        table.add_row(one.fault.kind, *tell_fault(one))
+    return table
+
+
+def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
+    """Say where a fault is, how bad, what proves it, and what repairs it; numbers are about."""
+    fault = one.fault
+    places = _name_places(fault)
+    witness = " ".join(map(_write_about, fault.points))
+    if fault.distance_squared is not None:
+        square = fault.distance_squared
+        bad = f"{approximate(take_root(square))} apart"
+        return places, bad, witness, ""
+    if one.square is not None and fault.move is not None:
+        bad = f"{approximate(take_root(one.square))} deep"
+        last = fault.placements[-1]
+        return places, bad, witness, f"moving {last} by {_write_about(fault.move)}"
+    if fault.kind == "outside":
+        return places, "fits nowhere as it is turned", witness, ""
+    if fault.number:
+        return places, count(fault.number, "placement"), witness, ""
+    return places, fault.reason, witness, ""
+
+
+def _name_places(fault: Fault) -> str:
+    placed = " and ".join(map(str, fault.placements))
+    if fault.part is not None and len(fault.placements) != 1:
+        return f"part {fault.part}"
+    return f"{placed} (part {fault.part})" if fault.part is not None else placed
+
+
+def write_layout_json(judgement: Judgement, notes: Iterable[str] = ()) -> str:
+    """Write a judgement as JSON: the verdict, faults, contacts, density and the nearest pair.
+
+    Args:
+        judgement: a Judgement.
+        notes: what else there is to say of it.
+
+    Returns:
+        One object; numbers are strings that `to_fraction` reads, those of placements ints.
+
+    Cost: that of `rank_faults` and of `Judgement.distance`.
+    """
+    nearest = judgement.distance
+    data: dict[str, Any] = {
+        "valid": judgement.valid,
+        "faults": [one.fault.to_json() for one in rank_faults(judgement)],
+        "contacts": [list(pair) for pair in judgement.contacts],
+        "density": judgement.density,
+        "distance_squared": None if nearest is None else format_fraction(nearest.square),
+        "nearest": None if nearest is None else list(nearest.placements),
+        "notes": list(notes),
+    }
+    lines = [f'  "{name}": {write_json(value)}' for name, value in data.items()]
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _write_about(point: Point) -> str:
+    return f"({', '.join(map(approximate, point))})"
+
+
+def _about(rounded: str, exact: str) -> str:
+    return exact if rounded == exact else f"{rounded}, exactly {exact}"

@@ -1,0 +1,113 @@
+"""The sweep of two shapes that share no direction of monotonicity, with holes or without.
+
+G travels along the loop T, the exterior of the no-fit polygon, and covers S = T + G. A point p is
+left out exactly if I(G) + p misses T, and so lies inside of T or outside. The first are the
+positions in which I(G) fits into T; the second those around which T's inside is a no-fit polygon.
+So the two sides of S are one question each of those that `ss` answers.
+"""
+
+from __future__ import annotations
+
+from exactsweep.geometry.direction import X_AXIS
+from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.given import share_lattice
+from exactsweep.geometry.overlap import Overlap
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import Region
+from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
+from exactsweep.procedures import ss
+from exactsweep.procedures.free_positions import Free
+from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.mouths import find_mouths
+from exactsweep.procedures.solution import Solution
+
+
+class ShapeSolution(Solution):
+    """The Solution of a pair of any shape.
+
+    Args:
+        generatrix: G.
+        directrix: D.
+        scale: that of their lattice, where not all vertices need to be on it.
+    """
+
+    kind = "SS"
+
+    def __init__(self, generatrix: Region, directrix: Region, scale: int | None = None) -> None:
+        self._pair = generatrix, directrix
+        self._scale = scale
+
+    @made_once
+    def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
+        return share_lattice(self._pair, self._scale)
+
+    @made_once
+    def frame(self) -> Frame:
+        """The lattice of the pair, not turned."""
+        return Frame(X_AXIS, self._lattice[0])
+
+    @made_once
+    def generatrix(self) -> list[list[Vertex]]:
+        """The rings of G on the lattice."""
+        return self._lattice[1][0]
+
+    @made_once
+    def directrix(self) -> list[list[Vertex]]:
+        """The rings of D on the lattice."""
+        return self._lattice[1][1]
+
+    @made_once
+    def _no_fit(self) -> Free:
+        return ss.no_fit_ss(self.directrix, self.generatrix, self.frame.scale)
+
+    @made_once
+    def trajectory(self) -> list[Point]:
+        """The exterior of the no-fit polygon."""
+        return self._no_fit.around[0]
+
+    @made_once
+    def holes(self) -> list[list[Point]]:
+        """The loops of positions at which G fits into a cave or a hole of D, sorted."""
+        return self._no_fit.within
+
+    @made_once
+    def fits(self) -> list[Fit]:
+        """Exact fits anywhere, in caves and holes, too."""
+        return self._no_fit.fits
+
+    @made_once
+    def _around_path(self) -> ShapeSolution:
+        """T's inside, and I(G), which misses T where a point is not swept."""
+        path = Region(Polygon._from_canonical(self.trajectory))
+        # T's corners where contact segments cross would make the common lattice huge.
+        return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
+
+    @made_once
+    def _inside(self) -> list[list[Point]]:
+        found = self._around_path
+        regions = ss.inner_fit_ss(found.directrix, found.generatrix, found.frame.scale).regions
+        return [exterior for exterior, _ in regions]
+
+    @made_once
+    def outer(self) -> list[Point]:
+        """The outer loop of the swept area."""
+        return self._around_path.trajectory
+
+    @made_once
+    def inner(self) -> list[Point]:
+        """The loop around D of what is not swept: D with its undercuts and holes closed."""
+        ring = self._pair[1].exterior.vertices
+        # D lies in one of them, and they have no inner points in common.
+        return next(loop for loop in self._inside if Overlap([loop], [ring]).at(ORIGIN))
+
+    @made_once
+    def unswept(self) -> list[list[Point]]:
+        """The other holes of the swept area, sorted."""
+        others = [loop for loop in self._inside if loop is not self.inner]
+        return sorted(others + self._around_path.holes)
+
+    @made_once
+    def pockets(self) -> list[list[list[Vertex]]]:
+        """The regions between D and the inner loop, along the inner loop; no holes of D."""
+        inner = [self.frame.enter_point(vertex) for vertex in self.inner]
+        return [[bottom, top[1:-1]] for bottom, top in find_mouths(inner, self.directrix[0])]

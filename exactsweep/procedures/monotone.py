@@ -1,0 +1,110 @@
+"""The sweep of two polygons that are monotone to one direction (Theorems 2.1 and 2.2).
+
+The lower sweep (G_t, D_b) and the upper sweep (G_b, D_t) never mix; the upper one is the lower one
+of both polygons turned by half a turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import lcm
+
+from exactsweep.geometry.canonical import find_least
+from exactsweep.geometry.direction import X_AXIS, Vector
+from exactsweep.geometry.frame import Frame
+from exactsweep.geometry.polygon import Polygon
+from exactsweep.numbers.point import Fit, Point, Vertex
+from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.collector import pause_collector
+from exactsweep.procedures.exact_fit import find_exact_fits
+from exactsweep.procedures.lower_sweep import LowerSweep, split_polygon
+from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.pockets import find_pockets
+from exactsweep.procedures.solution import Solution
+
+
+class MonotoneSolution(Solution):
+    """The Solution of a monotone pair, by the paper's procedures.
+
+    Args:
+        generatrix: G.
+        directrix: D.
+        direction: the shared direction of monotonicity, a primitive integer vector.
+    """
+
+    def __init__(self, generatrix: Polygon, directrix: Polygon, direction: Vector) -> None:
+        self._pair = generatrix, directrix
+        self.kind = "MM" if not generatrix.is_convex else "CC" if directrix.is_convex else "CM"
+        self._direction = direction
+
+    @made_once
+    def frame(self) -> Frame:
+        """The common lattice, turned."""
+        g, d = self._pair
+        return Frame(self._direction, lcm(g.lattice()[0], d.lattice()[0]))
+
+    @made_once
+    def generatrix(self) -> list[list[Vertex]]:
+        """The ring of G in the frame."""
+        return [self.frame.enter(*self._pair[0].lattice())]
+
+    @made_once
+    def directrix(self) -> list[list[Vertex]]:
+        """The ring of D in the frame."""
+        return [self.frame.enter(*self._pair[1].lattice())]
+
+    @made_once
+    def halves(self) -> tuple[LowerSweep, LowerSweep]:
+        """The lower sweep, and the upper one turned by half a turn."""
+        (g_bottom, g_top), (d_bottom, d_top) = (split_polygon(p, self.frame) for p in self._pair)
+        return (
+            LowerSweep(self.kind, g_top, g_bottom, d_bottom),
+            LowerSweep(self.kind, inverse(g_bottom), inverse(g_top), inverse(d_top)),
+        )
+
+    def _loop(self, half: Callable[[LowerSweep], list[Vertex]]) -> list[Point]:
+        with pause_collector():
+            lower, upper = map(half, self.halves)
+            upper = inverse(upper)
+            # At each end the two chains meet in a point or are joined by a vertical edge.
+            loop = lower + upper[upper[0] == lower[-1] : len(upper) - (upper[-1] == lower[0])]
+            points = self.frame.leave(loop)
+            if self._direction != X_AXIS:
+                first = find_least(points)
+                points = points[first:] + points[:first]
+            return points
+
+    @made_once
+    def trajectory(self) -> list[Point]:
+        """The path of G's origin."""
+        return self._loop(lambda half: half.path)
+
+    @made_once
+    def inner(self) -> list[Point]:
+        """The inner loop: D with its undercuts closed."""
+        return self._loop(lambda half: half.inner)
+
+    @made_once
+    def outer(self) -> list[Point]:
+        """The outer loop."""
+        return self._loop(lambda half: half.outer)
+
+    @made_once
+    def fits(self) -> list[Fit]:
+        """The slots of D that are exactly as wide as G."""
+        found: list[Fit] = []
+        for half, turned in zip(self.halves, (False, True), strict=True):
+            for fit in find_exact_fits(half.top, half.directrix, half.trajectory):
+                hanging, inside = self.frame.leave(inverse(fit) if turned else fit)
+                found.append((hanging, inside))
+        return sorted(found)
+
+    @made_once
+    def pockets(self) -> list[list[list[Vertex]]]:
+        """The regions between D and the inner loop, along the inner loop."""
+        found: list[list[list[Vertex]]] = []
+        for half, turned in zip(self.halves, (False, True), strict=True):
+            for pocket in find_pockets(half.inner, half.directrix):
+                bottom, top = map(inverse, pocket) if turned else pocket
+                found.append([bottom, top[-2:0:-1]])
+        return found

@@ -1,0 +1,29 @@
+"""A right answer passes however it is written; `python -m tests.writings` tries all cases."""
+
+from functools import cache
+
+import pytest
+from right_answers import WRITINGS, judge_writing
+from shipped_cases import shipped_cases
+
+from exactsweep.corpus import Case, find_case
+
+# A door that fits, several holes, rings that touch, a container of several regions and fits.
+SPECIAL = ("fits-square", "holes-room", "sampled-plate-2", "components-unswept-slanted")
+
+
+@cache
+def find_cases() -> list[Case]:
+    small = [case for case in shipped_cases() if case.size <= 16]
+    return [*map(find_case, SPECIAL), *small[::60]]
+
+
+@pytest.mark.parametrize("name", WRITINGS)
+def test_a_right_answer_passes_in_any_way(name: str) -> None:
+    judged = judge_writing(WRITINGS[name], find_cases())
+    assert judged.number
+    assert judged.convicted == []
+
+
+def test_there_are_more_than_forty_ways() -> None:
+    assert len(WRITINGS) > 40

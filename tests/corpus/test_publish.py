@@ -1,0 +1,113 @@
+"""The corpus as one folder of data: all of it, checksums, and readers that agree."""
+
+import json
+import re
+import subprocess
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+from shutil import which
+
+import pytest
+from command import ROOT, refusal, run
+from shipped_cases import shipped_cases
+
+from exactsweep.corpus import Case, case_from_json, themes
+from exactsweep.corpus.publish import VERSION
+
+READERS = {
+    "reader.cpp": ("g++", ["g++", "-std=c++17", "-o", "{out}", "{source}"], ["{out}"]),
+    "reader.rs": ("rustc", ["rustc", "-o", "{out}", "{source}"], ["{out}"]),
+    "reader.js": ("node", [], ["node", "{source}"]),
+    "Reader.java": ("java", [], ["java", "{source}"]),
+    "Reader.cs": ("dotnet-script", [], ["dotnet-script", "{source}"]),
+    "reader.go": ("go", [], ["go", "run", "{source}"]),
+}
+# Short fractions, long integers, many exact fits.
+READ = ("worked", "large", "fits", "reference")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("corpus") / "all"
+    done = run("corpus", "export", "--all", "-o", str(path))
+    assert (done.exit_code, done.stdout) == (0, "")
+    return path
+
+
+def test_every_case_is_there_with_a_version(folder: Path) -> None:
+    listed = sorted(path.name for path in (folder / "cases").iterdir())
+    assert listed == [f"{theme}.jsonl" for theme in themes()]
+    lines = [
+        json.loads(line)
+        for name in listed
+        for line in (folder / "cases" / name).read_text(encoding="utf-8").splitlines()
+    ]
+    assert [line["id"] for line in lines] == [case.id for case in shipped_cases()]
+    assert all(1 <= line["version"] <= VERSION for line in lines)
+    known = {case.id: case for case in shipped_cases()}
+    for line in lines[::50]:
+        assert case_from_json(line) == known[line["id"]]
+
+
+def test_checksums_are_those_of_all_files(folder: Path) -> None:
+    sums = dict(
+        line.split("  ")[::-1]
+        for line in (folder / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
+    )
+    found = {
+        path.relative_to(folder).as_posix(): sha256(path.read_bytes()).hexdigest()
+        for path in folder.rglob("*")
+        if path.is_file() and path.name != "SHA256SUMS"
+    }
+    assert sums == found
+    assert {"HOW-TO-READ.md", "LICENSE", "schema.json", "notes.json", "VERSION"} < found.keys()
+    assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+
+
+def test_strings_have_no_escapes_but_two(folder: Path) -> None:
+    """So that a reader needs none."""
+    for path in (folder / "cases").iterdir():
+        text = path.read_text(encoding="utf-8")
+        assert not re.search(r'\\[^"\\]', text), path
+        assert not re.search(r'"[:,] ', re.sub(r'"[^"]*"', '""', text)), path
+
+
+def test_the_folder_is_all_or_nothing(tmp_path: Path) -> None:
+    assert run("corpus", "export", "--all", "worked").exit_code == 2
+    (tmp_path / "file").write_text("")
+    said = refusal(run("corpus", "export", "--all", "-o", str(tmp_path / "file")))
+    assert said.startswith(str(tmp_path / "file"))
+
+
+def test_readers_have_at_most_thirty_lines(folder: Path) -> None:
+    assert {path.name for path in (folder / "readers").iterdir()} == READERS.keys()
+    for path in (folder / "readers").iterdir():
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 30, path.name
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", READERS)
+def test_a_reader_reads_what_is_there(name: str, folder: Path, tmp_path: Path) -> None:
+    needed, build, call = READERS[name]
+    if which(needed) is None:
+        pytest.skip(f"no {needed} here")
+    places = {"source": str(folder / "readers" / name), "out": str(tmp_path / "reader")}
+    if build:
+        subprocess.run([part.format(**places) for part in build], check=True, capture_output=True)
+    for theme in READ:
+        command = [*(part.format(**places) for part in call), str(folder / f"cases/{theme}.jsonl")]
+        done = subprocess.run(command, check=True, capture_output=True, text=True)
+        expected = [write(c) for c in shipped_cases() if c.id.startswith(f"{theme}-")]
+        assert done.stdout.splitlines() == expected
+
+
+def write(case: Case) -> str:
+    """The line that a reader writes."""
+    x, y = case.trajectory.vertices[0]
+    counts = len(case.directrix_ring), len(case.trajectory), len(case.exact_fits)
+    return " ".join([case.id, *map(str, counts), ratio(x), ratio(y)])
+
+
+def ratio(value: Fraction) -> str:
+    return f"{value.numerator}/{value.denominator}"

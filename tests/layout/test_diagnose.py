@@ -1,0 +1,116 @@
+"""Layouts that are wrong as a whole: the convention behind it is named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+from typing import Any
+
+import pytest
+
+from exactsweep.layout import Layout, judge_layout
+from exactsweep.layout.diagnose import diagnose
+
+L = [("0", "0"), ("3", "0"), ("3", "1"), ("1", "1"), ("1", "2"), ("0", "2")]
+# Four L of 3 by 2 in a box of 8 by 4 with room between them: turn and lower left corner of each,
+# then where the origin of the part is put.
+PLACED = [
+    ("0", (0, 0)),
+    ("90", (6, 0)),
+    ("180", (3, 4)),
+    ("270", (6, 4)),
+]
+BOX = [("0", "0"), ("9", "0"), ("9", "4"), ("0", "4")]
+
+
+def layout(placements: list[dict[str, Any]], part: Any = L, **rest: Any) -> Layout:
+    parts = [{"id": "L", "exterior": part}]
+    return Layout.from_json(
+        {"container": {"exterior": BOX}, "parts": parts, "placements": placements, **rest}
+    )
+
+
+def place(turn: object, x: object, y: object, *, mirrored: bool = False) -> dict[str, Any]:
+    return {"part": "L", "turn": str(turn), "move": [str(x), str(y)], "mirrored": mirrored}
+
+
+def test_the_layout_itself_is_valid() -> None:
+    judgement = judge_layout(layout([place(turn, *at) for turn, at in PLACED]))
+    assert judgement.valid
+    assert diagnose(judgement) == []
+
+
+def about_the_first_vertex(turn: str, x: int, y: int) -> dict[str, Any]:
+    # The first vertex of the part that is judged is (1, 1): it turns about itself.
+    u, v = {"0": (1, 1), "90": (-1, 1), "180": (-1, -1), "270": (1, -1)}[turn]
+    return place(turn, x + u - 1, y + v - 1)
+
+
+def lower_left(turn: str, x: int, y: int) -> dict[str, Any]:
+    u, v = {"0": (0, 0), "90": (-2, 0), "180": (-3, -2), "270": (0, -3)}[turn]
+    return place(turn, x + u, y + v)
+
+
+@pytest.mark.parametrize(
+    ("write", "said"),
+    [
+        (lambda turn, x, y: place(f"-{turn}", x, y), "clockwise turns"),
+        (lambda turn, x, y: place(turn, x * 10, y * 10), "moves divided by 10"),
+        (lambda turn, x, y: place(turn, f"{x}/1000", f"{y}/1000"), "moves times 1000"),
+        (lambda turn, x, y: place(turn, x, 4 - y), "Y of moves downward"),
+        (lower_left, "moves that say where the lower left corner of the turned box is"),
+    ],
+)
+def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
+    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED]))
+    assert not judgement.valid
+    notes = diagnose(judgement)
+    assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes
+
+
+@pytest.mark.parametrize("digits", [8, 17])
+def test_radians_are_named(digits: int) -> None:
+    # Some programs write 270 degrees as -90.
+    angles = [int(turn) - (360 if turn == "270" else 0) for turn, _ in PLACED]
+    turns = [f"{angle * pi / 180:.{digits}g}" for angle in angles]
+    placed = [place(turn, *at) for turn, (_, at) in zip(turns, PLACED, strict=True)]
+    judgement = judge_layout(layout(placed))
+    assert not judgement.valid
+    assert diagnose(judgement)[0].startswith("with turns in radians, 0 of ")
+
+
+def test_another_center_is_named() -> None:
+    shifted = [*L[3:], *L[:3]]
+    placed = [about_the_first_vertex(turn, *at) for turn, at in PLACED]
+    judgement = judge_layout(layout(placed, shifted))
+    assert not judgement.valid
+    notes = diagnose(judgement)
+    assert any(note.startswith("with turns about the first vertex, 0 of ") for note in notes), notes
+
+
+def test_a_single_overlap_is_no_convention() -> None:
+    placed = [place(turn, *at) for turn, at in PLACED]
+    tiles = [place(0, 0, 0), place(0, 0, 0), *placed[1:]]
+    many = judge_layout(layout(tiles))
+    assert not many.valid
+    assert diagnose(many) == []
+
+
+@pytest.mark.parametrize(
+    ("write", "said"),
+    [
+        (lambda turn, x, y: place(turn, 9 - x, y, mirrored=True), "the turn before the mirror"),
+        (
+            lambda turn, x, y: place(-int(turn) - 180, 9 - x, y, mirrored=True),
+            "a mirror that exchanges up and down",
+        ),
+    ],
+)
+def test_other_mirrors_are_named(write: Callable[..., Any], said: str) -> None:
+    # The whole layout mirrored in x is R(-a) M P + (9 - x, y).
+    right = layout([place(-int(turn), 9 - x, y, mirrored=True) for turn, (x, y) in PLACED])
+    assert judge_layout(right).valid
+    judgement = judge_layout(layout([write(turn, *at) for turn, at in PLACED]))
+    assert not judgement.valid
+    notes = diagnose(judgement)
+    assert any(note.startswith(f"with {said}, 0 of ") for note in notes), notes

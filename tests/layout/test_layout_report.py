@@ -1,0 +1,193 @@
+"""Judged layouts for people: what the table, the picture and the page say and show."""
+
+from __future__ import annotations
+
+import json
+import re
+from fractions import Fraction
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from exactsweep.corpus import find_layout_case, layout_cases
+from exactsweep.layout import Judgement, Layout, judge_layout
+from exactsweep.layout.report import (
+    draw_layout,
+    rank_faults,
+    report_layout,
+    write_layout_json,
+    write_layout_page,
+)
+from exactsweep.layout.report.picture import SIDE, enlarge_faults, place_part
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def judged(slug: str) -> Judgement:
+    return judge_layout(find_layout_case(f"layouts-{slug}").layout)
+
+
+def test_faults_come_first_and_the_worst_of_them() -> None:
+    text = report_layout(judged("all-at-once"))
+    assert text == (
+        "verdict     not valid: 1 overlap, 1 outside, 2 too close, 1 missing\n"
+        "placements  5 of 1 part\n"
+        "density     0.3125, exactly 5/16\n"
+        "contacts    0\n"
+        "\n"
+        "fault      where      how bad      witness              repaired by\n"
+        "overlap    0 and 1    0.5 deep     (0.75, 0.5)          moving 1 by (0.5, 0)\n"
+        "outside    2          0.5 deep     (3.5, 4.25)          moving 2 by (0, -0.5)\n"
+        "too close  0 and 3    0.5 apart    (0, 1) (0, 1.5)\n"
+        "too close  1 and 3    0.5 apart    (0.5, 1) (0.5, 1.5)\n"
+        "missing    part tile  1 placement\n"
+    )
+
+
+def test_a_terminal_is_not_overrun() -> None:
+    text = report_layout(judged("all-at-once"), terminal_width=60)
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
+    assert max(map(len, plain.splitlines())) <= 60
+    assert text != plain
+
+
+def test_a_valid_layout_says_how_near_it_is() -> None:
+    text = report_layout(judged("gap-1e-30"), notes=["one", "two"])
+    assert text.startswith("verdict     valid\n")
+    assert "nearest     placements 0 and 1, 1E-30 apart\n" in text
+    assert text.endswith("note: one\nnote: two\n")
+
+
+@pytest.mark.parametrize(
+    ("slug", "said"),
+    [
+        ("overlap-1e-30", "1E-30 deep"),
+        ("too-large", "fits nowhere as it is turned"),
+        ("bow-tie", "the boundary crosses itself"),
+        ("turn-forbidden", "part tile may not be turned by 90 degrees"),
+        ("missing-all", "part bar  2 placements"),
+        ("angle-45-undecided", "undecided within"),
+        ("margin-missed", "0.125 apart"),
+    ],
+)
+def test_each_kind_says_how_bad_it_is(slug: str, said: str) -> None:
+    assert said in report_layout(judged(slug))
+
+
+def many(number: int) -> Judgement:
+    """Overlaps of 1/k of unit squares, k from 2 on, the least bad first."""
+    tile = {"id": "tile", "exterior": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+    placed = []
+    for k in range(number):
+        x = Fraction(3 * k)
+        placed.append({"part": "tile", "turn": 0, "move": [str(x), 0]})
+        placed.append(
+            {"part": "tile", "turn": 0, "move": [str(x + 1 - Fraction(1, number + 1 - k)), 0]}
+        )
+    box = [[0, 0], [3 * number, 0], [3 * number, 1], [0, 1]]
+    return judge_layout(
+        Layout.from_json({"container": {"exterior": box}, "parts": [tile], "placements": placed})
+    )
+
+
+def test_long_lists_are_cut_and_sorted() -> None:
+    judgement = many(40)
+    ranked = rank_faults(judgement)
+    squares = [one.square for one in ranked]
+    assert squares == sorted(squares, key=lambda square: -(square or 0))
+    assert squares[0] == Fraction(1, 4)
+    text = report_layout(judgement, ranked)
+    assert text.endswith("... 10 more (--all)\n")
+    assert text.count("overlap ") == 30
+    assert report_layout(judgement, ranked, everything=True).count("deep") == 40
+
+
+def test_progress_of_measuring_is_told() -> None:
+    told: list[tuple[int, int]] = []
+    rank_faults(many(3), lambda done, total: told.append((done, total)))
+    assert told == [(0, 3), (1, 3), (2, 3)]
+
+
+def test_json_is_exact() -> None:
+    data = json.loads(write_layout_json(judged("overlap-1e-30"), ["a note"]))
+    assert data["valid"] is False
+    assert data["density"] == "2/3"
+    assert data["notes"] == ["a note"]
+    (fault,) = data["faults"]
+    assert fault["move"] == [f"1/{10**30}", "0"]
+    assert data["nearest"] == [0, 1]
+
+
+def classes(svg: str) -> dict[str, int]:
+    found: dict[str, int] = {}
+    for element in ElementTree.fromstring(svg).iter():
+        for name in element.get("class", "").split():
+            found[name] = found.get(name, 0) + 1
+    return found
+
+
+def test_a_picture_has_all_parts_and_the_faulty_ones_in_red() -> None:
+    judgement = judged("all-at-once")
+    svg = draw_layout(judgement, rank_faults(judgement), "a <layout>")
+    assert "<title>a &lt;layout&gt;</title>" in svg
+    found = classes(svg)
+    # One part is good; the four faults with a witness are enlarged, three of them with two parts.
+    assert (found["part"], found["frame"]) == (1, 4)
+    assert found["bad"] == 4 + 2 + 1 + 2 + 2
+    assert found["number"] == 8
+    valid = judged("tiles")
+    found = classes(draw_layout(valid, (), "tiles"))
+    assert found["part"] == 6
+    assert not {"bad", "frame", "mark"} & found.keys()
+
+
+@pytest.mark.parametrize("case", [*layout_cases()], ids=lambda case: case.id)
+def test_every_case_is_drawn(case: Any) -> None:
+    judgement = judge_layout(case.layout)
+    ranked = rank_faults(judgement)
+    for y_down in (False, True):
+        ElementTree.fromstring(draw_layout(judgement, ranked, case.title, y_down=y_down))
+    page = write_layout_page(judgement, ranked, case.title)
+    assert "nan" not in page
+    assert (' class="valid"' in page) == case.expected["valid"]
+
+
+def test_an_overlap_of_1e_30_is_in_sight_where_it_is_enlarged() -> None:
+    judgement = judged("far-1e-30")
+    (place,) = enlarge_faults(judgement, rank_faults(judgement))
+    assert place.caption == "overlap, 0 and 1; 6E-30 wide"
+    edges = set()
+    for data in re.findall(r'class="bad" d="([^"]+)"', place.svg):
+        edges |= {float(x) for x in re.findall(r"[ML](-?[\d.]+) ", data) if 0 < float(x) < SIDE}
+    # The tiles end where they overlap, a sixth of the picture apart, around the middle.
+    low, high = sorted(edges)
+    assert abs((high - low) * 6 - SIDE) < 1
+    assert abs((low + high) - SIDE) < 1
+
+
+def test_y_downward_turns_the_picture_over() -> None:
+    layout = find_layout_case("layouts-mirrored").layout
+    up = place_part(layout, 0)
+    down = place_part(layout, 0, y_down=True)
+    assert [[(p.x, -p.y) for p in ring] for ring in up] == [[tuple(p) for p in r] for r in down]
+
+
+def test_mirrored_turned_parts_are_drawn_where_they_are() -> None:
+    layout = find_layout_case("layouts-mirrored").layout
+    (ring,) = place_part(layout, 1)
+    xs, ys = zip(*ring, strict=True)
+    assert (min(xs), max(xs), min(ys), max(ys)) == (0, 3, 2, 4)
+    layout = find_layout_case("layouts-ells-345").layout
+    (ring,) = place_part(layout, 1)
+    assert max(x for x, _ in ring) == Fraction(12, 5)
+
+
+def test_names_in_a_page_are_text() -> None:
+    judgement = judged("missing")
+    page = write_layout_page(judgement, rank_faults(judgement), "<b>", ["<i>"])
+    assert "<b>" not in page
+    assert "<i>" not in page
+    assert "&lt;b&gt;" in page
+    assert "script-src" not in page
+    assert "default-src 'none'" in page
