@@ -18,7 +18,7 @@ from exactsweep.layout.outside import cut_outside
 from exactsweep.layout.solid import (
     LatticeBox,
     LatticeForm,
-    Matrix,
+    MatrixRows,
     Solid,
     make_form,
     measure_slack,
@@ -63,7 +63,7 @@ class Board:
             found = self._bases[part] = make_form(self._regions[part])
         return found
 
-    def _turn(self, k: int, bits: int) -> tuple[int, Matrix]:
+    def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         """The linear map of a placement as ints, and what they are divided by."""
         placement = self.layout.placements[k]
         cosine, sine, _ = placement.turn.near(bits)
