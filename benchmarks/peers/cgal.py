@@ -57,16 +57,16 @@ class Best(NamedTuple):
     loop: Loop
 
 
-def compile_program(folder: Path) -> Path:
-    """Compile the program into a folder.
+def compile_program(folder: Path, source: Path = SOURCE) -> Path:
+    """Compile a program into a folder.
 
     Raises MissingError if there is no compiler or no CGAL for it.
     """
     compiler = which("g++") or which("clang++")
     if compiler is None:
         raise MissingError("no C++ compiler")
-    program = folder / "minkowski"
-    command = [compiler, "-std=c++17", "-O3", "-DNDEBUG", "-o", str(program), str(SOURCE)]
+    program = folder / source.stem
+    command = [compiler, "-std=c++17", "-O3", "-DNDEBUG", "-o", str(program), str(source)]
     done = subprocess.run([*command, "-lgmp", "-lmpfr"], capture_output=True, text=True)
     if done.returncode:
         problem = next((line for line in done.stderr.splitlines() if "error" in line), "")

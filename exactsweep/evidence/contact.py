@@ -205,11 +205,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     found: set[Contact] = set()
     for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
-        j = directrix.numbers.get(point)
-        if j is not None:
-            found.add(Contact("VV", i, j))
-        else:
-            found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
+        # Where rings touch, a point is a vertex of one and in an edge of another.
+        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
+        found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
     # What two edges share ends, towards the start of G's edge, in that start or in an end of D's: a

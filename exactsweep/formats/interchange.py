@@ -96,7 +96,7 @@ def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str 
 
 
 @tells_arguments
-def from_wkt(text: str) -> Polygon | Region:
+def from_wkt(text: str) -> AnyPolygon:
     """Read a polygon of WKT, exactly as its decimals say.
 
     Args:

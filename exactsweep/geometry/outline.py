@@ -70,6 +70,17 @@ class Outline:
         larger.after, larger.before, larger.starts = self.after, self.before, self.starts
         return larger
 
+    def vertices_at(self, point: Vertex) -> Sequence[int]:
+        """List the vertices at a point, one for each ring that touches there. Cost: O(1)."""
+        return self._vertices_by_point.get(point, ())
+
+    @cached_property
+    def _vertices_by_point(self) -> dict[Vertex, list[int]]:
+        found: dict[Vertex, list[int]] = {}
+        for k, vertex in enumerate(self.vertices):
+            found.setdefault(vertex, []).append(k)
+        return found
+
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(n)."""
         tx, ty = point

@@ -76,6 +76,9 @@ class Turn:
         assert self.degrees is not None
         return find_rational_turn(self.degrees, bits)
 
+    def __hash__(self) -> int:
+        return hash(self.exact if self.degrees is None else self.degrees)
+
     def __str__(self) -> str:
         if self.degrees is not None:
             return f"{abridge(self.degrees)} degrees"

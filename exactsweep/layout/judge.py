@@ -84,7 +84,11 @@ class Judgement:
 
         Cost: about that of finding the pairs of boxes that are as near.
         """
-        return find_nearest_pair(self._board)
+        for fault in self.faults:
+            if fault.kind == "overlap":
+                k, j = fault.placements
+                return NearestPair(Fraction(0), (k, j), fault.points)
+        return find_nearest_pair(self._board, next(iter(self.contacts), None))
 
     def __repr__(self) -> str:
         what = ", ".join(f"{n} {kind}" for kind, n in Counter(f.kind for f in self.faults).items())
@@ -144,7 +148,8 @@ def _judge_container(board: Board) -> Iterator[Fault]:
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
-        for wall, fixed in enumerate(board.around):
+        clear = board.is_clear(k)
+        for wall, fixed in enumerate(board.around[clear:], clear):
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.square

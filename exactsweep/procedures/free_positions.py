@@ -25,8 +25,7 @@ from typing import NamedTuple
 
 from exactsweep.numbers.number import divide_exactly
 from exactsweep.numbers.point import Fit, Point
-from exactsweep.procedures.contact_lines import ReducedPoint, Stretch
-from exactsweep.procedures.envelope import Break
+from exactsweep.procedures.contact_lines import ReducedPoint, Stretch, StretchPlace
 
 
 class Free(NamedTuple):
@@ -91,12 +90,14 @@ def find_free_positions(
     return Free(around, within, sorted(_hang(fit, bounding, scale) for fit in fits))
 
 
-def _find_left_over(stretch: Stretch, suspects: set[ReducedPoint]) -> list[tuple[Break, Break]]:
+def _find_left_over(
+    stretch: Stretch, suspects: set[ReducedPoint]
+) -> list[tuple[StretchPlace, StretchPlace]]:
     """The pieces of a stretch that (3) leaves; adds the positions that (6) does to the suspects.
 
     Cost: O(k log k) for k cuts.
     """
-    left: list[tuple[Break, Break]] = []
+    left: list[tuple[StretchPlace, StretchPlace]] = []
     cuts, twice = stretch.cuts, stretch.left and stretch.right
     cuts.sort(key=itemgetter(0))
     if any(a[0] == b[0] for a, b in pairwise(cuts)):
@@ -219,7 +220,7 @@ def _join(
     fits: Iterable[tuple[Stretch, ReducedPoint, ReducedPoint]], bounding: Container[ReducedPoint]
 ) -> Iterator[tuple[ReducedPoint, ReducedPoint]]:
     """Join exact fits that go on in one line, unless they meet a loop there."""
-    for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c)):
+    for _, group in groupby(fits, key=lambda fit: (fit[0].dx, fit[0].dy, fit[0].c, fit[0].e)):
         start: ReducedPoint | None = None
         end: ReducedPoint | None = None
         for _, p, q in group:
