@@ -64,10 +64,13 @@ def share_lattice(
     common = lcm_within(own for own, _ in lattices)
     if common is None or (scale is not None and common.bit_length() > _WIDE):
         return scale or 1, [_scale_rings(region, scale or 1) for region in regions]
-    return common, [
-        [[(x * (common // own), y * (common // own)) for x, y in ring] for ring in rings]
-        for own, rings in lattices
-    ]
+    return common, [_enlarge(rings, common // own) for own, rings in lattices]
+
+
+def _enlarge(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]]:
+    if factor == 1:
+        return list(map(list, rings))
+    return [[(x * factor, y * factor) for x, y in ring] for ring in rings]
 
 
 def _scale_rings(region: Region, scale: int) -> list[list[Vertex]]:
