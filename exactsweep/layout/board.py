@@ -18,7 +18,7 @@ from exactsweep.layout.outside import cut_outside
 from exactsweep.layout.solid import (
     LatticeBox,
     LatticeForm,
-    Matrix,
+    MatrixRows,
     Solid,
     make_form,
     measure_slack,
@@ -63,7 +63,7 @@ class Board:
             found = self._bases[part] = make_form(self._regions[part])
         return found
 
-    def _turn(self, k: int, bits: int) -> tuple[int, Matrix]:
+    def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         """The linear map of a placement as ints, and what they are divided by."""
         placement = self.layout.placements[k]
         cosine, sine, _ = placement.turn.near(bits)
@@ -95,9 +95,8 @@ class Board:
         placement = self.layout.placements[k]
         part, turn, (x, y) = placement.part, placement.turn, placement.move
         key = part, turn, placement.mirrored, bits
-        form, scale = self._forms.get(key), self._scale if bits == TURN_BITS else None
-        if scale is None:
-            scale = self.base(part)[0] * self._turn(k, bits)[0]
+        form, shared = self._forms.get(key), self._scale if bits == TURN_BITS else None
+        scale = shared or self.base(part)[0] * self._turn(k, bits)[0]
         if form is None:
             own, base = self.base(part)
             denominator, matrix = self._turn(k, bits)
@@ -106,7 +105,7 @@ class Board:
             form = base.mapped((a * factor, b * factor, c * factor, d * factor))
             self._forms[key] = form
         # Without a shared lattice, moves have denominators of their own.
-        finer = lcm_within((scale, x.denominator, y.denominator)) or scale
+        finer = shared or lcm_within((scale, x.denominator, y.denominator)) or scale
         slack = _NONE
         if turn.exact is None:
             slack = measure_slack(self._regions[part], turn.near(bits).error)

@@ -28,7 +28,7 @@ LatticeBox = tuple[int, int, int, int]
 """Left, right, low and high."""
 
 
-Matrix = tuple[int, int, int, int]
+MatrixRows = tuple[int, int, int, int]
 """The rows of a linear map."""
 
 
@@ -64,7 +64,7 @@ class LatticeForm:
         self.box: LatticeBox = min(xs), max(xs), min(ys), max(ys)
         self._scaled: dict[int, LatticeForm] = {1: self}
 
-    def mapped(self, matrix: Matrix) -> LatticeForm:
+    def mapped(self, matrix: MatrixRows) -> LatticeForm:
         """Return the image under a linear map, given by rows. Cost: O(n)."""
         return LatticeForm(
             [_map(ring, matrix) for ring in self.rings],
@@ -178,7 +178,7 @@ class Solid(NamedTuple):
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
-def _map(ring: IntRing, matrix: Matrix) -> list[IntVertex]:
+def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
     """The image of a ring, which has the interior on its left again."""
     a, b, c, d = matrix
     image = [(a * x + b * y, c * x + d * y) for x, y in ring]
