@@ -151,13 +151,12 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 def _judge_container(board: Board) -> Iterator[Fault]:
     """The faults of placements against the outside and the defects, at most one each."""
-    if not board.placed:
-        return
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
         clear = board.is_clear(k)
-        for wall, fixed in enumerate(board.around[clear:], clear):
+        for wall in range(clear, 1 + len(board.layout.container.holes)):
+            fixed = board.around[wall]
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.square

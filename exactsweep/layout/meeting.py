@@ -13,6 +13,10 @@ from enum import Enum
 
 from exactsweep.geometry.overlap import Places, find_points_between, touch
 from exactsweep.layout.solid import BoxedEdge, LatticeBox, LatticeForm, Solid
+from exactsweep.numbers.point import Vertex
+
+_EdgePlace = tuple[int, int]
+"""The number of a ring, and that of an edge in it."""
 
 
 class Relation(Enum):
@@ -48,11 +52,10 @@ def meet(a: Solid, b: Solid) -> Relation:
     )
     ours = a.form.near(window)
     moved = window[0] - x, window[1] - x, window[2] - y, window[3] - y
-    found = _find_touching(ours, b.form.near(moved) if ours else (), x, y)
-    if found is None:
+    touching = _find_touching(ours, b.form.near(moved), x, y) if ours else []
+    if touching is None:
         return Relation.OVERLAP
-    on_a, on_b = found
-    if not on_a:
+    if not touching:
         # The boundaries have no common point, so one exterior may be inside the other solid.
         for form, other, at, sense, box in (
             (a.form, b.form, a.form.box, -2, window),
@@ -62,21 +65,23 @@ def meet(a: Solid, b: Solid) -> Relation:
             if at == box and other.holds(2 * px + sense * x, 2 * py + sense * y):
                 return Relation.OVERLAP
         return Relation.APART
+    on_a: Places = defaultdict(set)
+    on_b: Places = defaultdict(set)
+    for ours_at, theirs_at, shared in touching:
+        on_a[ours_at].update(shared)
+        on_b[theirs_at].update((px - x, py - y) for px, py in shared)
     if _enters(a.form, b.form, on_a, (-2 * x, -2 * y), window):
         return Relation.OVERLAP
-    return (
-        Relation.OVERLAP
-        if _enters(b.form, a.form, on_b, (2 * x, 2 * y), moved)
-        else Relation.CONTACT
-    )
+    if _enters(b.form, a.form, on_b, (2 * x, 2 * y), moved):
+        return Relation.OVERLAP
+    return Relation.CONTACT
 
 
 def _find_touching(
     ours: Sequence[BoxedEdge], theirs: Sequence[BoxedEdge], x: int, y: int
-) -> tuple[Places, Places] | None:
-    """Where edges touch, each in the coordinates of its form; None if two of them cross."""
-    on_a: Places = defaultdict(set)
-    on_b: Places = defaultdict(set)
+) -> list[tuple[_EdgePlace, _EdgePlace, list[Vertex]]] | None:
+    """The pairs of edges that touch, and where; None if two of them cross."""
+    found = []
     for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
         ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
         west, east, south, north = west + x, east + x, south + y, north + y
@@ -95,9 +100,8 @@ def _find_touching(
             if shared is None:
                 return None
             if shared:
-                on_a[other, k].update(shared)
-                on_b[ring, number].update((sx - x, sy - y) for sx, sy in shared)
-    return on_a, on_b
+                found.append(((other, k), (ring, number), shared))
+    return found
 
 
 def _enters(
