@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: scaling, spent, floors, batches, peers, report."""
+"""`python -m benchmarks`: scaling, spent, floors, batches, peers, layouts, report."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from rich.console import Console
 
 from benchmarks import batches as batch_runs
 from benchmarks import floors as floors_runs
+from benchmarks import layouts as layout_runs
 from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
@@ -102,6 +103,17 @@ def peers(quick: bool, limit: float, cgal: Path | None) -> None:
     """The same sweeps by CGAL, SFCGAL, shapely, Clipper and KLayout, side by side."""
     found = measure_peers(quick, limit, cgal)
     Console(width=max(WIDTH, Console().width)).print(*tables(found), sep="\n")
+
+
+@main.command()
+@quick_option
+@cgal_option
+def layouts(quick: bool, cgal: Path | None) -> None:
+    """Layouts judged beside CGAL and shapely, and how that grows with their size."""
+    console = Console(width=max(WIDTH, Console().width))
+    console.print(machine())
+    for table in layout_runs.tabulate(cgal, quick=quick):
+        console.print(table)
 
 
 @main.command()

@@ -108,8 +108,18 @@ def test_the_picture_is_what_is_drawn(tmp_path: Path) -> None:
     save(figure, str(tmp_path / "block.svg"))
     drawn = lines_drawn(tmp_path / "block.svg")
     assert len(drawn) > 8
-    (name,) = re.findall(r"\]\((\S+\.svg)\)", DOOR)
+    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[0]
     assert lines_drawn(ROOT / name) == drawn, "exactsweep draw -o " + name
+
+
+def test_the_picture_of_a_layout_is_what_is_drawn(tmp_path: Path) -> None:
+    nest, picture = str(tmp_path / "nest.json"), tmp_path / "nest.svg"
+    Path(nest).write_text(run("corpus", "layouts", "layouts-tangram-nudged").stdout)
+    assert run("layout", nest, "--svg", str(picture)).exit_code == 1
+    name = re.findall(r"\]\((\S+\.svg)\)", DOOR)[1]
+    drawn, shown = (path.read_text(encoding="utf-8") for path in (picture, ROOT / name))
+    # The title has the path.
+    assert re.sub("<title>.*?</title>", "", drawn) == re.sub("<title>.*?</title>", "", shown)
 
 
 def test_the_counts_of_claims_and_cases_hold() -> None:

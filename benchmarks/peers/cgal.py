@@ -19,6 +19,7 @@ from benchmarks.clock import Times
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
+from exactsweep.conform.adapters import MissingError
 from exactsweep.geometry.canonical import PolygonError
 
 SOURCE = Path(__file__).parent.parent / "cgal" / "minkowski.cpp"
@@ -45,10 +46,6 @@ EROSIONS = (
 HOPELESS = 4.0
 
 
-class MissingError(Exception):
-    """A program that is not installed here."""
-
-
 class Best(NamedTuple):
     """The fastest strategy for a sum or an erosion, and what it gave."""
 
@@ -57,16 +54,16 @@ class Best(NamedTuple):
     loop: Loop
 
 
-def compile_program(folder: Path) -> Path:
-    """Compile the program into a folder.
+def compile_program(folder: Path, source: Path = SOURCE) -> Path:
+    """Compile a program into a folder.
 
     Raises MissingError if there is no compiler or no CGAL for it.
     """
     compiler = which("g++") or which("clang++")
     if compiler is None:
         raise MissingError("no C++ compiler")
-    program = folder / "minkowski"
-    command = [compiler, "-std=c++17", "-O3", "-DNDEBUG", "-o", str(program), str(SOURCE)]
+    program = folder / source.stem
+    command = [compiler, "-std=c++17", "-O3", "-DNDEBUG", "-o", str(program), str(source)]
     done = subprocess.run([*command, "-lgmp", "-lmpfr"], capture_output=True, text=True)
     if done.returncode:
         problem = next((line for line in done.stderr.splitlines() if "error" in line), "")

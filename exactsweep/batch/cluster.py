@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from concurrent.futures import CancelledError, Future, wait
 from contextlib import suppress
@@ -16,6 +17,9 @@ from exactsweep.numbers.number import quote
 LOCAL = "local"
 """Instead of an address: a cluster of this machine, for as long as the batch runs."""
 
+_ADDRESS = re.compile(
+    r"(?:[a-z]{2,8}://)?(?P<host>[\w.-]{1,253}|\[[0-9A-Fa-f:.%\w]{2,60}\])(?::(?P<port>[0-9]{1,5}))?"
+)
 # Seconds between two looks at whether the scheduler is still there.
 _LOOK = 0.5
 
@@ -36,6 +40,7 @@ class Cluster:
     """
 
     def __init__(self, work: Work, address: str, count: int) -> None:
+        _require_address(address)
         dask = _dask()
         self.lost: tuple[type[BaseException], ...] = (dask.KilledWorker,)
         self.closed: type[Exception] = dask.client.ClosedClientError
@@ -53,7 +58,8 @@ class Cluster:
             self.count = max(1, sum(self.client.nthreads().values()))
             self.name = f"exactsweep-{id(self):x}"
             self.client.register_plugin(_holder(work, self.name))
-        except (OSError, ValueError) as error:
+        # Dask asserts some of what it takes for granted.
+        except (OSError, ValueError, AssertionError) as error:
             reason = str(error).partition("\n")[0]
             raise BatchError(f"no Dask scheduler at {quote(address)}: {reason}") from None
         self.connection = self.client.scheduler_comm
@@ -84,6 +90,13 @@ class Cluster:
         self.client.close()
         if self.own is not None:
             self.own.close()
+
+
+def _require_address(address: str) -> None:
+    """Refuse what cannot be the address of a scheduler: a host, perhaps with a port."""
+    match = _ADDRESS.fullmatch(address)
+    if not match or match["host"].isdigit() or not 0 < int(match["port"] or 1) < 2**16:
+        raise BatchError(f"no Dask scheduler at {quote(address)}: not as in tcp://host:8786")
 
 
 class _RecordsOfCluster:

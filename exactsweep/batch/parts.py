@@ -6,6 +6,7 @@ from typing import NamedTuple, Unpack
 from exactsweep.formats.folder import Listing, list_parts
 from exactsweep.formats.reading import Options
 from exactsweep.geometry.region import AnyPolygon
+from exactsweep.geometry.turn import read_turn
 from exactsweep.numbers.arguments import tells_arguments
 
 
@@ -52,12 +53,13 @@ def make_parts(listing: Listing) -> tuple[Part, ...]:
     return tuple(found)
 
 
-def rotate_parts(parts: Sequence[Part], degrees: Sequence[int]) -> list[Part]:
-    """Turn each part about the origin, exactly.
+def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Part]:
+    """Turn each part about the origin: exactly, or by a rational turn near the angle.
 
     Args:
         parts: the parts.
-        degrees: multiples of 90, counter-clockwise.
+        degrees: counter-clockwise, as they are written in names. Others than multiples of 90 are
+            replaced by `Turn.near` of `exactsweep.geometry.turn`, which says how far it is off.
 
     Returns:
         list of Part, one after another, named "part@90" where there is a turn.
@@ -69,7 +71,7 @@ def rotate_parts(parts: Sequence[Part], degrees: Sequence[int]) -> list[Part]:
     """
     return [
         Part(f"{name}@{by}", shape if isinstance(shape, str) else shape.rotated(by))
-        if by % 360
+        if read_turn(by).degrees
         else Part(name, shape)
         for name, shape in parts
         for by in degrees

@@ -5,13 +5,16 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterator
+from fractions import Fraction
 from itertools import islice
+from math import isinf
 from pathlib import Path
 from typing import Any
 
 from exactsweep.batch.record import COLUMNS, Quantities
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.error import require_imports
+from exactsweep.numbers.number import abridge
 
 _ROWS = 1024
 _NAMES = ("error", "id", "generatrix", "directrix")
@@ -69,9 +72,18 @@ def write_parquet(records: Path, output: Path, what: Quantities, *, rounded: boo
         while rows := list(islice(_rows(lines), _ROWS)):
             cells: dict[str, list[Any]] = {c: [row.get(c) for row in rows] for c in columns}
             for column in floats:
-                cells[column] = [None if area is None else float(area) for area in cells[column]]
+                cells[column] = [None if area is None else _float(area) for area in cells[column]]
             cells["index"] = [int(row["index"] or 0) for row in rows]
             writer.write_table(pyarrow.table(cells, schema=schema))
+
+
+def _float(area: str) -> float:
+    found = float(area)
+    if isinf(found):
+        raise FormatError(
+            f"the area {abridge(Fraction(area))} is beyond the numbers of Parquet; use .csv"
+        )
+    return found
 
 
 def _rows(lines: Iterator[bytes]) -> Iterator[dict[str, str | None]]:

@@ -22,6 +22,7 @@ from exactsweep.cli.judge import judge_command
 from exactsweep.cli.layout import layout_command
 from exactsweep.cli.limits import add_limits
 from exactsweep.cli.nfp import nfp_command
+from exactsweep.cli.pair import give_values
 from exactsweep.cli.reproduce import reproduce_command
 from exactsweep.cli.sweep import sweep_command
 from exactsweep.cli.verify import verify_command
@@ -36,6 +37,12 @@ class _Commands(click.Group):
         # --help and --version write here.
         with _refuse_in_one_line():
             return super().make_context(*arguments, **options)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command, give_values(rest)
 
     def invoke(self, ctx: click.Context) -> object:
         with _refuse_in_one_line():

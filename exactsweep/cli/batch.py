@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 import click
@@ -10,10 +11,12 @@ from exactsweep.cli.export import takes_rounding
 from exactsweep.cli.output import say_limit, write
 from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
 from exactsweep.cli.parts import find_parts
-from exactsweep.formats import show_path
+from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.exact_json import measure_file
+from exactsweep.formats.folder import find_files
+from exactsweep.formats.polygons import split_choice
 from exactsweep.formats.size import FAULT
-from exactsweep.numbers.number import quote
+from exactsweep.numbers.number import format_fraction
 from exactsweep.words import count
 
 if TYPE_CHECKING:
@@ -22,15 +25,24 @@ if TYPE_CHECKING:
     from exactsweep.batch import Job, Part, Rounding
 
 
-def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -> list[int] | None:
+def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -> list[str] | None:
     if text is None:
         return None
-    try:
-        found = [int(word) for word in text.split(",")]
-    except ValueError:
-        raise click.BadParameter(f"{quote(text)} is not a list of integers") from None
-    if any(degrees % 90 for degrees in found):
-        raise click.BadParameter("other angles than multiples of 90 degrees are irrational")
+    from exactsweep.geometry.turn import TURN_BITS, read_turn
+
+    found = text.split(",")
+    for word in found:
+        try:
+            turn = read_turn(word)
+        except ValueError as error:
+            raise click.BadParameter(str(error)) from None
+        if turn.exact is None:
+            cosine, sine = map(format_fraction, turn.near()[:2])
+            click.echo(
+                f"{word} degrees: turned by the cosine {cosine} and the sine {sine}, which are off "
+                f"by at most 2^-{TURN_BITS}",
+                err=True,
+            )
     return found
 
 
@@ -67,7 +79,8 @@ def _to_degrees(ctx: click.Context, option: click.Parameter, text: str | None) -
     "--rotations",
     callback=_to_degrees,
     metavar="DEGREES",
-    help="With --all, each generatrix turned by these, multiples of 90 such as 0,90,180,270.",
+    help="With --all, each generatrix turned by these degrees, such as 0,90,180,270; "
+    "by a rational turn near others than multiples of 90, which is told.",
 )
 @click.option("--restart", is_flag=True, help="Throw away what an interrupted batch left.")
 @takes_rounding
@@ -87,7 +100,7 @@ def batch_command(
     what: str,
     workers: int | None,
     scheduler: str | None,
-    rotations: list[int] | None,
+    rotations: list[str] | None,
     restart: bool,
     rounding: Rounding | None,
     reading: ReadingOptions,
@@ -129,6 +142,7 @@ def batch_command(
 
         # Dask tells a long story of each connection that it loses.
         logging.disable(logging.CRITICAL)
+    _require_new(output, [path for path in (pairs, parts, *(lists or ())) if path is not None])
     job = _job(pairs, lists, parts, what, rounding, rotations, reading)
     done = 0
     try:
@@ -162,13 +176,22 @@ def batch_command(
         raise click.ClickException(f"all pairs were refused; {show_path(output)} says why")
 
 
+def _require_new(output: str, paths: Sequence[str]) -> None:
+    """Refuse to write over what is read."""
+    files = (file for path in paths for file in find_files(split_choice(path)[0]))
+    read = {os.path.realpath(file) for file in files if file != "-"}
+    for name in (output, f"{output}.part", f"{output}.job"):
+        if os.path.realpath(name) in read:
+            raise FormatError(f"{show_path(name)}: read and written by the same batch")
+
+
 def _job(
     pairs: str | None,
     lists: tuple[str, str] | None,
     parts: str | None,
     what: str,
     rounding: Rounding | None,
-    rotations: list[int] | None,
+    rotations: list[str] | None,
     reading: ReadingOptions,
 ) -> Job:
     from exactsweep.batch import take_all_pairs, take_listed_pairs

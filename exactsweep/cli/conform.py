@@ -15,7 +15,7 @@ import click
 
 from exactsweep.cli.complete import list_filters, offer
 from exactsweep.cli.pair import PATH, takes_reading
-from exactsweep.cli.reports import Reports, takes_reports, takes_rounding
+from exactsweep.cli.reports import Reports, require_own_files, takes_reports, takes_rounding
 
 
 def _no_nan(ctx: click.Context, option: click.Parameter, seconds: float) -> float:
@@ -115,7 +115,8 @@ def conform_command(
     if path is not None and pairs is not None:
         raise click.UsageError("Give either --cases or --pairs.")
     if any(reading.values()) and pairs is None:
-        raise click.UsageError("--flatten, --join, --nested and --unit go with --pairs.")
+        raise click.UsageError("The options of how files are read go with --pairs.")
+    require_own_files([journal, reports.junit, reports.json, reports.html])
     if resume and journal is None:
         raise click.UsageError("--resume needs --journal.")
     most = None if most_memory is None else most_memory * 2**20

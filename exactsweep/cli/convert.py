@@ -6,7 +6,7 @@ import click
 
 from exactsweep.cli.export import export, takes_rounding
 from exactsweep.cli.output import takes_output
-from exactsweep.cli.pair import PATH, ReadingOptions, takes_reading
+from exactsweep.cli.pair import PATH, ReadingOptions, keep_coordinates, takes_reading
 from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
@@ -57,6 +57,7 @@ def convert_command(
     if form not in FORMATS:
         raise click.UsageError(f"Give --to, one of {', '.join(FORMATS)}.")
     polygons = read_named(files, reading, keep=True)
+    keep_coordinates(polygons.coordinates)
     # Of a part it is not known what is forbidden.
     side: Side = "closest"
     if rounding is not None and rounding.outward:

@@ -3,7 +3,9 @@
 import click
 
 from exactsweep import Point, Sweep
-from exactsweep.cli.pair import PATH, takes_pair, takes_way_up
+from exactsweep.cli.output import beside
+from exactsweep.cli.pair import PATH, coordinates_of_files, takes_pair
+from exactsweep.cli.working import working
 from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
 from exactsweep.numbers.number import to_fraction
@@ -45,7 +47,6 @@ def _to_points(
     metavar="WIDTH HEIGHT",
     help="The room for the picture and its legend, in inches; 7.2 4.8 if left out.",
 )
-@takes_way_up
 @click.option(
     "-o",
     "--output",
@@ -60,7 +61,6 @@ def draw_command(
     positions: list[Point],
     title: str | None,
     size: tuple[float, float] | None,
-    y_down: bool,
     output: str,
 ) -> None:
     """Draw a sweep.
@@ -74,12 +74,14 @@ def draw_command(
     """
     figure = make_figure(size=size)
     (axes,) = figure.axes
-    plot_sweep(result, axes, positions=positions or None, y_down=y_down)
+    with working("sweeping"):
+        plot_sweep(result, axes, positions=positions or None, y_down=coordinates_of_files().y_down)
     if title:
         # No font has what is no letter, and a dollar would begin a formula.
         shown = "".join(c if c.isprintable() else repr(c)[1:-1] for c in title)
         axes.set_title(shown.replace("$", r"\$"), loc="left")
     try:
-        save(figure, output)
+        with working("drawing"), beside(output) as path:
+            save(figure, path)
     except OSError as error:
         raise FormatError(f"{show_path(output)}: {error.strerror or error}") from None

@@ -8,7 +8,11 @@ from typing import Any
 import click
 
 from exactsweep.cli.output import write_readable
+from exactsweep.cli.pair import coordinates_of_files
+from exactsweep.cli.parts import say_all
+from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
+from exactsweep.formats.reading import INSUNITS
 from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
 from exactsweep.numbers.point import Fit, Point
 from exactsweep.text.report import approximate
@@ -63,6 +67,8 @@ def export(
 ) -> None:
     """Write polygons and exact fits, and say on standard error what rounding changed.
 
+    Y is turned where the format and the files that were read differ, and the unit is kept.
+
     Args:
         regions: the polygons.
         fits: the exact fits.
@@ -75,10 +81,11 @@ def export(
     Raises:
         FormatError: what the format cannot hold, or rounding leaves nothing of.
     """
-    said = ""
+    said: list[str] = []
     if rounding is not None:
         wanted = side_of if rounding.outward else _closest
-        rounded, changes = round_regions(regions, rounding.places, wanted)
+        with working("rounding"):
+            rounded, changes = round_regions(regions, rounding.places, wanted)
         ends = [_round_fit(fit, rounding.places) for fit in fits]
         moved = sum(old != new for old, new in zip(fits, ends, strict=True))
         if rounding.outward:
@@ -86,18 +93,28 @@ def export(
             ends = [old for old, new in zip(fits, ends, strict=True) if old == new]
         decides = any(side_of(region) != "closest" for region in regions)
         is_safe = rounding.outward or (not moved and _is_safe(regions, rounded, side_of))
-        said = _say(changes, moved, rounding, decides and is_safe)
-        if said and decides and not is_safe:
-            said += "; it may permit an overlap (--round-outward does not)"
+        change = _say(changes, moved, rounding, decides and is_safe)
+        if change and decides and not is_safe:
+            change += "; it may permit an overlap (--round-outward does not)"
+        said = [change] if change else []
         regions, fits = rounded, ends
+    coordinates = coordinates_of_files()
+    if target not in ("svg", "dxf") and click.get_current_context().params.get("y_down"):
+        # These formats have no way up of their own: the user has said it.
+        coordinates = coordinates._replace(y_down=False)
     try:
-        text = format_polygons(regions, target, fits, decimals=rounding is not None)
+        decimals = rounding is not None
+        text = format_polygons(regions, target, fits, decimals=decimals, coordinates=coordinates)
     except FormatError as error:
         hint = "; use --to json, or --round" if "finite decimal" in str(error) else ""
         raise FormatError(f"{error}{hint}") from None
     write_readable(text, output)
-    if said:
-        click.echo(said, err=True)
+    if coordinates.y_down != (target == "svg"):
+        ways = ("down", "up") if coordinates.y_down else ("up", "down")
+        said = [f"Y points {ways[0]} in the input, {ways[1]} in {target.upper()}: turned", *said]
+    if target == "dxf" and coordinates.unit not in (None, *INSUNITS.values()):
+        said.append("DXF cannot say the unit of the numbers (--unit mm scales them)")
+    say_all(said)
 
 
 def _closest(region: NamedRegion) -> Side:

@@ -89,11 +89,6 @@ def _to_gap(ctx: click.Context, option: click.Parameter, text: str | None) -> Fr
 @click.option("--html", type=PATH, metavar="FILE", help="Write a page with pictures of faults.")
 @click.option("--svg", type=PATH, metavar="FILE", help="Write a picture, faults enlarged below.")
 @click.option(
-    "--y-down/--y-up",
-    default=None,
-    help="Whether Y points down in pictures; if left out, it does where the file ends in .svg.",
-)
-@click.option(
     "--workers",
     type=click.IntRange(1, 1024),
     metavar="N",
@@ -112,7 +107,6 @@ def layout_command(
     certificate: str | None,
     html: str | None,
     svg: str | None,
-    y_down: bool | None,
     workers: int | None,
     output: str,
 ) -> None:
@@ -121,7 +115,8 @@ def layout_command(
     Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
     input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
     JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, SVG and DXF among them, its
-    outlines where they stand. What a file does not say, --instance may.
+    outlines where they stand. What a file does not say, --instance may. Of a file with several
+    sheets, each a layout, FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two
     overlap, all distances are kept, and as many of each part are placed as are wanted, turned and
@@ -142,8 +137,9 @@ def layout_command(
         layouts = read_layouts(found[0], **options)
         if len(layouts) == 1:
             (layout,) = layouts
+            y_down = reading["y_down"]
             if y_down is None:
-                y_down = found[0].lower().endswith(".svg")
+                y_down = found[0].split("#")[0].lower().endswith(".svg")
             files_out = {"certificate": certificate, "html": html, "svg": svg}
             form = "json" if as_json else "all" if everything else "report"
             title = show_path(found[0])

@@ -2,16 +2,17 @@
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from shutil import get_terminal_size
+from shutil import copymode, get_terminal_size
 from typing import TypeVar
 
 import click
 
 from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, show_path
-from exactsweep.formats.polygons import measure_written
+from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.size import find_needed_mib
 
 Command = TypeVar("Command", bound=Callable[..., None])
@@ -51,6 +52,28 @@ def say_limit(size: int, output: str) -> None:
         click.echo(f"{name}: large; commands read it with --max-mib {needed}", err=True)
 
 
+@contextmanager
+def beside(output: str) -> Iterator[str]:
+    """Yield the name of a new file beside the output, which takes its place when it is whole.
+
+    A device, and a file in a folder where no other can be made, is written in place.
+    """
+    path = Path(output).resolve()
+    folder = path.parent
+    in_place = path.exists() and not (path.is_file() and os.access(folder, os.W_OK))
+    if in_place or not folder.is_dir():
+        yield output
+        return
+    new = folder / f".{os.getpid()}.part{path.suffix[:9]}"
+    try:
+        yield str(new)
+        if path.exists():
+            copymode(path, new)
+        new.replace(path)
+    finally:
+        new.unlink(missing_ok=True)
+
+
 def write(text: str, output: str) -> None:
     """Write to a file, or to standard output.
 
@@ -58,7 +81,8 @@ def write(text: str, output: str) -> None:
     """
     try:
         if output != "-":
-            Path(output).write_text(text, encoding="utf-8", newline="\n")
+            with beside(output) as path:
+                Path(path).write_text(text, encoding="utf-8", newline="\n")
         elif sys.stdout is None:
             raise FormatError("standard output: closed")
         else:

@@ -1,6 +1,6 @@
 """The pair that a command works on: its files and options."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import wraps
 from typing import Any
@@ -8,9 +8,13 @@ from typing import Any
 import click
 
 from exactsweep import Point, Region, sweep
-from exactsweep.cli.parts import find_parts, read_named
-from exactsweep.formats import NamedRegion, read_region, show_path
+from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
+from exactsweep.cli.working import working
+from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
+from exactsweep.formats.folder import bring_to_one
+from exactsweep.formats.part_list import Coordinates
+from exactsweep.formats.polygons import name_file, read_choice, split_choice
 from exactsweep.geometry.direction import DirectionError, Vector, read_direction
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.error import name_refusals
@@ -26,7 +30,25 @@ PATH = click.Path(allow_dash=True, readable=False)
 
 
 ReadingOptions = dict[str, Any]
-"""The arguments "tolerance", "nested", "join" and "unit" of what reads files."""
+"""The arguments "tolerance" and `Options` of what reads files."""
+
+SAME_LAYER = "layer"
+"""The value of --nested that `give_values` adds where there is none."""
+
+_COORDINATES = "exactsweep.coordinates"
+
+
+def give_values(arguments: Sequence[str]) -> list[str]:
+    """Give --nested a value where the next word is none, for it need not have one.
+
+    >>> give_values(["--nested", "a.dxf", "--nested", "all", "--nested", "OUTER,INNER"])
+    ['--nested=layer', 'a.dxf', '--nested', 'all', '--nested', 'OUTER,INNER']
+    """
+    after = [*arguments, ""][1:]
+    return [
+        f"--nested={SAME_LAYER}" if one == "--nested" and word != "all" and "," not in word else one
+        for one, word in zip(arguments, after, strict=True)
+    ]
 
 
 def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
@@ -71,7 +93,7 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         if generatrix is None or directrix is None:
             g, d = Region(GENERATRIX), Region(DIRECTRIX)
         else:
-            g, d = _read(generatrix, directrix, reading)
+            g, d = read_two(generatrix, directrix, reading)
         try:
             result = sweep(g, d, direction=direction, reference=reference)
         except DirectionError as error:
@@ -92,23 +114,13 @@ def name_files_of_pair() -> tuple[str, str] | None:
     return None if generatrix is None or directrix is None else (generatrix, directrix)
 
 
-def takes_way_up(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the flag --y-down or --y-up, as `y_down`."""
-
-    @click.option(
-        "--y-down/--y-up",
-        default=None,
-        help="Whether Y points down, as viewers of SVG have it; if left out, it does where the "
-        "directrix is from a file that ends in .svg.",
+def coordinates_of_files() -> Coordinates:
+    """The meaning of the coordinates that the command that runs has read: of Y, and the unit."""
+    ctx = click.get_current_context()
+    coordinates: Coordinates = ctx.meta.get(
+        _COORDINATES, Coordinates(bool(ctx.params.get("y_down")))
     )
-    @wraps(command)
-    def with_way_up(*arguments: Any, y_down: bool | None, **options: Any) -> None:
-        if y_down is None:
-            files = name_files_of_pair()
-            y_down = files is not None and files[1].split("#")[0].lower().endswith(".svg")
-        command(*arguments, y_down=y_down, **options)
-
-    return with_way_up
+    return coordinates
 
 
 def takes_shapes(
@@ -141,7 +153,7 @@ def takes_shapes(
         @takes_reading
         @wraps(command)
         def with_shapes(stays: str, moves: str, reading: ReadingOptions, **options: Any) -> None:
-            read = _read_each if several else _read
+            read = _read_each if several else read_two
             shapes = read(stays, moves, reading)
             if others:
                 options[others] = _read_all(options[others], reading)
@@ -160,6 +172,12 @@ def takes_shapes(
     return decorated
 
 
+def keep_coordinates(coordinates: Coordinates, notes: Iterable[str] = ()) -> None:
+    """Keep the meaning of the coordinates for what the command writes, and say what changed."""
+    click.get_current_context().meta[_COORDINATES] = coordinates
+    say_all(notes)
+
+
 def _require_one_input(first: str, second: str) -> None:
     if first == second == "-":
         raise click.UsageError("Only one polygon can be read from standard input.")
@@ -169,23 +187,38 @@ def _read_each(
     first: str, second: str, reading: ReadingOptions
 ) -> tuple[list[NamedRegion], list[NamedRegion]]:
     _require_one_input(first, second)
-    one, other = (read_named([path], reading) for path in (first, second))
-    return one, other
+    found = [(show_path(path), read_named([path], reading)) for path in (first, second)]
+    keep_coordinates(*bring_to_one(found))
+    return found[0][1], found[1][1]
 
 
 def _read_all(paths: Sequence[str], reading: ReadingOptions) -> list[Region]:
-    """Read all polygons of files; none may be left out because it is not simple."""
+    """Read all polygons of files, with Y as in the pair; none may be left out as not simple."""
     regions: list[Region] = []
-    for part in find_parts(paths, reading).parts if paths else ():
+    listing = find_parts(paths, reading) if paths else None
+    for part in listing.parts if listing else ():
         with name_refusals(part.file):
             regions.append(part.candidate.named_region().region)
+    if listing and listing.coordinates.y_down != coordinates_of_files().y_down:
+        say_all([f"{', '.join(map(show_path, paths))}: Y turned, to point as in the other files"])
+        regions = [region.scaled((1, -1)) for region in regions]
     return regions
 
 
-def _read(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
+def read_two(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
+    """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
     _require_one_input(first, second)
-    one, other = (read_region(path, **reading) for path in (first, second))
-    return one, other
+    with working("reading"):
+        files = [(path, read_choice(path, **reading)) for path in (first, second)]
+    keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
+    regions = []
+    for path, found in files:
+        name = split_choice(path)[0]
+        say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
+        say_all(f"{show_path(name)}: {note}" for note in found.notes)
+        with working("reading"), name_file(name):
+            regions.append(found[0].region())
+    return regions[0], regions[1]
 
 
 def takes_reading(command: Callable[..., None]) -> Callable[..., None]:
@@ -208,9 +241,15 @@ def takes_reading(command: Callable[..., None]) -> Callable[..., None]:
     )
     @click.option(
         "--nested",
-        is_flag=True,
+        metavar="[all|OUTER,INNER]",
         help="Closed outlines inside others of their layer are holes, which DXF has no other way "
-        "to draw.",
+        "to draw; with 'all', of any layer; with names of layers, of any of these.",
+    )
+    @click.option("--hidden", is_flag=True, help="Read hidden geometry of SVG and DXF, too.")
+    @click.option(
+        "--y-down/--y-up",
+        default=None,
+        help="Whether Y points down in the files; if left out, it does in SVG only.",
     )
     @click.option(
         "--unit",
@@ -222,11 +261,14 @@ def takes_reading(command: Callable[..., None]) -> Callable[..., None]:
     def with_reading(
         tolerance: Fraction | None,
         join: Fraction | None,
-        nested: bool,
+        nested: str | None,
         unit: str | None,
+        hidden: bool,
+        y_down: bool | None,
         **options: Any,
     ) -> None:
-        reading = {"tolerance": tolerance, "nested": nested, "join": join, "unit": unit}
+        reading = {"tolerance": tolerance, "join": join, "unit": unit, "hidden": hidden}
+        reading |= {"nested": nested == SAME_LAYER or nested or False, "y_down": y_down}
         command(reading=reading, **options)
 
     return with_reading

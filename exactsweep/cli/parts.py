@@ -1,12 +1,14 @@
 """The polygons of files and folders, and what is said of those that are left out."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import click
 
+from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, show_path
 from exactsweep.formats.folder import Listing, list_parts, make_unique
+from exactsweep.formats.part_list import PartList, summarize
 
 _MOST_REASONS = 100
 
@@ -21,17 +23,19 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
     Raises:
         FormatError: nothing is there.
     """
-    listing = list_parts(paths, **reading)
+    with working("reading"):
+        listing = list_parts(paths, **reading)
     if not listing.parts:
         reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: holds no polygon"]
         raise FormatError(summarize(reasons))
     say_left_out(listing.left_out)
+    say_all(listing.notes)
     return listing
 
 
 def read_named(
     paths: Sequence[str], reading: Mapping[str, Any], *, keep: bool = False
-) -> list[NamedRegion]:
+) -> PartList[NamedRegion]:
     """Read the polygons of files, named among all of them, and say what is left out.
 
     Args:
@@ -46,31 +50,30 @@ def read_named(
     found: list[NamedRegion] = []
     names: list[str] = []
     reasons: list[str] = []
-    for part in listing.parts:
-        try:
-            found.append(part.candidate.named_region())
-            names.append(part.name)
-        except ValueError as error:
-            reasons.append(f"{part.file}: {error}")
+    with working("reading"):
+        for part in listing.parts:
+            try:
+                found.append(part.candidate.named_region())
+                names.append(part.name)
+            except ValueError as error:
+                reasons.append(f"{part.file}: {error}")
     if not found:
         raise FormatError(summarize(reasons))
     say_left_out(reasons)
-    if keep and listing.files == 1:
-        return found
-    unique = make_unique(names)
-    return [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
-
-
-def summarize(reasons: Sequence[str]) -> str:
-    """The one reason for which nothing could be read, or the first of several."""
-    if len(reasons) == 1:
-        return reasons[0]
-    return f"nothing can be read: {reasons[0]}; and {len(reasons) - 1} more"
+    if not keep or listing.files > 1:
+        unique = make_unique(names)
+        found = [one._replace(name=name) for one, name in zip(found, unique, strict=True)]
+    return PartList(found, listing.coordinates)
 
 
 def say_left_out(reasons: Sequence[str]) -> None:
     """Say on standard error what was not read, and why, a line each."""
-    for reason in reasons[:_MOST_REASONS]:
-        click.echo(f"left out: {reason}", err=True)
-    if len(reasons) > _MOST_REASONS:
-        click.echo(f"left out: {len(reasons) - _MOST_REASONS} more", err=True)
+    more = len(reasons) - _MOST_REASONS
+    shown = [*reasons[:_MOST_REASONS], f"{more} more"] if more > 0 else reasons
+    say_all(f"left out: {reason}" for reason in shown)
+
+
+def say_all(lines: Iterable[str]) -> None:
+    """Say something on standard error, a line each."""
+    for line in lines:
+        click.echo(line, err=True)

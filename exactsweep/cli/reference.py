@@ -23,6 +23,7 @@ MODULES = (
     "exactsweep.evidence",
     "exactsweep.evidence.steps",
     "exactsweep.check",
+    "exactsweep.layout",
     "exactsweep.text",
     "exactsweep.formats",
     "exactsweep.batch",

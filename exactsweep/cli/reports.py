@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -21,6 +22,13 @@ from exactsweep.numbers.number import to_fraction
 if TYPE_CHECKING:
     from exactsweep.conform.run.protocol import Hello
     from exactsweep.conform.run.run import Run
+
+
+def require_own_files(paths: Sequence[str | None]) -> None:
+    """Refuse one file for two reports."""
+    files = [os.path.realpath(path) for path in paths if path not in (None, "-")]
+    if len({*files}) < len(files):
+        raise click.UsageError("Give each report and the journal a file of its own.")
 
 
 class Reports:
@@ -78,6 +86,7 @@ class Reports:
         paths = [path for path in (self.junit, self.json, self.html) if path is not None]
         if paths.count("-") > 1:
             raise click.UsageError("Only one report can go to standard output.")
+        require_own_files(paths)
         for path in paths:
             if path != "-" and not Path(path).parent.is_dir():
                 raise FormatError(f"{path}: its folder is not there")

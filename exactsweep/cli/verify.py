@@ -8,6 +8,7 @@ import click
 
 from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH
+from exactsweep.cli.working import working
 from exactsweep.formats import read_certificate, read_region
 from exactsweep.text.results import verification_to_json
 from exactsweep.words import write_pair
@@ -56,7 +57,8 @@ def verify_command(
     asked: dict[str, Any] = dict(zip(names, map(read_region, shapes), strict=False))
     if max_steps is not None:
         asked["max_steps"] = max_steps
-    verdict = verify(certificate, **asked)
+    with working("checking the certificate"):
+        verdict = verify(certificate, **asked)
     if verdict.proved and output is not None:
         from exactsweep.evidence.proof import add_proof
 

@@ -65,6 +65,33 @@ class NoFitPolygon(Shown):
         """
         return place_fits(self.solution.fits, self.reference)
 
+    def locate(self, position: Iterable[object]) -> Literal["overlap", "contact", "free"]:
+        """Locate a position of the orbiting polygon.
+
+        Args:
+            position: a pair of numbers, where the reference point of the orbiting polygon is.
+
+        Returns:
+            "overlap", where interiors overlap; "contact", where the polygons touch only: on a loop
+            or in an exact fit; "free", where they are apart.
+
+        Raises:
+            NumberError: a coordinate is not an exact number.
+
+        Cost: that of the loops and exact fits, and linear in their size.
+
+        Example:
+            >>> from exactsweep import no_fit_polygon
+            >>> n = no_fit_polygon([(0, 0), (1, 0), (0, 1)], [(0, 0), (1, 0), (0, 1)])
+            >>> n.locate((0, 0)), n.locate((1, 0)), n.locate((1, 1))
+            ('overlap', 'contact', 'free')
+        """
+        t = read_point(position, "position")
+        if _is_on(t, (self.exterior, *self.holes), self.exact_fits):
+            return "contact"
+        in_hole = any(hole.contains(t) for hole in self.holes)
+        return "overlap" if self.exterior.contains(t) and not in_hole else "free"
+
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the answer, told in translations of G.
 
@@ -120,7 +147,7 @@ class InnerFit(Shown):
         self.placed = tuple(placed)
 
     @made_once
-    def solution(self) -> ss.InnerFitSS:
+    def solution(self) -> ss.FreeRegions:
         """The positions of the part's origin."""
         scale, (container, part, *placed) = share_lattice([self.container, self.part, *self.placed])
         return ss.inner_fit_ss(container, part, scale, placed)
@@ -150,13 +177,10 @@ class InnerFit(Shown):
             ('boundary', 'boundary', 'outside')
         """
         t = read_point(position, "position")
-        if any(region.contains(t, strictly=True) for region in self.regions):
-            return "inside"
-        if any(region.contains(t) for region in self.regions) or any(
-            is_on(t, fit) for fit in self.exact_fits
-        ):
+        loops = [ring for region in self.regions for ring in (region.exterior, *region.holes)]
+        if _is_on(t, loops, self.exact_fits):
             return "boundary"
-        return "outside"
+        return "inside" if any(region.contains(t) for region in self.regions) else "outside"
 
     @made_once
     def regions(self) -> tuple[Region, ...]:
@@ -173,7 +197,7 @@ class InnerFit(Shown):
     @made_once
     def exact_fits(self) -> tuple[Fit, ...]:
         """Positions without room in some direction, as for `NoFitPolygon`."""
-        return place_fits(self.solution.exact_fits, self.reference)
+        return place_fits(self.solution.fits, self.reference)
 
     def certificate(self) -> dict[str, Any]:
         """Plain JSON data from which anyone can check the answer, told in translations.
@@ -183,7 +207,7 @@ class InnerFit(Shown):
         """
         if self.placed:
             raise PolygonError("positions among placed shapes have no certificate")
-        fits = self.solution.exact_fits
+        fits = self.solution.fits
         return claim_inner_fit(self.container, self.part, self._regions(ORIGIN), fits)
 
     @property
@@ -200,6 +224,11 @@ class InnerFit(Shown):
             f"<InnerFit of {len(self.part)} in {len(self.container)} vertices: "
             f"{len(self.regions)} regions, {len(self.exact_fits)} exact fits>"
         )
+
+
+def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
+    """Whether a position is on some loop, or in an exact fit."""
+    return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
 
 
 def _said(fit: Fit) -> str:

@@ -4,7 +4,15 @@ from exactsweep.formats.candidate import NamedPolygon, NamedRegion
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import read_certificate
 from exactsweep.formats.files import read_text, show_path
-from exactsweep.formats.interchange import from_numpy, from_shapely, to_numpy, to_shapely
+from exactsweep.formats.interchange import (
+    from_numpy,
+    from_shapely,
+    from_wkt,
+    parts_from_shapely,
+    to_numpy,
+    to_shapely,
+)
+from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.polygons import (
     parse_polygon,
     parse_polygons,
@@ -20,16 +28,20 @@ from exactsweep.formats.writing import FORMATS, format_polygons
 
 __all__ = [
     "FORMATS",
+    "Coordinates",
     "FormatError",
     "NamedPolygon",
     "NamedRegion",
+    "PartList",
     "format_polygons",
     "from_numpy",
     "from_shapely",
+    "from_wkt",
     "parse_polygon",
     "parse_polygons",
     "parse_region",
     "parse_regions",
+    "parts_from_shapely",
     "read_certificate",
     "read_polygon",
     "read_polygons",

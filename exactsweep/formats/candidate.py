@@ -17,7 +17,6 @@ from exactsweep.words import count, suggest
 
 _SHOWN = 4
 _PolygonOrRegion = TypeVar("_PolygonOrRegion", Polygon, Region)
-_Read = TypeVar("_Read")
 
 
 class NamedPolygon(NamedTuple):
@@ -47,6 +46,10 @@ class NamedRegion(NamedTuple):
     name: str | None = None
     layer: str | None = None
 
+    def turned(self) -> Self:
+        """Return it with Y the other way up."""
+        return self._replace(region=self.region.scaled((1, -1)))
+
 
 class Candidate(NamedTuple):
     """A polygon of a file, to be read when it is wanted, so that its faults concern no other.
@@ -58,6 +61,7 @@ class Candidate(NamedTuple):
         layer: its layer, or None.
         holes: finds its inner rings, in order, or raises FormatError; read when they are wanted.
         fault: why it is known to be no polygon before it is read; else "".
+        ornament: whether it cannot be part of any outline, so that nothing is lost without it.
     """
 
     place: str
@@ -66,15 +70,30 @@ class Candidate(NamedTuple):
     layer: str | None = None
     holes: Callable[[], Sequence[Candidate]] = tuple
     fault: str = ""
+    ornament: bool = False
 
     @classmethod
-    def refused(cls, reason: str, name: str | None = None, layer: str | None = None) -> Self:
+    def refused(
+        cls,
+        reason: str,
+        name: str | None = None,
+        layer: str | None = None,
+        *,
+        ornament: bool = False,
+    ) -> Self:
         """Make a candidate that raises FormatError, for what is drawn but is no polygon."""
 
         def vertices() -> NoReturn:
             raise FormatError(reason)
 
-        return cls("", vertices, name, layer, fault=reason)
+        return cls("", vertices, name, layer, fault=reason, ornament=ornament)
+
+    def turned(self) -> Self:
+        """Return it with Y the other way up."""
+        return self._replace(
+            vertices=lambda: [Point(p.x, -p.y) for p in self.vertices()],
+            holes=lambda: [hole.turned() for hole in self.holes()],
+        )
 
     def polygon(self) -> Polygon:
         """Read the polygon; raises FormatError, or PolygonError if it is not simple."""
@@ -126,26 +145,6 @@ class Candidate(NamedTuple):
         return NamedRegion(self.region(), self.name, self.layer)
 
 
-def read_each(candidates: Sequence[Candidate], read: Callable[[Candidate], _Read]) -> list[_Read]:
-    """Read all candidates, or refuse all that cannot be read in one message."""
-    found: list[_Read] = []
-    # Of a refusal no more than its words: it holds on to all that it came from.
-    refusals: list[tuple[type[ValueError], str]] = []
-    more = 0
-    for candidate in candidates:
-        try:
-            found.append(read(candidate))
-        except ValueError as error:
-            if len(refusals) < _SHOWN:
-                refusals.append((type(error), str(error)))
-            else:
-                more += 1
-    if refusals:
-        kind, reason = refusals[0][0], "; ".join(reason for _, reason in refusals)
-        raise kind(f"{reason}; and {more} more" if more else reason)
-    return found
-
-
 def allow_faults(candidates: Iterable[Candidate]) -> list[Candidate]:
     """List candidates, of which some are known to be no polygons.
 
@@ -195,8 +194,9 @@ def choose(candidates: Sequence[Candidate], choice: str | None) -> Candidate:
         )
     if not candidates:
         raise FormatError("holds no polygon")
-    if len(candidates) == 1:
-        return candidates[0]
+    plain = [candidate for candidate in candidates if not candidate.ornament]
+    if len(plain) == 1 or len(candidates) == 1:
+        return (plain or candidates)[0]
     sound = [i for i, candidate in enumerate(candidates) if not candidate.fault]
     faults = [candidate.fault for candidate in candidates if candidate.fault]
     if not sound:

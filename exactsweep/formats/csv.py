@@ -1,4 +1,7 @@
-"""CSV in and out: a vertex a row, in columns x and y, perhaps with the polygon's name and ring."""
+"""CSV in and out: a vertex a row, in columns x and y, perhaps with the polygon's name and ring.
+
+Other programs write a polygon a row, in a column of WKT.
+"""
 
 from __future__ import annotations
 
@@ -9,28 +12,41 @@ from contextlib import contextmanager
 from functools import partial
 from io import StringIO
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.size import VERTEX, require_count
+from exactsweep.formats.wkt import parse_wkt
+from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Point
 
 _NAMES = ("name", "id", "part", "polygon")
-_COLUMNS = {"x", "y", "ring", *_NAMES}
-_NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
+_WKT = ("wkt", "geometry", "geom", "the_geom", "wkt_geom")
+_COLUMNS = {"x", "y", "ring", *_NAMES, *_WKT}
+_NUMBERS = re.compile(r"\s*\"?[-+.0-9][-+.,0-9eE]*\"?\s*[,;\t]\s*\"?[-+.0-9]")
 
 _RowsByRing = dict[str, list[tuple[int, str, str]]]
 
 
 def is_csv(text: str) -> bool:
-    """Tell whether a text begins with two numbers, or with a head that has columns x and y.
+    """Tell whether a text begins with two numbers, or with a head of columns x and y, or of WKT.
 
-    >>> is_csv("1.5,2"), is_csv("name;X;Y"), is_csv("POLYGON ((0 0")
-    (True, True, False)
+    >>> is_csv("1.5,2"), is_csv("name;X;Y"), is_csv("WKT,id"), is_csv("POLYGON ((0 0")
+    (True, True, True, False)
     """
-    first = text.lstrip().partition("\n")[0]
-    head = [word.strip().strip('"').lower() for word in re.split(r"[,;\t]", first[:1000])]
-    return bool(_NUMBERS.match(first)) or {"x", "y"} <= set(head)
+    head = _head(text)
+    is_table = {"x", "y"} <= head or not head.isdisjoint(_WKT)
+    return is_table or bool(_NUMBERS.match(text.lstrip().partition("\n")[0]))
+
+
+def count_vertices(text: str) -> int:
+    """Count what may be a vertex: a row, or what ends at a comma of WKT."""
+    return text.count("\n" if {"x", "y"} <= _head(text) or _NUMBERS.match(text) else ",")
+
+
+def _head(text: str) -> set[str]:
+    first = text.lstrip()[:1000].partition("\n")[0]
+    return {word.strip().strip('"').lower() for word in re.split(r"[,;\t]", first)}
 
 
 def parse_csv(text: str) -> list[Candidate]:
@@ -40,14 +56,15 @@ def parse_csv(text: str) -> list[Candidate]:
         text: a vertex a row, in columns x and y, or the first two where there is no head; perhaps
             a column "name", "id" or "part" of the polygon it is of, and one "polygon", which tells
             polygons of one name apart, and a column "ring", whose first value is the exterior's,
-            and every other one that of a hole. Columns are
-            separated by commas, semicolons or tabs; numbers are decimals.
+            and every other one that of a hole; or a polygon a row, in a column "wkt" or "geometry".
+            Columns are separated by commas, semicolons or tabs; numbers are decimals, and where
+            semicolons or tabs separate them, with a point or a comma.
 
     Returns:
         list of Candidate, in order; a ring may be closed or not.
 
     Raises:
-        FormatError: a row that is too short; the message says in which line.
+        FormatError: a row that is too short, with its line; a column that is there twice.
 
     Cost: linear.
 
@@ -70,34 +87,60 @@ def _cells_of_any_length(length: int) -> Iterator[None]:
 
 
 def _parse(text: str) -> list[Candidate]:
-    sample = text.lstrip().partition("\n")[0]
-    separator = max(",;\t", key=sample.count)
+    sample = re.sub(r'"[^"]*+"', "", text.lstrip().partition("\n")[0])
+    separator = next((mark for mark in ";\t" if mark in sample), ",")
     rows = csv.reader(StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
     polygons: dict[tuple[str, str], _RowsByRing] = {}
+    written: list[Candidate] = []
     columns: dict[str, int] | None = None
+    wanted: str | None = None
+    point = "," if separator == "," else "."
     try:
         for row in rows:
             if not any(cell.strip() for cell in row):
                 continue
             if columns is None:
                 head = [cell.strip().lower() for cell in row]
-                # Of two columns of one name the latter; others are of no use here.
                 columns = {cell: k for k, cell in enumerate(head) if cell in _COLUMNS}
-                if {"x", "y"} <= columns.keys():
+                twice = next((cell for cell in columns if head.count(cell) > 1), None)
+                if twice:
+                    raise FormatError(f"line {rows.line_num}: two columns {quote(twice)}")
+                wanted = next((cell for cell in _WKT if cell in columns), None)
+                wanted = None if {"x", "y"} <= columns.keys() else wanted
+                if wanted or {"x", "y"} <= columns.keys():
                     continue
                 columns = {"x": 0, "y": 1}
-            if len(row) <= max(columns["x"], columns["y"]):
-                raise FormatError(f"line {rows.line_num}: {len(row)} cells, without x and y")
+            if len(row) <= max(columns[cell] for cell in ([wanted] if wanted else "xy")):
+                shown = wanted or "x and y"
+                raise FormatError(f"line {rows.line_num}: {len(row)} cells, without {shown}")
             named = {word: row[k] for word, k in columns.items() if k < len(row)}
             name = next((named[word] for word in _NAMES if word in named), "")
+            if wanted:
+                written += _read_wkt(row[columns[wanted]], rows.line_num, name or None)
+                continue
             # Each has three vertices at least.
             require_count(len(polygons), 3 * VERTEX, "polygons")
             rings = polygons.setdefault((named.get("polygon", ""), name), {})
-            cells = rows.line_num, row[columns["x"]], row[columns["y"]]
+            x, y = (row[columns[cell]].replace(",", point) for cell in "xy")
+            cells = rows.line_num, x, y
             rings.setdefault(named.get("ring", ""), []).append(cells)
     except csv.Error as error:
         raise FormatError(f"line {rows.line_num}: not CSV: {error}") from None
-    return [_candidate(name, rings) for (_, name), rings in polygons.items()]
+    return [*allow_faults(written), *(_candidate(n, rings) for (_, n), rings in polygons.items())]
+
+
+def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
+    try:
+        found = parse_wkt(text)
+    except FormatError as error:
+        return [Candidate.refused(f"line {line}: {error}", name)]
+    place = f"line {line}"
+    return [
+        Candidate.refused(f"{place}: {one.fault}", name)
+        if one.fault
+        else one._replace(name=name, place=place)
+        for one in found
+    ]
 
 
 def _candidate(name: str, rings: _RowsByRing) -> Candidate:

@@ -6,11 +6,12 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from glob import glob, has_magic
 from pathlib import Path
-from typing import NamedTuple, Unpack
+from typing import NamedTuple, TypeVar, Unpack
 
-from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.candidate import Candidate, NamedRegion
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import show_path
+from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.polygons import read_candidates, split_choice
 from exactsweep.formats.reading import Options
 
@@ -38,12 +39,16 @@ class Listing(NamedTuple):
     Attributes:
         files: how many there are.
         parts: list of ListedPart.
-        left_out: what is no polygon, a line each: the file, and the reason.
+        left_out: what is hidden or no polygon, a line each: the file, and the reason.
+        notes: what else there is to say, a line each.
+        coordinates: the meaning of the coordinates, of Y and of the unit.
     """
 
     files: int
     parts: list[ListedPart]
     left_out: list[str]
+    notes: list[str]
+    coordinates: Coordinates
 
 
 def find_files(path: str) -> list[str]:
@@ -96,7 +101,8 @@ def list_parts(
     Returns:
         A Listing. A polygon of one file is named by its id, or else by its layer, or by the file if
         it is the only one, or by its index. Of several files the name of the file goes before that,
-        as in "left.dxf#cut", without the folder that was given.
+        as in "left.dxf#cut", without the folder that was given. Where Y points down in some files
+        and up in others, it points up in all, and a note says so.
 
     Raises:
         FormatError: the only file cannot be read, or none of several; no file is there.
@@ -105,6 +111,7 @@ def list_parts(
     parts: list[ListedPart] = []
     left_out: list[str] = []
     faults = []
+    read: list[tuple[str, str, PartList[Candidate]]] = []
     for path, shown in files:
         try:
             candidates = read_candidates(path, tolerance, **options)
@@ -112,7 +119,11 @@ def list_parts(
             faults.append(error)
             left_out.append(str(error))
             continue
-        file = show_path(split_choice(path)[0])
+        read.append((show_path(split_choice(path)[0]), shown, candidates))
+    coordinates, notes = bring_to_one([(file, candidates) for file, _, candidates in read])
+    for file, shown, candidates in read:
+        left_out += [f"{file}: {reason}" for reason in candidates.left_out]
+        notes += [f"{file}: {note}" for note in candidates.notes]
         left_out += [f"{file}: {one.fault}" for one in candidates if one.fault]
         sound = [(k, one) for k, one in enumerate(candidates) if not one.fault]
         for k, candidate in sound:
@@ -122,7 +133,33 @@ def list_parts(
             parts.append(ListedPart(own or shown, file, candidate))
     if len(faults) == len(files):
         raise faults[0]
-    return Listing(len(files), parts, left_out)
+    return Listing(len(files), parts, left_out, notes, coordinates)
+
+
+_Turned = TypeVar("_Turned", Candidate, NamedRegion)
+
+
+def bring_to_one(files: Sequence[tuple[str, PartList[_Turned]]]) -> tuple[Coordinates, list[str]]:
+    """Turn Y up in some files if it points up in others.
+
+    Args:
+        files: what each is called, and its polygons, which are turned in place.
+
+    Returns:
+        The coordinates of all, without a unit where they have several; and what there is to say.
+    """
+    systems = {found.coordinates for _, found in files}
+    notes = []
+    down = [(name, found) for name, found in files if found.coordinates.y_down]
+    if len({one.y_down for one in systems}) > 1:
+        for name, found in down:
+            found[:] = [one.turned() for one in found]
+            notes.append(f"{name}: Y points down there, up in other files: turned up")
+    units = {one.unit for one in systems} - {None}
+    if len(units) > 1:
+        notes.append("the files have different units (--unit brings them to one)")
+    unit = units.pop() if len(units) == 1 else None
+    return Coordinates(bool(systems) and all(one.y_down for one in systems), unit), notes
 
 
 def _split_files(path: str) -> Iterator[tuple[str, str]]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from exactsweep.formats.candidate import NamedRegion, choose
 from exactsweep.formats.error import FormatError
+from exactsweep.formats.part_list import PartList
+from exactsweep.formats.wkt import parse_wkt
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
@@ -49,6 +52,68 @@ def from_shapely(geometry: shapely.Polygon) -> AnyPolygon:
     if kind == "Polygon" and len(geometry.interiors):
         return Region(geometry.exterior.coords, [ring.coords for ring in geometry.interiors])
     return Polygon((geometry.exterior if kind == "Polygon" else geometry).coords)
+
+
+@tells_arguments
+def parts_from_shapely(geometries: Iterable[shapely.Geometry]) -> PartList[NamedRegion]:
+    """Read all polygons of geometries of shapely, each as a part of its own.
+
+    Args:
+        geometries: a MultiPolygon or a collection, several geometries, or a GeoSeries of geopandas,
+            whose index names the parts.
+
+    Returns:
+        PartList, a list of NamedRegion, in order; `left_out` lists what is no polygon.
+
+    Raises:
+        FormatError: nothing can be read.
+
+    Example:
+        >>> import shapely
+        >>> both = shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(2, 0, 4, 1)])
+        >>> [part.region.area for part in parts_from_shapely(both)]
+        [Fraction(1, 1), Fraction(2, 1)]
+    """
+
+    def read(part: tuple[str | None, shapely.Geometry]) -> NamedRegion:
+        return NamedRegion(Region(from_shapely(part[1])), part[0])
+
+    return PartList(_list_parts(geometries)).read_each(read)
+
+
+def _list_parts(geometries: Any, name: str | None = None) -> Iterator[tuple[str | None, Any]]:
+    """Find single geometries in nested ones, with the names that a series gives them."""
+    if hasattr(geometries, "geoms"):
+        geometries = geometries.geoms
+    if hasattr(geometries, "geom_type") and not hasattr(geometries, "items"):
+        yield name, geometries
+    elif hasattr(geometries, "items"):
+        for key, geometry in geometries.items():
+            yield from _list_parts(geometry, str(key))
+    else:
+        for geometry in geometries:
+            yield from _list_parts(geometry, name)
+
+
+@tells_arguments
+def from_wkt(text: str) -> AnyPolygon:
+    """Read a polygon of WKT, exactly as its decimals say.
+
+    Args:
+        text: one POLYGON, or a MULTIPOLYGON of one.
+
+    Returns:
+        A Polygon, or a Region if there are inner rings.
+
+    Raises:
+        FormatError: not WKT, or several polygons; for these there is `parse_regions`.
+        PolygonError: not simple, or not a region.
+
+    Example:
+        >>> print(from_wkt("POLYGON ((0 0, 0.1 0, 0 1, 0 0))"))
+        (0, 0) (1/10, 0) (0, 1)
+    """
+    return choose(parse_wkt(text), None).shape()
 
 
 @tells_arguments

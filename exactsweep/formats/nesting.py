@@ -9,11 +9,14 @@ from fractions import Fraction
 from functools import partial
 
 from exactsweep.formats.candidate import Candidate
+from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import common_lattice
+from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.words import suggest
 
 
 def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
@@ -118,16 +121,20 @@ def _from_outside(parents: Sequence[int | None]) -> Iterator[int]:
         left += children[k]
 
 
-def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
+def nest_candidates(outlines: Sequence[Candidate], nested: bool | str = True) -> list[Candidate]:
     """Make holes of what lies inside other outlines of the same layer.
 
     Args:
         outlines: those of a file; where there are no layers, all are on one.
+        nested: "all" takes all layers for one; names between commas, these.
 
     Returns:
         list of Candidate, one for each ring that an even number of others is around, in order; its
         holes are the rings just inside. The outlines of a layer of which one cannot be read, or two
-        cross, all refuse to be read, for nobody knows what the holes are.
+        cross, all refuse to be read, for nobody knows what the holes are. Ornaments stay apart.
+
+    Raises:
+        FormatError: there is no layer of a name that is given.
 
     Cost: that of `nest` for each layer.
 
@@ -139,10 +146,20 @@ def nest_candidates(outlines: Sequence[Candidate]) -> list[Candidate]:
         >>> [outline.shape().area for outline in found]
         [Fraction(20, 1), Fraction(4, 1)]
     """
+    merged = nested.split(",") if isinstance(nested, str) else []
+    known = {outline.layer for outline in outlines}
+    if nested != "all" and not known.issuperset(merged):
+        missing = next(name for name in merged if name not in known)
+        near = suggest(missing, [name for name in known if name])
+        raise FormatError(f"nothing is on a layer {quote(missing)}{near}")
     layers: defaultdict[str | None, list[tuple[int, Candidate]]] = defaultdict(list)
-    for place, outline in enumerate(outlines):
-        layers[outline.layer].append((place, outline))
     found: list[tuple[int, Candidate]] = []
+    for place, outline in enumerate(outlines):
+        if outline.ornament:
+            found.append((place, outline))
+        else:
+            is_merged = nested == "all" or outline.layer in merged
+            layers[merged[0] if is_merged else outline.layer].append((place, outline))
     for members in layers.values():
         try:
             found += _nest(members)

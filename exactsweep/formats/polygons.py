@@ -1,35 +1,27 @@
 """Polygons from text and files, in whichever format the content shows."""
 
 import os
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Unpack
+from typing import TypeVar, Unpack
 
 from exactsweep.formats.candidate import (
     Candidate,
     NamedPolygon,
     NamedRegion,
-    allow_faults,
     choose,
-    read_each,
     select,
 )
-from exactsweep.formats.csv import is_csv, parse_csv
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import count_vertices, parse_json, read_exact
-from exactsweep.formats.files import DXF_SIGN, read_text, show_path
-from exactsweep.formats.geojson import read_geojson
-from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.reading import Options, Reading
-from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
-from exactsweep.formats.wkt import parse_wkt
+from exactsweep.formats.files import read_text, show_path
+from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.part_list import PartList
+from exactsweep.formats.reading import Options
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.arguments import tells_arguments
 
-# A group code 0 and the name that follows it.
-_ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
+_Taken = TypeVar("_Taken")
 
 
 @tells_arguments
@@ -72,7 +64,7 @@ def parse_polygon(
 @tells_arguments
 def parse_polygons(
     text: str, tolerance: object = None, **options: Unpack[Options]
-) -> list[NamedPolygon]:
+) -> PartList[NamedPolygon]:
     """Read all polygons of a text.
 
     Args:
@@ -82,16 +74,18 @@ def parse_polygons(
             JSON, strings such as "-7/2" are numbers, too.
         tolerance: how far lines may be from the curves of SVG and DXF that they replace, a
             positive number as `to_fraction` reads it; None to refuse curves.
-        options: "nested", "join" and "unit", as `exactsweep.formats.reading.Options` has them.
+        options: "nested", "join", "unit", "hidden" and "y_down", as
+            `exactsweep.formats.reading.Options` has them.
 
     Returns:
-        list of NamedPolygon, in order.
+        PartList, a list of NamedPolygon, in order. Its `left_out` lists what is hidden or no
+        polygon, or has holes, for which there is `parse_regions`, with the place, by line and
+        column or by JSON path. Its `coordinates` says which way Y points, and the unit.
 
     Raises:
-        FormatError: none of these formats, or something in it that is no polygon, or one with
-            holes, for which there is `parse_regions`; the message says where, by line and column or
-            by JSON path.
-        PolygonError: not a simple polygon; the message names vertices by their index.
+        FormatError: none of these formats, or nothing in it can be read.
+        PolygonError: the same, if the first one is no simple polygon; the message names vertices by
+            their index.
 
     Cost: linear in the length of the text, and that of `Polygon`.
 
@@ -100,7 +94,7 @@ def parse_polygons(
         >>> print(b.polygon)
         (0, 0) (2, 0) (0, 2)
     """
-    return read_each(parse_candidates(text, tolerance, **options), Candidate.named_polygon)
+    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_polygon)
 
 
 @tells_arguments
@@ -137,7 +131,7 @@ def parse_region(
 @tells_arguments
 def parse_regions(
     text: str, tolerance: object = None, **options: Unpack[Options]
-) -> list[NamedRegion]:
+) -> PartList[NamedRegion]:
     """Read all polygons of a text with their holes.
 
     Args:
@@ -148,11 +142,10 @@ def parse_regions(
         options: likewise.
 
     Returns:
-        list of NamedRegion, in order.
+        PartList, a list of NamedRegion, in order, as by `parse_polygons`, with holes.
 
     Raises:
-        FormatError: as by `parse_polygons`, holes excepted, or a path that draws several regions.
-        PolygonError: not a region; the message names rings, and vertices by their index.
+        FormatError, PolygonError: as by `parse_polygons`, holes excepted.
 
     Cost: linear in the length of the text, and that of `Region`; for paths with several subpaths
         and with `nested` that of `exactsweep.formats.nesting.nest`.
@@ -162,7 +155,7 @@ def parse_regions(
         >>> [part.region.area for part in parse_regions(f"<svg>{path}</svg>")]
         [Fraction(31, 2)]
     """
-    return read_each(parse_candidates(text, tolerance, **options), Candidate.named_region)
+    return parse_candidates(text, tolerance, **options).read_each(Candidate.named_region)
 
 
 @tells_arguments
@@ -182,9 +175,7 @@ def read_polygon(
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    file, choice = split_choice(path)
-    with _name_file(file):
-        return parse_polygon(read_text(file), choice, tolerance, **options)
+    return _read_file(path, lambda f, c: choose(f, c).polygon(), tolerance, options)
 
 
 @tells_arguments
@@ -204,15 +195,13 @@ def read_region(
     Raises:
         FormatError: anything wrong with the file or in it; the message names the file.
     """
-    file, choice = split_choice(path)
-    with _name_file(file):
-        return parse_region(read_text(file), choice, tolerance, **options)
+    return _read_file(path, lambda f, c: choose(f, c).region(), tolerance, options)
 
 
 @tells_arguments
 def read_polygons(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
-) -> list[NamedPolygon]:
+) -> PartList[NamedPolygon]:
     """Read all polygons of a file, or of standard input.
 
     Args:
@@ -220,20 +209,20 @@ def read_polygons(
         tolerance: as for `parse_polygons`.
 
     Returns:
-        list of NamedPolygon, in order.
+        PartList, a list of NamedPolygon, in order, as by `parse_polygons`.
 
     Raises:
-        FormatError: anything wrong with the file or in it; the message names the file.
+        FormatError: nothing can be read; the message names the file.
     """
-    candidates = read_candidates(path, tolerance, **options)
-    with _name_file(split_choice(path)[0]):
-        return read_each(candidates, Candidate.named_polygon)
+    return _read_file(
+        path, lambda f, c: _select(f, c).read_each(Candidate.named_polygon), tolerance, options
+    )
 
 
 @tells_arguments
 def read_regions(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
-) -> list[NamedRegion]:
+) -> PartList[NamedRegion]:
     """Read all polygons of a file, or of standard input, with their holes.
 
     Args:
@@ -242,130 +231,50 @@ def read_regions(
         options: likewise.
 
     Returns:
-        list of NamedRegion, in order, as by `parse_regions`.
+        PartList, a list of NamedRegion, in order, as by `parse_regions`.
 
     Raises:
-        FormatError: anything wrong with the file or in it; the message names the file.
+        FormatError: nothing can be read; the message names the file.
     """
-    candidates = read_candidates(path, tolerance, **options)
-    with _name_file(split_choice(path)[0]):
-        return read_each(candidates, Candidate.named_region)
+    return _read_file(
+        path, lambda f, c: _select(f, c).read_each(Candidate.named_region), tolerance, options
+    )
 
 
 def read_candidates(
     path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
-) -> Sequence[Candidate]:
+) -> PartList[Candidate]:
     """Find the polygons of a file as `read_polygons` does, but read none of them yet."""
+    return _read_file(path, _select, tolerance, options)
+
+
+def read_choice(
+    path: str | os.PathLike[str], tolerance: object = None, **options: Unpack[Options]
+) -> PartList[Candidate]:
+    """Find the polygon of a file as `read_region` does, but do not read it yet."""
+
+    def take(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
+        chosen = choose(found, choice)
+        others = [one.fault for one in found if one.ornament and one is not chosen]
+        return found.replaced([chosen], [] if choice else others)
+
+    return _read_file(path, take, tolerance, options)
+
+
+def _select(found: PartList[Candidate], choice: str | None) -> PartList[Candidate]:
+    return found if choice is None else found.replaced(select(found, choice))
+
+
+def _read_file(
+    path: str | os.PathLike[str],
+    take: Callable[[PartList[Candidate], str | None], _Taken],
+    tolerance: object,
+    options: Options,
+) -> _Taken:
+    """Take what is wanted of the polygons of a file, in view of the choice after its path."""
     file, choice = split_choice(path)
-    with _name_file(file):
-        candidates = parse_candidates(read_text(file), tolerance, **options)
-        return candidates if choice is None else select(candidates, choice)
-
-
-def parse_candidates(
-    text: str, tolerance: object = None, **options: Unpack[Options]
-) -> Sequence[Candidate]:
-    """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
-    if not isinstance(text, str):
-        raise FormatError(f"{type(text).__name__} is not text")
-    reading = Reading(tolerance, **options)
-    found = _parse(text, reading)
-    return nest_candidates(found) if reading.nested else found
-
-
-def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
-    first = text.lstrip()[:1]
-    if not first:
-        raise FormatError("empty")
-    if first == "<":
-        from exactsweep.formats.curved.svg import parse_svg
-
-        return parse_svg(text, reading)
-    if DXF_SIGN.match(text):
-        from exactsweep.formats.curved.dxf import parse_dxf
-
-        return parse_dxf(text, reading)
-    # No other format says in which unit its numbers are.
-    reading.scale(None)
-    if first in "[{":
-        return _read_json(text)
-    require_text(text, _count_vertices(text))
-    if is_csv(text):
-        return parse_csv(text)
-    if first.isalpha():
-        return parse_wkt(text)
-    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
-
-
-def _count_vertices(text: str) -> int:
-    return text.count("\n" if is_csv(text) else ",")
-
-
-def measure_written(text: str) -> int:
-    r"""Count the bytes that a text of `format_polygons` counts for where it is read, or some more.
-
-    Args:
-        text: JSON of any other kind, too.
-
-    Returns:
-        A number of bytes.
-
-    Cost: linear.
-
-    Example:
-        >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
-        (64, 48)
-    """
-    first = text.lstrip()[:1]
-    if first == "<":
-        return max(measure_text(text, text.count(",")), ELEMENT * text.count("<"))
-    if DXF_SIGN.match(text):
-        return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
-    vertices = count_vertices if first in "[{" else _count_vertices
-    return measure_text(text, vertices(text))
-
-
-def _read_json(text: str) -> Sequence[Candidate]:
-    """Read one JSON document, or a document a line."""
-    try:
-        document = parse_json(text)
-    except FormatError as error:
-        lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
-        if "Extra data" not in str(error) or not _is_json(lines[0][1]):
-            raise
-        return allow_faults(found for k, line in lines for found in _read_line(line, k))
-    return find_candidates(document)
-
-
-def _is_json(text: str) -> bool:
-    try:
-        parse_json(text)
-    except FormatError:
-        return False
-    return True
-
-
-def _read_line(line: str, number: int) -> Sequence[Candidate]:
-    """Read a line of several; one that is bad concerns no other."""
-    try:
-        return find_candidates(parse_json(line), f"line {number}: $")
-    except FormatError as error:
-        reason = str(error).removeprefix("line 1, ")
-        named = "" if reason.startswith("line ") else f"line {number}: "
-        return [Candidate.refused(f"{named}{reason}")]
-
-
-def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
-    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
-
-    Args:
-        document: the document.
-        path: where it is, for messages.
-    """
-    if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = read_geojson(document, path)
-        return found if len(found) > 1 else [one._replace(place="") for one in found]
-    return read_exact(document, path)
+    with name_file(file):
+        return take(parse_candidates(read_text(file), tolerance, **options), choice)
 
 
 def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
@@ -386,7 +295,7 @@ def split_choice(path: str | os.PathLike[str]) -> tuple[str, str | None]:
 
 
 @contextmanager
-def _name_file(file: str) -> Iterator[None]:
+def name_file(file: str) -> Iterator[None]:
     """Put the name of the file before the message of every refusal."""
     try:
         yield

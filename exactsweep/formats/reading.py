@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import TypedDict
 
@@ -17,6 +19,7 @@ UNITS = {
     "mm": Fraction(1),
     "cm": Fraction(10),
     "m": Fraction(1000),
+    "dm": Fraction(100),
     "um": Fraction(1, 1000),
     "in": Fraction(127, 5),
     "ft": Fraction(1524, 5),
@@ -26,6 +29,11 @@ UNITS = {
 }
 """How many millimetres a unit is; 96 px are an inch, as in CSS."""
 
+# Inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm.
+_INSUNITS = "25.4 304.8 1609344 1 10 1e3 1e6 254e-7 254e-4 914.4 1e-7 1e-6 1e-3 100 1e4 1e5 1e12"
+INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
+"""How many millimetres the unit of a DXF is, by the value of $INSUNITS."""
+
 
 class Options(TypedDict, total=False):
     """What a reader of files may be asked for, besides the tolerance for curves.
@@ -33,17 +41,24 @@ class Options(TypedDict, total=False):
     Attributes:
         nested: whether closed outlines of one layer that lie inside others are their holes, and
             those inside a hole polygons again, and so on; all are on one layer where there are no
-            layers, as there are in DXF and Inkscape's SVG.
+            layers, as there are in DXF and Inkscape's SVG. "all" takes all layers for one, and
+            names of layers between commas take these for one, "OUTER,INNER".
         join: how far ends of lines of SVG and DXF may be apart that are to be one, a positive
             number; if left out, only equal ends are joined, and those of curves within a fourth of
             the tolerance.
         unit: one of UNITS, in which the result is wanted; SVG and DXF that say theirs are scaled,
             exactly, and all others refused. Numbers are taken as they stand if left out.
+        hidden: whether hidden geometry is read, too: invisible entities of DXF, its layers that are
+            off or frozen, and its paper space; elements of SVG without display or visibility, or in
+            `defs`.
+        y_down: whether Y points down in the file; if left out, it does in SVG only.
     """
 
-    nested: bool
+    nested: bool | str
     join: object
     unit: str | None
+    hidden: bool
+    y_down: bool | None
 
 
 class Reading:
@@ -52,11 +67,14 @@ class Reading:
     Args:
         tolerance: how far lines may be from the curves that they replace, a positive number as
             `to_fraction` reads it; None to refuse curves.
-        nested, join, unit: as for `Options`.
+        nested, join, unit, hidden, y_down: as for `Options`.
 
     Attributes:
         tolerance, join: Fractions, or None.
-        nested, unit: as given.
+        nested, unit, hidden, y_down: as given.
+        found_unit: how many millimetres the numbers of the file count; None if it does not say.
+        passed: how many things are passed over for each reason.
+        notes: what else there is to say.
         lines: how many lines curves have become.
         vertices: how many vertices have been drawn, and
         copied: how many bytes, beside those of the file, by what draws something again.
@@ -69,15 +87,20 @@ class Reading:
         self,
         tolerance: object = None,
         *,
-        nested: bool = False,
+        nested: bool | str = False,
         join: object = None,
         unit: str | None = None,
+        hidden: bool = False,
+        y_down: bool | None = None,
     ) -> None:
         if unit is not None and not (isinstance(unit, str) and unit in UNITS):
             raise FormatError(f"the unit {quote(unit)} is none of {', '.join(UNITS)}")
         self.tolerance = read_positive(tolerance, "the tolerance")
         self.join = read_positive(join, "the distance of ends that are joined")
-        self.nested, self.unit = nested, unit
+        self.nested, self.unit, self.hidden, self.y_down = nested, unit, hidden, y_down
+        self.found_unit: Fraction | None = None
+        self.passed: Counter[str] = Counter()
+        self.notes: dict[str, None] = {}
         self.lines = self.vertices = self.copied = 0
 
     def allow_curve(self, count: int = 0) -> Fraction:
@@ -98,7 +121,7 @@ class Reading:
                 "a curve, which is read only with a tolerance for its lines (--flatten)"
             )
         if count > MAX_LINES:
-            shown = f"{count:,}" if count < 10**12 else f"{count:.0e}"
+            shown = f"{count:,}" if count < 10**12 else "more than 10**12"
             raise FormatError(
                 f"a curve would become {shown} lines at this tolerance, more than {MAX_LINES:,}"
             )
@@ -135,11 +158,29 @@ class Reading:
         Args:
             unit: what its numbers count, in millimetres; None if it does not say.
         """
+        self.found_unit = unit
         if self.unit is None:
             return Fraction(1)
         if unit is None:
             raise FormatError("does not say in which unit its numbers are (--unit)")
-        return unit / UNITS[self.unit]
+        self.found_unit = UNITS[self.unit]
+        return unit / self.found_unit
+
+    def hides(self, reason: str) -> bool:
+        """Tell whether something is passed over for a reason, and count it if so.
+
+        Args:
+            reason: what hides it; "" for nothing.
+        """
+        if not reason or self.hidden:
+            return False
+        self.passed[reason] += 1
+        return True
+
+    def is_level(self, heights: Iterable[Fraction]) -> bool:
+        """Tell whether heights are the same, or no farther apart than ends that are joined."""
+        found = [*heights]
+        return not found or max(found) - min(found) <= (self.join or 0)
 
 
 def read_positive(value: object, name: str) -> Fraction | None:

@@ -1,4 +1,4 @@
-"""WKT in (OGC 06-103r4, 7.2): POLYGONs and MULTIPOLYGONs."""
+"""WKT in (OGC 06-103r4, 7.2): POLYGONs, MULTIPOLYGONs, collections of them, and PostGIS's SRID."""
 
 import re
 from collections.abc import Iterator
@@ -21,6 +21,8 @@ _TOKEN = re.compile(
 
 # What results have beside polygons: exact fits.
 _OTHERS = ("LINESTRING", "POINT")
+_SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
+_MAX_DEPTH = 32
 
 
 class _Token(NamedTuple):
@@ -34,14 +36,15 @@ def parse_wkt(text: str) -> list[Candidate]:
 
     Args:
         text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
-            in upper or lower case; numbers as `read_decimal` reads them.
+            in upper or lower case, or several in a GEOMETRYCOLLECTION; numbers as `read_decimal`
+            reads them; Z where it is the same all along a polygon.
 
     Returns:
         list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, Z or M coordinates, a ring that is not closed, whatever is
-            not WKT; the message starts with line and column.
+        FormatError: other geometries, M coordinates, different Z, a ring that is not closed,
+            whatever is not WKT; the message starts with line and column.
 
     Cost: linear in the length of the text.
 
@@ -50,6 +53,8 @@ def parse_wkt(text: str) -> list[Candidate]:
         [4]
     """
     found = allow_faults(_Reader(text).outlines())
+    if not found:
+        raise FormatError("holds no polygon")
     return found if len(found) > 1 else [found[0]._replace(place="")]
 
 
@@ -61,35 +66,47 @@ class _Reader:
         self.tokens = self._tokens()
         self.token = next(self.tokens)
         self.line, self.line_start, self.counted = 1, 0, 0
+        self.height: Fraction | None = None
 
     def outlines(self) -> Iterator[Candidate]:
         while True:
-            kind = self.token.text.upper()
-            if kind not in ("POLYGON", "MULTIPOLYGON", *_OTHERS):
-                self._refuse(f"{self._show()} is neither POLYGON nor MULTIPOLYGON")
-            place = self._place()
-            self._advance()
-            if self.token.text.upper() in ("Z", "M", "ZM"):
-                self._refuse("Z and M coordinates cannot be swept")
-            if self.token.text.upper() == "EMPTY":
-                yield Candidate.refused(f"{self._place()}: the polygon is empty")
-                self._advance()
-            elif kind in _OTHERS:
-                self._skip()
-                yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
-            elif kind == "POLYGON":
-                yield self._polygon()
-            else:
-                self._expect("(")
-                yield self._polygon()
-                while self.token.text == ",":
-                    self._advance()
-                    yield self._polygon()
-                self._expect(")")
+            yield from self._geometry(0)
             if self.token.kind == "end":
                 return
             if self.token.kind != "word":
                 self._refuse(f"{self._show()} after the end of the polygon")
+
+    def _geometry(self, depth: int) -> Iterator[Candidate]:
+        kind = self.token.text.upper()
+        if kind not in ("POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", *_OTHERS):
+            self._refuse(f"{self._show()} is neither POLYGON nor MULTIPOLYGON")
+        if depth > _MAX_DEPTH:
+            self._refuse("nested too deeply")
+        place = self._place()
+        self._advance()
+        if self.token.text.upper() in ("M", "ZM"):
+            self._refuse("M coordinates cannot be swept")
+        if self.token.text.upper() == "Z":
+            self._advance()
+        if self.token.text.upper() == "EMPTY":
+            yield Candidate.refused(f"{self._place()}: the polygon is empty")
+            self._advance()
+        elif kind in _OTHERS:
+            self._skip()
+            yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
+        elif kind == "POLYGON":
+            yield self._polygon()
+        else:
+            self._expect("(")
+            while True:
+                if kind == "MULTIPOLYGON":
+                    yield self._polygon()
+                else:
+                    yield from self._geometry(depth + 1)
+                if self.token.text != ",":
+                    break
+                self._advance()
+            self._expect(")")
 
     def _skip(self) -> None:
         """Pass over the points of a geometry that has no rings."""
@@ -101,6 +118,7 @@ class _Reader:
         self._expect(")")
 
     def _polygon(self) -> Candidate:
+        self.height = None
         self._expect("(")
         exterior = self._ring(self._place())
         holes = []
@@ -126,8 +144,12 @@ class _Reader:
 
     def _point(self) -> Point:
         point = Point(self._number(), self._number())
-        if self.token.kind == "number":
-            self._refuse("a third coordinate: Z and M coordinates cannot be swept")
+        last = self.token
+        height = self._number() if last.kind == "number" else None
+        if self.height not in (None, height or 0):
+            self.token = last
+            self._refuse("Z is not the same all along, and cannot be swept")
+        self.height = height or Fraction(0)
         return point
 
     def _number(self) -> Fraction:
@@ -149,7 +171,8 @@ class _Reader:
         self.token = next(self.tokens)
 
     def _tokens(self) -> Iterator[_Token]:
-        for match in _TOKEN.finditer(self.text):
+        srid = _SRID.match(self.text)
+        for match in _TOKEN.finditer(self.text, srid.end() if srid else 0):
             yield _Token(match.lastgroup or "", match[0], match.start())
         yield _Token("end", "", len(self.text))
 

@@ -11,8 +11,12 @@ from exactsweep.formats.csv import write_csv_rows
 from exactsweep.formats.decimals import format_decimal
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.exact_json import write_json
+from exactsweep.formats.folder import make_unique
+from exactsweep.formats.part_list import Coordinates
+from exactsweep.formats.reading import INSUNITS, UNITS
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.digits import write_int
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import Fit, Point
 
@@ -26,10 +30,12 @@ def format_polygons(
     fits: Sequence[Fit] = (),
     *,
     decimals: bool = False,
+    coordinates: Coordinates | None = None,
 ) -> str:
     """Write polygons as text that `parse_regions` reads back as the same polygons.
 
     DXF has no holes: each of their rings is a closed polyline there, like the exterior.
+    SVG has lines and no filling, and a margin around them.
 
     Args:
         polygons: Polygons and Regions, or NamedPolygons and NamedRegions, whose names are written
@@ -38,6 +44,9 @@ def format_polygons(
         fits: exact fits, pairs of points: LINESTRINGs and POINTs in WKT and GeoJSON, lines of the
             layer "exact fits" in DXF, open lines in SVG, rows of their own in CSV.
         decimals: whether numbers of JSON are its own, decimals, not strings.
+        coordinates: the meaning of the coordinates, as that of `read_regions`: Y is turned where it
+            points the other way in the format, down in SVG and up in all others, and SVG and DXF
+            say the unit. Numbers are written as they stand if left out.
 
     Returns:
         The text of a file.
@@ -53,7 +62,8 @@ def format_polygons(
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
         >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
         >>> print(format_polygons([plate], "svg"), end="")
-        <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">
+        <svg xmlns="http://www.w3.org/2000/svg" viewBox="-0.1 -0.1 4.2 4.2" fill="none" \
+stroke="black" stroke-width="0.01">
           <path fill-rule="evenodd" d="M0,0 4,0 0,4z M1,2 2,1 1,1z"/>
         </svg>
     """
@@ -62,14 +72,19 @@ def format_polygons(
     named = [_name(polygon) for polygon in polygons]
     if not named and not fits:
         raise FormatError("no polygon to be written")
+    coordinates = coordinates or Coordinates(form == "svg")
+    if coordinates.y_down != (form == "svg"):
+        named = [one.turned() for one in named]
+        fits = [(Point(p.x, -p.y), Point(q.x, -q.y)) for p, q in fits]
     if decimals and form == "json":
-        return _json(named, fits, format_decimal)
-    return _WRITERS[form](named, fits)
+        return _json(named, fits, None, format_decimal)
+    return _WRITERS[form](named, fits, coordinates.unit)
 
 
 def _json(
     regions: Sequence[NamedRegion],
     fits: Sequence[Fit],
+    unit: Fraction | None,
     number: Callable[[Fraction], str] | None = None,
 ) -> str:
     lines = []
@@ -84,7 +99,7 @@ def _json(
     return '{"polygons": [\n  ' + ",\n  ".join(lines) + f"\n]{after}}}\n"
 
 
-def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+def _wkt(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     polygons = (write_wkt_polygon(_name_rings(k, region)) for k, region in enumerate(regions))
     return "".join(polygons) + write_wkt_fits(fits)
 
@@ -121,7 +136,7 @@ def write_wkt_points(name: str, points: Sequence[Point]) -> str:
     return f"({', '.join(f'{x} {y}' for x, y in _row(name, points, 'WKT'))})"
 
 
-def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     features = []
     for rows, (_, name, _) in zip(_rows(regions, "GeoJSON"), regions, strict=True):
         rings = (", ".join(f"[{x}, {y}]" for x, y in [*row, row[0]]) for row in rows)
@@ -144,10 +159,12 @@ def _geojson(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     return f'{{"type": "FeatureCollection", "features": [\n  {listed}\n]}}\n'
 
 
-def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     lines = []
-    for rows, (_, name, _) in zip(_rows(regions, "SVG"), regions, strict=True):
-        identity = "" if name is None else f'id="{escape(_printable(name, "SVG"))}" '
+    unnamed = [one.name or one.layer for one in regions]
+    names = iter(make_unique([name for name in unnamed if name is not None]))
+    for rows, name in zip(_rows(regions, "SVG"), unnamed, strict=True):
+        identity = "" if name is None else f'id="{escape(_printable(next(names), "SVG"))}" '
         points = [" ".join(f"{x},{y}" for x, y in row) for row in rows]
         if len(points) == 1:
             lines.append(f'  <polygon {identity}points="{points[0]}"/>\n')
@@ -161,13 +178,39 @@ def _svg(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     corners += chain.from_iterable(fits)
     low = [min(corner[axis] for corner in corners) for axis in (0, 1)]
     size = [max(corner[axis] for corner in corners) - low[axis] for axis in (0, 1)]
+    margin = _decade(max(size) or Fraction(10)) / 10
+    low, size = [c - margin for c in low], [c + 2 * margin for c in size]
+    lengths = zip(("width", "height"), size, strict=True)
+    measured = "".join(f'{name}="{_length(c, unit)}" ' for name, c in lengths) if unit else ""
     box = " ".join(map(format_decimal, low + size))
     body = "".join(lines)
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">\n{body}</svg>\n'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" {measured}viewBox="{box}" fill="none" '
+        f'stroke="black" stroke-width="{format_decimal(margin / 10)}">\n{body}</svg>\n'
+    )
 
 
-def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
-    tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "ENTITIES")]
+def _decade(number: Fraction) -> Fraction:
+    """Find the largest power of ten that is not above a positive number."""
+    n, d = number.as_integer_ratio()
+    power = Fraction(10) ** (len(write_int(n)) - len(write_int(d)))
+    return power if power <= number else power / 10
+
+
+def _length(number: Fraction, unit: Fraction) -> str:
+    """Write a length of SVG, in the unit of the numbers if SVG has it."""
+    for name in ("mm", "cm", "in", "pt", "pc", "px"):
+        if UNITS[name] == unit:
+            return f"{format_decimal(number)}{name}"
+    return f"{format_decimal(number * unit)}mm"
+
+
+def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
+    tags: list[tuple[int, object]] = []
+    for code, value in INSUNITS.items():
+        if value == unit:
+            tags += [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code), (0, "ENDSEC")]
+    tags += [(0, "SECTION"), (2, "ENTITIES")]
     for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
         for row in rows:
@@ -183,12 +226,12 @@ def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
     return "".join(f"{code:>3}\n{value}\n" for code, value in tags)
 
 
-def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit]) -> str:
+def _csv(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
     rows = [("polygon", "name", "ring", "x", "y")]
     for k, (rings, (_, name, _)) in enumerate(zip(_rows(regions, "CSV"), regions, strict=True)):
         for j, ring in enumerate(rings):
             shown = f"hole {j - 1}" if j else "exterior"
-            rows += [(str(k), name or "", shown, x, y) for x, y in ring]
+            rows += [(str(k), _encodable(name or ""), shown, x, y) for x, y in ring]
     for k, row in enumerate(_fit_rows(fits, "CSV")):
         rows += [(f"fit {k}", f"exact fit {k}", "exact fit", x, y) for x, y in row]
     return write_csv_rows(rows)
@@ -233,13 +276,22 @@ def _row(name: str, points: Sequence[Point], form: str) -> _Decimals:
     return row
 
 
+def _encodable(name: str) -> str:
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        raise FormatError(f"the name {quote(name)} is no UTF-8 and cannot be written") from None
+    return name
+
+
 def _printable(name: str, form: str) -> str:
     if not name.isprintable() or name != name.strip() or not name:
         raise FormatError(f"the name {quote(name)} cannot be written in {form}")
     return name
 
 
-_WRITERS: dict[str, Callable[[Sequence[NamedRegion], Sequence[Fit]], str]] = {
+_Writer = Callable[[Sequence[NamedRegion], Sequence[Fit], Fraction | None], str]
+_WRITERS: dict[str, _Writer] = {
     "json": _json,
     "wkt": _wkt,
     "geojson": _geojson,

@@ -15,14 +15,11 @@ from typing import Any, NamedTuple, Self, overload
 
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
-from exactsweep.geometry.turn import read_turn
+from exactsweep.geometry.turn import TURN_BITS, read_turn
 from exactsweep.numbers.number import NumberError
 from exactsweep.numbers.point import Point
 
 _ONE, _ZERO = Fraction(1), Fraction(0)
-
-_TURN_BITS = 64
-"""An irrational turn is off by at most 2**-64, if nothing else is asked for."""
 
 
 class AffineMap(NamedTuple):
@@ -57,6 +54,12 @@ class PointSet:
         """The vertices of all `rings`, one ring after another."""
         raise NotImplementedError
 
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """The least x and y, and the greatest x and y, in the order of shapely's `bounds`."""
+        xs, ys = zip(*self.rings[0], strict=True)
+        return min(xs), min(ys), max(xs), max(ys)
+
     def _image(self, under: AffineMap) -> Self:
         raise NotImplementedError
 
@@ -79,7 +82,7 @@ class PointSet:
         return self._image(AffineMap(_ONE, _ZERO, _ZERO, _ONE, *read_point(by, "translation")))
 
     def rotated(
-        self, by: object, center: Iterable[object] = (0, 0), *, bits: int = _TURN_BITS
+        self, by: object, center: Iterable[object] = (0, 0), *, bits: int = TURN_BITS
     ) -> Self:
         """Return the shape turned counter-clockwise: exactly, or by a rational turn near the angle.
 

@@ -12,7 +12,8 @@ from itertools import combinations, pairwise
 from typing import Any
 
 from exactsweep.geometry.overlap import touch
-from exactsweep.layout.board import BITS, Board
+from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.layout.nearest import find_gap
@@ -43,7 +44,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
-    bits = BITS
+    bits = TURN_BITS
     while True:
         proof = _prove_faults(board, faults, bits) if faults else _prove_valid(board, bits)
         if proof is not None or bits >= MOST_BITS:
@@ -253,8 +254,8 @@ def _turn(a: Point, b: Point, c: Point) -> Fraction:
 
 def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:
     assert part.region is not None
-    scale, _ = part.region.lattice()
-    return _write_rings(board.pieces(part.id), scale)
+    scale, form = board.base(part.id)
+    return _write_rings(form.pieces, scale)
 
 
 def _write_outside(board: Board) -> list[Any]:

@@ -8,7 +8,6 @@ from math import ceil, isqrt
 from typing import NamedTuple
 
 from exactsweep.layout.board import Board
-from exactsweep.layout.meeting import Relation, meet
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.point import Point
@@ -20,7 +19,7 @@ class NearestPair(NamedTuple):
     Attributes:
         square: the squared distance, 0 for parts that touch or overlap.
         placements: their numbers.
-        points: the nearest point of each; none for parts that overlap.
+        points: the nearest point of each; for parts that overlap one that is inside both.
     """
 
     square: Fraction
@@ -28,17 +27,23 @@ class NearestPair(NamedTuple):
     points: tuple[Point, ...]
 
 
-def find_nearest_pair(board: Board) -> NearestPair | None:
-    """Find the two placed parts of a board that are nearest to each other.
+def find_nearest_pair(board: Board, touching: tuple[int, int] | None) -> NearestPair | None:
+    """Find the two placed parts of a board, none of which overlap, that are nearest to each other.
 
     Pairs whose boxes meet are looked at first, and then those whose boxes are nearer than the best
     of these.
+
+    Args:
+        board: the solids.
+        touching: two placements whose parts touch, if any do.
 
     Returns:
         A NearestPair; None if fewer than two parts are placed.
 
     Cost: that of finding the pairs whose boxes are so near, and of `find_gap` for each.
     """
+    if touching is not None:
+        return _find_best(board, [touching], None)
     if len(board.placed) < 2:
         return None
     reach = Fraction(0)
@@ -46,7 +51,10 @@ def find_nearest_pair(board: Board) -> NearestPair | None:
         reach = 2 * reach or board.grain
     best = _find_best(board, pairs, None)
     within = Fraction(isqrt(ceil(best.square * board.unit**2)) + 1, board.unit)
-    return best if within <= reach else _find_best(board, board.list_near(within), best)
+    if within <= reach:
+        return best
+    seen = set(pairs)
+    return _find_best(board, (p for p in board.list_near(within) if p not in seen), best)
 
 
 def _find_best(
@@ -57,8 +65,6 @@ def _find_best(
         if best is not None and best.square == 0:
             break
         a, b = share_scale(board.solid(k), board.solid(j))
-        if meet(a, b) is Relation.OVERLAP:
-            return NearestPair(Fraction(0), (k, j), ())
         gap = find_gap(a, b, _bound(a, b) if best is None else best.square)
         if gap is not None:
             best = NearestPair(gap.square, (k, j), gap.points)

@@ -112,8 +112,11 @@ def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
 
 
 def _from_radians(angle: Fraction) -> Fraction:
-    """Return degrees; whole ones where the digits of the radians may mean these."""
-    degrees = angle * _DEGREES
+    """Return degrees; whole ones where the digits of the radians may mean these.
+
+    The angle is from 0 to 360; one beyond 180 was negative.
+    """
+    degrees = (angle if angle <= 180 else angle - 360) * _DEGREES
     return Fraction(round(degrees)) if abs(degrees - round(degrees)) < _NEARLY else degrees
 
 

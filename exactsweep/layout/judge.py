@@ -13,7 +13,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, get_args
 
-from exactsweep.layout.board import BITS, Board
+from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.layout.board import Board
 from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
@@ -83,7 +84,11 @@ class Judgement:
 
         Cost: about that of finding the pairs of boxes that are as near.
         """
-        return find_nearest_pair(self._board)
+        for fault in self.faults:
+            if fault.kind == "overlap":
+                k, j = fault.placements
+                return NearestPair(Fraction(0), (k, j), fault.points)
+        return find_nearest_pair(self._board, next(iter(self.contacts), None))
 
     def __repr__(self) -> str:
         what = ", ".join(f"{n} {kind}" for kind, n in Counter(f.kind for f in self.faults).items())
@@ -129,7 +134,7 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
     """The faults of pairs of placements; pairs that touch are added to the contacts."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
-        found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), BITS, spacing)  # noqa: B023
+        found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), TURN_BITS, spacing)  # noqa: B023
         if found.meeting is Relation.CONTACT:
             contacts.append((k, j))
         if found.meeting is not Relation.APART or found.too_close is not False:
@@ -143,8 +148,9 @@ def _judge_container(board: Board) -> Iterator[Fault]:
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
-        for wall, fixed in enumerate(board.around):
-            found = judge_pair(lambda bits: (solid(k, bits), fixed), BITS, margin)  # noqa: B023
+        clear = board.is_clear(k)
+        for wall, fixed in enumerate(board.around[clear:], clear):
+            found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.square
             worst += ((rank, fault) for fault in faults)

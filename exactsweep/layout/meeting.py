@@ -49,20 +49,26 @@ def meet(a: Solid, b: Solid) -> Relation:
     theirs = b.form.near((left - x, right - x, low - y, high - y)) if ours else ()
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
-    for e in theirs:
-        start, end = (e[4] + x, e[5] + y), (e[6] + x, e[7] + y)
-        left, right, low, high = e[0] + x, e[1] + x, e[2] + y, e[3] + y
-        for f in ours:
-            if f[0] > right:
+    for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
+        ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
+        west, east, south, north = west + x, east + x, south + y, north + y
+        for left, right, low, high, px, py, qx, qy, other, k in ours:
+            if left > east:
                 break
-            if f[1] < left or f[2] > high or f[3] < low:
+            if right < west or low > north or high < south:
                 continue
-            shared = touch(start, end, (f[4], f[5]), (f[6], f[7]))
+            # Most edges are on one side of the other one.
+            dx, dy = qx - px, qy - py
+            of_a = dx * (ay - py) - dy * (ax - px)
+            of_b = dx * (by - py) - dy * (bx - px)
+            if (of_a > 0 < of_b) or (of_a < 0 > of_b):
+                continue
+            shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
             if shared is None:
                 return Relation.OVERLAP
             if shared:
-                on_a[f[8], f[9]].update(shared)
-                on_b[e[8], e[9]].update(shared)
+                on_a[other, k].update(shared)
+                on_b[ring, number].update(shared)
     if _enters(a, b, on_a, (x, y), window):
         return Relation.OVERLAP
     back = -x, -y

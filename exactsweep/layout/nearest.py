@@ -14,7 +14,7 @@ from exactsweep.geometry.distance import find_nearest_ends, measure_to_edge
 from exactsweep.geometry.overlap import touch
 from exactsweep.layout.pieces import IntVertex
 from exactsweep.layout.solid import BoxedEdge, Solid
-from exactsweep.numbers.point import Point, Rational
+from exactsweep.numbers.point import Edge, Point, Rational
 
 
 class NearestPoints(NamedTuple):
@@ -58,6 +58,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
     for e in theirs:
         left, right, low, high = e[0] + x, e[1] + x, e[2] + y, e[3] + y
         farthest, nearest = right + reach, left - reach
+        other = _move(e, x, y)
         for f in ours:
             if f[0] > farthest:
                 break
@@ -67,7 +68,10 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
             up = low - f[3] if low > f[3] else f[2] - high if f[2] > high else 0
             if (across * across + up * up) * d >= n:
                 continue
-            square, length = _measure_edges(((f[4], f[5]), (f[6], f[7])), _move(e, x, y))
+            one = (f[4], f[5]), (f[6], f[7])
+            if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
+                continue
+            square, length = _measure_edges(one, other)
             if square * d < n * length:
                 n, d, best = square, length, (f, e)
                 reach = isqrt(n // d) + 1
@@ -90,9 +94,17 @@ def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
     return (edge[4] + x, edge[5] + y), (edge[6] + x, edge[7] + y)
 
 
-def _measure_edges(
-    one: tuple[IntVertex, IntVertex], other: tuple[IntVertex, IntVertex]
-) -> tuple[Rational, Rational]:
+def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
+    """Whether the squared distance of an edge from the line of another one is at least n / d."""
+    (ax, ay), (bx, by) = line
+    (px, py), (qx, qy) = edge
+    dx, dy = bx - ax, by - ay
+    of_p, of_q = dx * (py - ay) - dy * (px - ax), dx * (qy - ay) - dy * (qx - ax)
+    least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
+    return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
+
+
+def _measure_edges(one: Edge, other: Edge) -> tuple[Rational, Rational]:
     """The squared distance of two edges as a quotient."""
     if touch(*one, *other) != []:
         return 0, 1

@@ -20,7 +20,7 @@ Notebook = dict[str, Any]
 FOLDER = Path(__file__).parent
 """Where the lessons are."""
 
-_NAMES = ("tour", "sweeps", "paper", "judging")
+_NAMES = ("tour", "sweeps", "paper", "judging", "layouts")
 
 # Longer outputs, such as the interactive page with its scripts, are made anew by whoever runs it.
 _MOST_STORED = 60_000

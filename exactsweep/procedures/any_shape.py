@@ -16,6 +16,7 @@ from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point, Vertex
 from exactsweep.procedures import ss
+from exactsweep.procedures.free_positions import Free
 from exactsweep.procedures.made_once import made_once
 from exactsweep.procedures.mouths import find_mouths
 from exactsweep.procedures.solution import Solution
@@ -27,16 +28,18 @@ class ShapeSolution(Solution):
     Args:
         generatrix: G.
         directrix: D.
+        scale: that of their lattice, where not all vertices need to be on it.
     """
 
     kind = "SS"
 
-    def __init__(self, generatrix: Region, directrix: Region) -> None:
+    def __init__(self, generatrix: Region, directrix: Region, scale: int | None = None) -> None:
         self._pair = generatrix, directrix
+        self._scale = scale
 
     @made_once
     def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
-        return share_lattice(self._pair)
+        return share_lattice(self._pair, self._scale)
 
     @made_once
     def frame(self) -> Frame:
@@ -54,29 +57,30 @@ class ShapeSolution(Solution):
         return self._lattice[1][1]
 
     @made_once
-    def _no_fit(self) -> ss.NoFitSS:
+    def _no_fit(self) -> Free:
         return ss.no_fit_ss(self.directrix, self.generatrix, self.frame.scale)
 
     @made_once
     def trajectory(self) -> list[Point]:
         """The exterior of the no-fit polygon."""
-        return self._no_fit.exterior
+        return self._no_fit.around[0]
 
     @made_once
     def holes(self) -> list[list[Point]]:
         """The loops of positions at which G fits into a cave or a hole of D, sorted."""
-        return self._no_fit.holes
+        return self._no_fit.within
 
     @made_once
     def fits(self) -> list[Fit]:
         """Exact fits anywhere, in caves and holes, too."""
-        return self._no_fit.exact_fits
+        return self._no_fit.fits
 
     @made_once
     def _around_path(self) -> ShapeSolution:
         """T's inside, and I(G), which misses T where a point is not swept."""
         path = Region(Polygon._from_canonical(self.trajectory))
-        return ShapeSolution(self._pair[0].reflected(), path)
+        # T's corners where contact segments cross would make the common lattice huge.
+        return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
 
     @made_once
     def _inside(self) -> list[list[Point]]:

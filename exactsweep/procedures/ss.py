@@ -25,35 +25,20 @@ from exactsweep.procedures.leeway import find_leeway, frame_outside
 from exactsweep.procedures.obstacles import Obstacles
 
 
-class NoFitSS(NamedTuple):
-    """Where a polygon does not fit around another one.
-
-    Attributes:
-        exterior: the loop around all positions of overlap, counter-clockwise.
-        holes: the loops around free positions inside, counter-clockwise.
-        exact_fits: free positions without free ones around them: segments, and points as segments
-            of two equal ends; an end that hangs on a loop comes first if the other one does not.
-    """
-
-    exterior: list[Point]
-    holes: list[list[Point]]
-    exact_fits: list[Fit]
-
-
-class InnerFitSS(NamedTuple):
-    """Where a polygon fits into a container.
+class FreeRegions(NamedTuple):
+    """The positions of a part inside a container.
 
     Attributes:
         regions: free regions, each as its exterior and the loops around overlap inside it, all
             counter-clockwise.
-        exact_fits: as for `NoFitSS`.
+        fits: exact fits, as for `Free`.
     """
 
     regions: list[tuple[list[Point], list[list[Point]]]]
-    exact_fits: list[Fit]
+    fits: list[Fit]
 
 
-def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
+def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> Free:
     """The no-fit polygon of two shapes, with its holes and exact fits.
 
     Args:
@@ -62,25 +47,27 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> NoFitSS:
         scale: what the positions are divided by, when they leave the lattice of the rings.
 
     Returns:
-        Positions of G's origin; loops are canonical.
+        Positions of G's origin: one loop around all overlap, the loops within it, sorted, and the
+        exact fits.
 
     Cost: O(k log k + c + q m n) for k contact segments, c crossings of them and q loops and
     exact fits to be decided; k <= 2 m n and c <= k^2, and few of either for real outlines.
 
     >>> square = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
-    >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).exterior]
+    >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).around[0]]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
     moving = _turn(generatrix)
     stretches = find_contact_stretches(directrix, moving)
-    free = _find_free(stretches, directrix, moving, Overlap(directrix, generatrix).at, scale)
-    (exterior,) = free.around
-    return NoFitSS(exterior, sorted(free.within), free.fits)
+    overlap = Overlap(directrix, generatrix).at
+    free = _find_free(stretches, directrix, moving, overlap, scale, is_bounded=True)
+    (_,) = free.around
+    return free._replace(within=sorted(free.within))
 
 
 def inner_fit_ss(
     container: Rings, part: Rings, scale: int = 1, placed: Sequence[Rings] = ()
-) -> InnerFitSS:
+) -> FreeRegions:
     """Find the positions of a part inside a container, free of placed shapes.
 
     Args:
@@ -96,12 +83,12 @@ def inner_fit_ss(
     question is asked of the shapes that are near.
 
     >>> square, unit = [[(0, 0), (3, 0), (3, 1), (0, 1)]], [[(0, 0), (1, 0), (1, 1), (0, 1)]]
-    >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).exact_fits]
+    >>> [tuple(int(c) for p in fit for c in p) for fit in inner_fit_ss(square, unit).fits]
     [(0, 0, 2, 0)]
     """
     leeway = find_leeway(container, part)
     if leeway.is_empty:
-        return InnerFitSS([], [])
+        return FreeRegions([], [])
     outside, moving = [ring[::-1] for ring in container], _turn(part)
     others = list(chain.from_iterable(placed))
     near = find_contact_stretches([*outside, *others], moving, leeway)
@@ -111,7 +98,7 @@ def inner_fit_ss(
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
         inside[_find_holder(loop, free.within)].append(loop)
-    return InnerFitSS(list(zip(free.within, inside, strict=True)), free.fits)
+    return FreeRegions(list(zip(free.within, inside, strict=True)), free.fits)
 
 
 def _turn(shape: Rings) -> Rings:
@@ -125,11 +112,13 @@ def _find_free(
     moving: Rings,
     overlap: Callable[[Point], bool],
     scale: int,
+    *,
+    is_bounded: bool = False,
 ) -> Free:
-    """What contact segments bound: a solid, which is bounded, covers some of them with H."""
+    """Find the loops and fits that contact segments bound, without what solid + H covers."""
     stretches = leave_out_covered(stretches, solid, moving)
     cut_at_crossings(stretches)
-    return find_free_positions(stretches, overlap, scale)
+    return find_free_positions(stretches, overlap, scale, is_bounded=is_bounded)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:

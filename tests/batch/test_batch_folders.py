@@ -23,6 +23,7 @@ from exactsweep.batch import Part, Rounding, take_all_pairs
 from exactsweep.batch.parts import rotate_parts
 from exactsweep.formats.folder import find_files, list_parts, make_unique
 from exactsweep.formats.rounding import contains
+from exactsweep.geometry.turn import read_turn
 
 SVG = '<svg><rect id="plate" width="6" height="4"/><path d="M0 0L1 1"/></svg>'
 TRIANGLE = Polygon([(0, 0), (2, 0), (0, 1)])
@@ -99,8 +100,22 @@ def test_rotations_are_exact(tmp_path: Path) -> None:
         assert record["generatrix"] == "part.json" + "@90" * (by > 0)
         expected = no_fit_polygon(TRIANGLE, TRIANGLE.rotated(by)).exterior
         assert Polygon(record["exterior"]) == expected
-    for wrong in ("45", "x", ""):
+    for wrong in ("4 5", "x", ""):
         assert run("batch", "--all", "a", "b", "-o", "x", "--rotations", wrong).exit_code == 2
+
+
+def test_other_angles_are_told(tmp_path: Path) -> None:
+    part, output = tmp_path / "part.json", tmp_path / "out.jsonl"
+    part.write_text("[[0,0],[2,0],[0,1]]")
+    options = ("--rotations", "0,33.3", "--compute", "nfp", "-o", str(output), "--workers", "1")
+    done = run("batch", "--all", str(part), str(part), *options)
+    turn = read_turn("33.3").near()
+    told = f"the cosine {turn.cosine} and the sine {turn.sine}, which are off by at most 2^-64"
+    assert done.stderr == f"33.3 degrees: turned by {told}\n"
+    _, turned = records(output)
+    assert turned["generatrix"] == "part.json@33.3"
+    expected = no_fit_polygon(TRIANGLE, TRIANGLE.rotated((turn.cosine, turn.sine))).exterior
+    assert Polygon(turned["exterior"]) == expected
 
 
 @examples(10)

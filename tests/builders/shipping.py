@@ -3,12 +3,14 @@
 import json
 import lzma
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from hashlib import sha256
 from typing import Any
 
 from exactsweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.check import verify
 from exactsweep.corpus import Case, case_from_json, case_to_json, themes
+from exactsweep.corpus.publish import VERSION
 
 # Flags that cannot be seen from a pair.
 TOLD = {
@@ -49,6 +51,7 @@ def with_answers(
             inner_fit=data.get("inner_fit", False),
             note=data.get("note", ""),
         )
+        case = replace(case, version=VERSION)
         if case.id in shipped:
             raise ShippingError(f"{case.id} is shipped; a new case needs another id")
         if not case.id.startswith(f"{theme}-"):
@@ -64,7 +67,7 @@ def with_answers(
 
 def again(case: Case) -> Case:
     """Compute the answers and facts of a case anew from its input."""
-    return Case.of(
+    made = Case.of(
         case.id,
         case.title,
         case.directrix_ring,
@@ -76,6 +79,7 @@ def again(case: Case) -> Case:
         inner_fit=case.inner_regions is not None,
         note=case.note,
     )
+    return replace(made, version=case.version)
 
 
 def unproved(case: Case) -> Iterator[tuple[str, str]]:

@@ -38,10 +38,11 @@ def test_results_leave_rounded_and_are_read_again(
     output = tmp_path / f"result.{form}"
     done = run(command, *pair, "--to", form, "--round", "3", "--round-outward", "-o", str(output))
     assert (done.exit_code, done.stdout) == (0, "")
-    assert done.stderr.startswith("rounded: ")
+    assert "rounded: " in done.stderr
     assert done.stderr.endswith(", proved to permit no overlap\n")
     again = run("convert", str(output), "--to", "json")
-    assert (again.exit_code, again.stderr) == (0, "")
+    assert again.exit_code == 0
+    assert "left out" not in again.stderr
     assert parse_regions(again.stdout)
 
 

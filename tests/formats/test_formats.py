@@ -221,12 +221,12 @@ REFUSED = {
     # WKT.
     "null": "line 1, column 1: 'null' is neither POLYGON nor MULTIPOLYGON",
     "POLYGONZ ((0 0 0))": "line 1, column 1: 'POLYGONZ' is neither POLYGON nor",
-    "SRID=4326;POLYGON ((0 0))": "line 1, column 1: 'SRID=4326;POLYGON' is neither POLYGON nor",
+    "SRID=x;POLYGON ((0 0))": "line 1, column 1: 'SRID=x;POLYGON' is neither POLYGON nor",
     "MULTIPOLYGON (((0 0)))": "fewer than three distinct vertices: 1 among the 1 given",
     "MULTIPOLYGON (((0 0)),)": "line 1, column 23: ')' instead of '('",
     "POLYGON ((0 0, 1 0, 0 0))\nCIRCLE (0 0)": "line 2, column 1: 'CIRCLE' is neither POLYGON",
-    "POLYGON Z ((0 0 0))": "line 1, column 9: Z and M coordinates cannot be swept",
-    "POLYGON zm ((0 0 0))": "line 1, column 9: Z and M coordinates cannot be swept",
+    "POLYGON Z ((0 0 0, 1 0 1))": "line 1, column 24: Z is not the same all along",
+    "POLYGON zm ((0 0 0))": "line 1, column 9: M coordinates cannot be swept",
     "POLYGON EMPTY": "line 1, column 9: the polygon is empty",
     "POLYGON": "line 1, column 8: the end instead of '('",
     "POLYGON (0 0, 1 0)": "line 1, column 10: '0' instead of '('",
@@ -237,7 +237,7 @@ REFUSED = {
     "POLYGON ((0 0, 1.2.3 0))": "line 1, column 16: '1.2.3' instead of a number",
     "POLYGON ((0 0, 1 0": "line 1, column 19: the end instead of ')'",
     "POLYGON ((0 0, 1 0 3, 0 1, 0 0))": (
-        "line 1, column 20: a third coordinate: Z and M coordinates cannot be swept"
+        "line 1, column 20: Z is not the same all along, and cannot be swept"
     ),
     "POLYGON ((0 0, 1, 0 1))": "line 1, column 17: ',' instead of a number",
     "POLYGON ((0 0, 1 0, 0 1))": (

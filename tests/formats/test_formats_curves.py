@@ -4,6 +4,7 @@ For a circle that is decided from its equation; for other curves by points of th
 corners of the lines.
 """
 
+import re
 from fractions import Fraction
 from itertools import pairwise
 from math import atan2, comb, cos, pi, sin, tau
@@ -222,13 +223,14 @@ def test_areas_come_close_to_the_true_ones(shape: str) -> None:
 def test_too_many_lines_are_refused_before_they_are_made() -> None:
     with pytest.raises(FormatError, match=r"circle: a curve would become 4,756,828,464 lines at"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-18")
-    with pytest.raises(FormatError, match=r"a curve would become 5e\+15 lines at this tolerance"):
+    with pytest.raises(FormatError, match=r"become more than 10\*\*12 lines at this"):
         parse_polygon("<svg><circle r='1'/></svg>", tolerance="1e-30")
     circle = '<circle r="1"/>'
     with limits(max_mib=1000 * VERTEX / 2**20):
         assert len(parse_polygons(f"<svg>{circle * 2}</svg>", tolerance="1e-4")) == 2
-        with pytest.raises(FormatError, match=r"would become 1,\d{3} lines .* 1,000 \(max"):
-            parse_polygons(f"<svg>{circle * 3}</svg>", tolerance="1e-4")
+        found = parse_polygons(f"<svg>{circle * 3}</svg>", tolerance="1e-4")
+    assert len(found) == 2
+    assert re.search(r"would become 1,\d{3} lines .* 1,000 \(max", found.left_out[0])
 
 
 @pytest.mark.parametrize("tolerance", [0, "-1", "x", float("nan"), True])

@@ -161,10 +161,10 @@ def test_of_what_is_no_polygon_a_bounded_number_is_kept(
     made = 0
     refused = Candidate.refused
 
-    def count(reason: str, name: str | None = None, layer: str | None = None) -> Candidate:
+    def count(*words: str | None, ornament: bool = False) -> Candidate:
         nonlocal made
         made += 1
-        return refused(reason, name, layer)
+        return refused(*words, ornament=ornament)  # type: ignore[arg-type]
 
     monkeypatch.setattr(Candidate, "refused", count)
     with pytest.raises(FormatError, match=f"more than {MAX_FAULTS:,} "):

@@ -70,7 +70,10 @@ def test_the_convention_is_named(write: Callable[..., Any], said: str) -> None:
 
 @pytest.mark.parametrize("digits", [8, 17])
 def test_radians_are_named(digits: int) -> None:
-    placed = [place(f"{int(turn) * pi / 180:.{digits}g}", *at) for turn, at in PLACED]
+    # Some programs write 270 degrees as -90.
+    angles = [int(turn) - (360 if turn == "270" else 0) for turn, _ in PLACED]
+    turns = [f"{angle * pi / 180:.{digits}g}" for angle in angles]
+    placed = [place(turn, *at) for turn, (_, at) in zip(turns, PLACED, strict=True)]
     judgement = judge_layout(layout(placed))
     assert not judgement.valid
     assert diagnose(judgement)[0].startswith("with turns in radians, 0 of ")

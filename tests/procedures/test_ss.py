@@ -68,7 +68,7 @@ def test_holes_come_in_order() -> None:
     rooms = [box(11, 1, 14, 4), box(1, 6, 4, 9), box(6, 1, 9, 4), box(1, 1, 4, 4)]
     plate: list[Sequence[Vertex]] = [box(0, 0, 15, 10)]
     plate += [room[::-1] for room in rooms]
-    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).holes]
+    corners = [(int(x), int(y)) for (x, y), *_ in no_fit_ss(plate, [UNIT]).within]
     assert corners == [(1, 1), (1, 6), (6, 1), (11, 1)]
 
 

@@ -116,8 +116,8 @@ def svg_drawings() -> list[Drawing]:
             'height="10"/></symbol><use xlink:href="#s" width="20" height="20" x="3" y="4"/><use '
             'xlink:href="#s" width="40" height="20" transform="matrix(1 0 0 -1 9 9)"/>'),
             (400, 400), ()),
-        ("illustrator-entities", entity + _svg(square).partition("\n")[2], (), (),
-            "declares the entity 'ns_svg', which is not expanded"),
+        ("illustrator-entities", entity + _svg(square).partition("\n")[2].replace(
+            '"http://www.w3.org/2000/svg"', '"&ns_svg;"'), (1600,), ()),
         ("coreldraw", _svg('<defs><style><![CDATA[.fil0 {fill:none;fill-rule:evenodd}]]></style>'
             '</defs><g id="Ebene_x0020_1"><polygon class="fil0" points="0,0 40,0 40,40 0,40"/></g>',
             'xml:space="preserve" width="210mm" height="297mm" viewBox="0 0 21000 29700"'),
@@ -227,10 +227,10 @@ def dxf_drawings() -> list[Drawing]:
         ("r2010-holes", _dxf(_holes), (1600 - 2 * pi * 16,), ("--flatten", "0.001", "--nested")),
         ("r2010-donut", _dxf(lambda d: d.modelspace().add_lwpolyline([(0, 0, 0, 0, 1),
             (20, 0, 0, 0, 1)], close=True)), (circle,), FINE),
-        ("r2010-hatched", _dxf(_hatched), (1600,), (), "HATCH: no line, polyline, arc"),
+        ("r2010-hatched", _dxf(_hatched), (1600,), (), "HATCH: no outline"),
         ("r2010-tangent-arcs", _dxf(_slot_turned), (400 + circle,), FINE),
         ("r2010-ray", _dxf(lambda d: d.modelspace().add_ray((0, 0), (1, 0))), (), (),
-            "RAY: no line, polyline, arc, circle, ellipse, spline or block"),
+            "RAY: no outline"),
         ("r2010-in-a-plane-of-its-own", _dxf(lambda d: d.modelspace().add_lwpolyline(SQUARE,
             close=True, dxfattribs={"extrusion": (0, 1, 1)})), (), (),
             "drawn in a plane of its own"),

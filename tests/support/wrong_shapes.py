@@ -16,14 +16,14 @@ def is_point(fit: Any) -> bool:
     "no-fit polygon: no holes", ss.no_fit_ss, "Loops of any shape", "Size of a no-fit polygon"
 )
 def forget_holes(right: Procedure) -> Procedure:
-    return lambda *arguments: right(*arguments)._replace(holes=[])
+    return lambda *arguments: right(*arguments)._replace(within=[])
 
 
 @sabotage("no-fit polygon: the last hole forgotten", ss.no_fit_ss, "Size of a no-fit polygon")
 def forget_last_hole(right: Procedure) -> Procedure:
     def no_fit_ss(*arguments: Any) -> Any:
         found = right(*arguments)
-        return found._replace(holes=found.holes[:-1])
+        return found._replace(within=found.within[:-1])
 
     return no_fit_ss
 
@@ -32,7 +32,7 @@ def forget_last_hole(right: Procedure) -> Procedure:
 def forget_points(right: Procedure) -> Procedure:
     def no_fit_ss(*arguments: Any) -> Any:
         found = right(*arguments)
-        return found._replace(exact_fits=[fit for fit in found.exact_fits if not is_point(fit)])
+        return found._replace(fits=[fit for fit in found.fits if not is_point(fit)])
 
     return no_fit_ss
 
@@ -41,8 +41,8 @@ def forget_points(right: Procedure) -> Procedure:
 def cut_corner(right: Procedure) -> Procedure:
     def no_fit_ss(*arguments: Any) -> Any:
         found = right(*arguments)
-        exterior = found.exterior
-        return found._replace(exterior=exterior[:-1] if len(exterior) > 3 else exterior)
+        (exterior,) = found.around
+        return found._replace(around=[exterior[:-1] if len(exterior) > 3 else exterior])
 
     return no_fit_ss
 
@@ -58,7 +58,7 @@ def take_first_region(right: Procedure) -> Procedure:
 
 @sabotage("inner fit: exact fits forgotten", ss.inner_fit_ss, "Inner fit")
 def forget_inner_fits(right: Procedure) -> Procedure:
-    return lambda *arguments: right(*arguments)._replace(exact_fits=[])
+    return lambda *arguments: right(*arguments)._replace(fits=[])
 
 
 @sabotage(

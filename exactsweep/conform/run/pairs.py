@@ -13,7 +13,7 @@ from exactsweep.corpus import Case
 from exactsweep.formats import FormatError, read_text, show_path
 from exactsweep.formats.candidate import Candidate, choose
 from exactsweep.formats.exact_json import describe_kind, parse_json, read_vertices
-from exactsweep.formats.polygons import find_candidates, parse_candidates
+from exactsweep.formats.parsing import find_candidates, parse_candidates
 from exactsweep.formats.reading import Options
 from exactsweep.numbers.limits import get_max_bytes
 from exactsweep.numbers.number import quote

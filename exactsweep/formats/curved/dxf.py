@@ -25,13 +25,12 @@ from exactsweep.formats.curved.dxf_block import Blocks, PlacedEntity
 from exactsweep.formats.curved.dxf_entity import Entity, read_drawing
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.spline import Spline
-from exactsweep.formats.error import FormatError
+from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
 
-# Notes, dimensions and frames, which draw no outline.
-_NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
-_NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
+# What has no outline: fillings, which repeat one, and lines without an end.
+_ORNAMENTS = {"HATCH", "XLINE", "RAY"}
 _CLOSED, _IN_SPACE, _MESH = 1, 8, 16 | 64
 _FULL = Fraction(360)
 _PointReader = Callable[[], Sequence[Point]]
@@ -70,17 +69,15 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
     lines: defaultdict[str, list[OpenLine]] = defaultdict(list)
     order = 0
     for entity in drawing.entities:
-        if entity.is_on_paper:
-            continue
         for placed in blocks.place(entity, image):
-            if placed.entity.kind in _NOTES:
-                continue
             order += 1
             place, layer = placed.place, placed.layer
             try:
                 drawn = _read(placed, reading)
             except ValueError as error:
-                refused = Candidate.refused(f"{place}: {error}", layer=layer)
+                is_ornament = isinstance(error, OrnamentError)
+                reason = f"{place}: {error}"
+                refused = Candidate.refused(reason, layer=layer, ornament=is_ornament)
                 found.append((order, refused))
                 continue
             points = partial(_name_place, place, drawn.points)
@@ -98,6 +95,8 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
 def _read(placed: PlacedEntity, reading: Reading) -> _Drawn:
     if placed.fault:
         raise FormatError(placed.fault)
+    if placed.entity.kind in _ORNAMENTS:
+        raise OrnamentError("no outline")
     reader = _READERS.get(placed.entity.kind)
     if reader is None:
         raise FormatError("no line, polyline, arc, circle, ellipse, spline or block")
@@ -112,7 +111,7 @@ def _name_place(place: str, points: _PointReader) -> Sequence[Point]:
 
 
 def _read_line(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
-    entity.require_level(30, 31)
+    entity.require_level(reading, 30, 31)
     corners = [(entity.point(code), Fraction(0)) for code in (10, 11)]
     return _open(corners, image, reading)
 
@@ -123,11 +122,11 @@ def _read_polyline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     elif entity.flags() & _MESH:
         raise FormatError("a mesh")
     else:
-        corners = entity.vertex_corners()
+        corners = entity.vertex_corners(reading)
     if entity.kind == "LWPOLYLINE" or not entity.flags() & _IN_SPACE:
         image = image @ entity.plane
-    if len(corners) < 2:
-        raise FormatError(f"{len(corners)} vertices")
+    if len({corner for corner, _ in corners}) < 2:
+        raise OrnamentError("a point")
     first, last = corners[0][0], corners[-1][0]
     if entity.flags() & _CLOSED:
         corners.append((first, Fraction(0)))
@@ -169,7 +168,7 @@ def _read_circle(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
 
 def _read_ellipse(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
-    if entity.number(31, 0):
+    if not reading.is_level([Fraction(0), entity.number(31, 0)]):
         raise FormatError("not level: an axis rises")
     center, (x, y), ratio = entity.point(10), entity.point(11), entity.number(40)
     if not (x or y) or not ratio:
@@ -195,13 +194,14 @@ def _turn(image: Affine, start: Fraction, end: Fraction, reading: Reading) -> _D
 
 def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     reading.allow_curve()
+    entity.require_level(reading, 30 if entity.numbers(10) else 31)
     points = entity.points(10)
     if points:
         weights = entity.numbers(41)
         plain = weights if any(weight != 1 for weight in weights) else []
         spline = Spline(int(entity.number(71)), points, entity.numbers(40), plain)
     else:
-        spline = _through(entity.points(11))
+        spline = Spline.through(entity.points(11))
     spline.require_sound()
     pieces = [piece for piece, _ in spline.pieces()]
     ends = place_points([pieces[0][0], pieces[-1][-1]], image, reading)
@@ -211,24 +211,9 @@ def _read_spline(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     return _Drawn(vertices, ends, tuple(spline.points), not image.off)
 
 
-def _through(points: Sequence[Point]) -> Spline:
-    """The spline that a CAD program draws through points for which it gives no other."""
-    if len(points) < 2:
-        raise FormatError("neither control points nor two points that it runs through")
-    from ezdxf.math import fit_points_to_cad_cv
-
-    try:
-        found = fit_points_to_cad_cv([(float(x), float(y)) for x, y in points])
-    except (ArithmeticError, ValueError) as error:
-        raise FormatError(f"no spline runs through its points: {error}") from None
-    controls = [Point(Fraction(x), Fraction(y)) for x, y, _ in found.control_points]
-    controls[0], controls[-1] = points[0], points[-1]
-    return Spline(found.degree, controls, [Fraction(u) for u in found.knots()])
-
-
 def _read_solid(entity: Entity, image: Affine, reading: Reading) -> _Drawn:
     """Read a filled triangle or quadrangle, whose last two corners are the wrong way round."""
-    entity.require_level(30, 31, 32, 33)
+    entity.require_level(reading, 30, 31, 32, 33)
     codes = (10, 11, 13, 12) if entity.numbers(13) else (10, 11, 12)
     corners = [(entity.point(code), Fraction(0)) for code in (*codes, 10)]
     return _Drawn(partial(_follow, corners, image @ entity.plane, reading))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import Affine, make_affine
 from exactsweep.formats.curved.arc import make_rotation
-from exactsweep.formats.curved.dxf_entity import Drawing, Entity
+from exactsweep.formats.curved.dxf_entity import FROZEN, Drawing, Entity
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import quote
@@ -18,6 +18,10 @@ MAX_DEPTH = 32
 MAX_PLACED = 20_000
 """How many entities blocks may draw, lest a small file keep its reader busy; and the values in them
 count each time."""
+
+# Notes, dimensions and systems, which draw no outline.
+_NOTES = {"TEXT", "MTEXT", "ATTDEF", "ATTRIB", "DIMENSION", "LEADER", "MULTILEADER", "TOLERANCE"}
+_NOTES |= {"POINT", "VIEWPORT", "IMAGE", "WIPEOUT"}
 
 
 class PlacedEntity(NamedTuple):
@@ -47,14 +51,29 @@ class Blocks:
     """
 
     def __init__(self, drawing: Drawing, reading: Reading) -> None:
-        self.blocks, self.reading = drawing.blocks, reading
+        self.drawing, self.blocks, self.reading = drawing, drawing.blocks, reading
         self.placed = 0
         # What each INSERT does to its block, found once, by its line.
         self._maps: dict[int, list[Affine]] = {}
 
     def place(self, entity: Entity, image: Affine) -> Iterator[PlacedEntity]:
-        """Yield an entity, or what it draws if it is an INSERT, each with its own fault."""
+        """Yield an entity, or what it draws if it is an INSERT, each with its own fault.
+
+        Hidden ones are counted, and yielded only where those are read.
+        """
         return self._place(PlacedEntity(entity, image, entity.layer, entity.place), ())
+
+    def _is_hidden(self, placed: PlacedEntity) -> bool:
+        layer = placed.layer.upper()
+        reason = self.drawing.hidden.get(layer, "")
+        # What a block draws on other layers shows where that of its INSERT is off.
+        if placed.entity.kind == "INSERT" and reason != FROZEN:
+            reason = ""
+        if layer in self.drawing.unplotted and placed.entity.kind != "INSERT":
+            self.reading.notes[f"the layer {quote(placed.layer)} does not plot, and is read"] = None
+        on_layer = f"on the layer {quote(placed.layer)}, which is {reason}" if reason else ""
+        what = placed.entity.hidden or on_layer
+        return self.reading.hides(what and f"{placed.entity.kind} {what}")
 
     def _place(self, placed: PlacedEntity, around: tuple[str, ...]) -> Iterator[PlacedEntity]:
         if around:
@@ -62,6 +81,8 @@ class Blocks:
             if self.placed > MAX_PLACED:
                 raise FormatError(f"blocks draw more than {MAX_PLACED:,} entities")
             self.reading.allow_copy(placed.entity.size, "blocks")
+        if placed.entity.kind in _NOTES or self._is_hidden(placed):
+            return
         if placed.entity.kind != "INSERT":
             yield placed
             return

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from exactsweep.formats.curved.affine import IDENTITY, Affine
 from exactsweep.formats.decimals import read_decimal
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.reading import UNITS
+from exactsweep.formats.reading import INSUNITS, Reading
 from exactsweep.formats.size import ENTITY, require_count, require_size
 from exactsweep.numbers.error import require_imports
 from exactsweep.numbers.number import quote
@@ -21,17 +21,25 @@ from exactsweep.numbers.point import Point
 if TYPE_CHECKING:
     from ezdxf.lldxf.types import DXFTag
 
-_LAYER, _FLAGS, _PAPER, _NAME = 8, 70, 67, 2
+_LAYER, _FLAGS, _PAPER, _NAME, _INVISIBLE, _COLOR, _PLOT = 8, 70, 67, 2, 60, 62, 290
+_FROZEN = 1
 # Where the normal of an entity's own plane is, and what it is in the plane of x and y.
 _NORMAL = {210: 0, 220: 0, 230: 1}
 _MIRRORED = Affine(*map(Fraction, (-1, 0, 0, 1, 0, 0)))
-# What $INSUNITS says, of what UNITS has.
 _FRAME = 16
 # Letters of a kind that is none.
 _LONG = 40
 # A group code and two ends of lines, at least.
 _GROUP = 4
-_INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 13: "um"}
+FROZEN = "frozen"
+"""Why a layer does not show, and no block that is put on it."""
+
+
+def require_level(reading: Reading, heights: Iterable[Fraction]) -> None:
+    """Refuse points at different heights above the plane."""
+    if not reading.is_level(heights):
+        allowed = "" if reading.join else " (--join allows a distance)"
+        raise FormatError(f"not level: its points are at different heights{allowed}")
 
 
 class _Text(str):
@@ -85,25 +93,24 @@ class Entity:
         return int(self.number(_FLAGS, 0))
 
     @property
-    def is_on_paper(self) -> bool:
-        """Whether it is on the paper around the model."""
-        return self._text(_PAPER, "0").strip() == "1"
+    def hidden(self) -> str:
+        """What hides it, whatever its layer: "" for nothing."""
+        if self._text(_PAPER, "0") == "1":
+            return "in paper space"
+        return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
 
     def numbers(self, code: int) -> list[Fraction]:
         """Return all numbers with a group code."""
         return [read_decimal(str(tag.value).strip()) for tag in self.tags if tag.code == code]
 
     def points(self, code: int) -> list[Point]:
-        """Return all points whose x has a group code; refuse those at different heights."""
-        self.require_level(code + 20)
+        """Return all points whose x has a group code."""
         pairs = zip(self.numbers(code), self.numbers(code + 10), strict=True)
         return [Point(*found) for found in pairs]
 
-    def require_level(self, *codes: int) -> None:
+    def require_level(self, reading: Reading, *codes: int) -> None:
         """Refuse points at different heights above the plane; one that is not there is 0."""
-        heights = [self.numbers(code) or [Fraction(0)] for code in codes]
-        if len({z for found in heights for z in found}) > 1:
-            raise FormatError("not level: its points are at different heights")
+        require_level(reading, [z for code in codes for z in self.numbers(code) or [Fraction(0)]])
 
     @property
     def plane(self) -> Affine:
@@ -126,19 +133,18 @@ class Entity:
         parts = [self.tags[i:j] for i, j in zip(starts, [*starts[1:], None], strict=True)]
         return [_corner(Entity([self.tags[0], *part])) for part in parts]
 
-    def vertex_corners(self) -> list[tuple[Point, Fraction]]:
+    def vertex_corners(self, reading: Reading) -> list[tuple[Point, Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
-        found, heights = [], set()
+        found, heights = [], []
         for vertex in self.vertices:
             try:
                 # The frame of a fitted curve is not drawn.
                 if not vertex.flags() & _FRAME:
                     found.append(_corner(vertex))
-                    heights.add(vertex.number(30, 0))
+                    heights.append(vertex.number(30, 0))
             except ValueError as error:
                 raise FormatError(f"{vertex.place}: {error}") from None
-        if len(heights) > 1:
-            raise FormatError("not level: its points are at different heights")
+        require_level(reading, heights)
         return found
 
     def _text(self, code: int, default: str | None) -> str:
@@ -151,17 +157,21 @@ class Entity:
 
 
 class Drawing(NamedTuple):
-    """What a DXF text holds.
+    """The drawing of a DXF text.
 
     Attributes:
         entities: those that are drawn, in order; the vertices of a POLYLINE in its `vertices`.
         blocks: the entities of each block, after its own, which says where its base is.
         unit: how many millimetres its numbers count; None if it does not say.
+        hidden: by the names of layers in upper case, why those do not show that do not; and
+        unplotted: those that show and do not plot.
     """
 
     entities: list[Entity]
     blocks: dict[str, list[Entity]]
     unit: Fraction | None
+    hidden: dict[str, str]
+    unplotted: set[str]
 
 
 def read_drawing(text: str) -> Drawing:
@@ -195,7 +205,25 @@ def read_drawing(text: str) -> Drawing:
             current = blocks[entity.name.upper()] = []
         if entity.kind != "ENDBLK":
             current.append(entity)
-    return Drawing(_gather(sections.get("ENTITIES", [])[1:]), blocks, _unit(sections))
+    entities = _gather(sections.get("ENTITIES", [])[1:])
+    return Drawing(entities, blocks, _unit(sections), *_layers(sections.get("TABLES", [])[1:]))
+
+
+def _layers(found: Iterable[Iterable[DXFTag]]) -> tuple[dict[str, str], set[str]]:
+    """Find the layers that do not show, and those that do not plot."""
+    hidden = {"DEFPOINTS": "for the points of dimensions"}
+    unplotted = set()
+    for layer in map(Entity, found):
+        if layer.kind != "LAYER":
+            continue
+        name = layer.name.upper()
+        if layer.flags() & _FROZEN:
+            hidden[name] = FROZEN
+        elif layer.number(_COLOR, 7) < 0:
+            hidden[name] = "off"
+        elif name not in hidden and not layer.number(_PLOT, 1):
+            unplotted.add(name)
+    return hidden, unplotted
 
 
 def _gather(found: Iterable[Iterable[DXFTag]]) -> list[Entity]:
@@ -218,8 +246,7 @@ def _unit(sections: Mapping[str, Sequence[Iterable[DXFTag]]]) -> Fraction | None
     for name, value in pairwise(tags):
         if name.code == 9 and str(name.value).strip() == "$INSUNITS":
             text = str(value.value).strip()
-            known = _INSUNITS.get(int(text)) if text.isascii() and text.isdigit() else None
-            return UNITS[known] if known else None
+            return INSUNITS.get(int(text)) if text.isascii() and text.isdigit() else None
     return None
 
 

@@ -1,7 +1,7 @@
 """Open lines joined at their ends to closed outlines."""
 
-from collections import defaultdict
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from exactsweep.formats.curved.curves import round_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
-from exactsweep.words import write_pair
+from exactsweep.words import count, write_pair
 
 # Joints within reach of an end that are looked at before it is refused.
 _MAX_CROWD = 64
@@ -57,8 +57,8 @@ def join(
 
     Each end is moved to the closest joint within reach, or becomes one itself: first those that are
     exact, within `reading.join`, then those that are not, within that and a fourth of the
-    tolerance, all in order. A line that is there twice counts once, and one that is too short for
-    its ends to be told apart is left out.
+    tolerance, all in order. A line that is there twice counts once. One whose ends move to one
+    joint vanishes in an outline through that joint; others are refused, for they may be a hole.
 
     Args:
         lines: open lines of one layer, in order.
@@ -67,7 +67,8 @@ def join(
 
     Yields:
         (order, Candidate) for each set of lines that hang together; where not every end meets
-        exactly one other, it has a fault that names the place.
+        exactly one other, it has a fault that names the place. A straight line alone is an
+        ornament.
 
     Cost: linear.
     """
@@ -77,6 +78,7 @@ def join(
         reach = max(reading.tolerance / 4, joints.reach)
         joints = Joints(reach, dict.fromkeys(exact.values()), reading.tolerance)
     found: dict[tuple[frozenset[Point], Hashable], _Joined] = {}
+    lost: defaultdict[Point, list[OpenLine]] = defaultdict(list)
     for line in lines:
         try:
             if line.is_exact:
@@ -84,13 +86,30 @@ def join(
             else:
                 ends = joints.find(line.ends[0]), joints.find(line.ends[1])
             if ends[0] != ends[1]:
-                found.setdefault((frozenset(ends), line.shape), _Joined(line, ends))
+                key = frozenset(ends), line.shape
+                same = found.setdefault(key, _Joined(line, ends)).line
+                if {*same.ends} != {*line.ends}:
+                    lost[ends[0]].append(line)
             elif _is_long(line, 4 * joints.reach):
                 joined = _Joined(line, ends)
                 yield line.order, Candidate(line.place, joined.points, line.name, layer)
+            elif line.ends[0] != line.ends[1]:
+                lost[ends[0]].append(line)
         except FormatError as error:
             yield line.order, Candidate.refused(f"{line.place}: {error}", line.name, layer)
-    yield from _outlines(list(found.values()), layer, reading)
+    passed = {joint for line in found.values() for joint in line.joints}
+    for joint, short in lost.items():
+        start = short[0]
+        vanished = f"{count(len(short), 'line')} vanished, shorter than ends may be apart"
+        reason = f"{start.place}: {vanished}"
+        ends_of = Counter(end for line in short for end in line.ends)
+        if joint not in passed or not any(number % 2 for number in ends_of.values()):
+            alone = len(short) == 1 and not start.shape
+            refused = Candidate.refused(reason, start.name, layer, ornament=alone)
+            yield start.order, refused
+        elif len(short) > 1:
+            reading.notes[reason] = None
+    yield from _outlines(list(found.values()), layer, lost, reading)
 
 
 def _is_long(line: OpenLine, reach: Fraction) -> bool:
@@ -141,7 +160,7 @@ class Joints:
 
 
 def _outlines(
-    lines: Sequence[_Joined], layer: str | None, reading: Reading
+    lines: Sequence[_Joined], layer: str | None, lost: Container[Point], reading: Reading
 ) -> Iterator[tuple[int, Candidate]]:
     at: defaultdict[Point, list[int]] = defaultdict(list)
     for k, line in enumerate(lines):
@@ -168,7 +187,9 @@ def _outlines(
         start = chain[0].line
         name = next((line.line.name for line in chain if line.line.name is not None), None)
         if fault:
-            yield start.order, Candidate.refused(fault, name, layer)
+            alone = len(chain) == 1 and not start.shape
+            alone = alone and not any(joint in lost for joint in chain[0].joints)
+            yield start.order, Candidate.refused(fault, name, layer, ornament=alone)
         else:
             yield start.order, Candidate(start.place, partial(_walk, chain), name, layer)
 

@@ -10,16 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import accumulate, groupby, pairwise
+from math import dist
 from typing import NamedTuple
 
 from exactsweep.formats.curved.affine import Affine
-from exactsweep.formats.curved.curves import flatten_bezier
+from exactsweep.formats.curved.curves import flatten_bezier, round_points
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.point import Point
 
-MAX_DEGREE = 15
+MAX_DEGREE = 11
+"""The highest degree that CAD programs have."""
 
 _Lifted = tuple[Fraction, ...]
 
@@ -38,6 +40,38 @@ class Spline(NamedTuple):
     points: Sequence[Point]
     knots: Sequence[Fraction]
     weights: Sequence[Fraction] = ()
+
+    @classmethod
+    def through(cls, points: Sequence[Point]) -> Spline:
+        """Return the spline that CAD programs draw through points for which they give no other.
+
+        That is the natural cubic one, over the lengths of the chords: its second derivatives m are
+        0 at the ends, and m[k-1] a + 2 m[k] (a + b) + m[k+1] b = 6 (d[k+1] - d[k]), where a and b
+        are the lengths before and after point k, d the slopes there.
+
+        Cost: linear.
+        """
+        points = [p for p, _ in groupby(points)]
+        if len(points) < 2:
+            raise FormatError("neither control points nor two points that it runs through")
+        try:
+            places = [(float(x), float(y)) for x, y in points]
+            lengths = [dist(p, q) for p, q in pairwise(places)]
+            bends = [_solve([place[i] for place in places], lengths) for i in (0, 1)]
+            controls = [points[0]]
+            for k, h in enumerate(lengths):
+                for one, other in ((k, k + 1), (k + 1, k)):
+                    inner = (
+                        (2 * places[one][i] + places[other][i]) / 3
+                        - h * h * (2 * m[one] + m[other]) / 18
+                        for i, m in enumerate(bends)
+                    )
+                    controls.append(Point(*map(Fraction, inner)))
+                controls.append(points[k + 1])
+        except (ArithmeticError, ValueError) as error:
+            raise FormatError(f"no spline runs through its points: {error}") from None
+        ends = [Fraction(0), *accumulate(map(Fraction, lengths))]
+        return cls(3, controls, [ends[0], *(u for u in ends for _ in range(3)), ends[-1]])
 
     def require_sound(self) -> None:
         """Refuse what is no spline."""
@@ -58,7 +92,7 @@ class Spline(NamedTuple):
     def pieces(self) -> Iterator[tuple[list[Point], list[Fraction]]]:
         """Yield the Bezier curves that it consists of: control points, and weights if it has any.
 
-        Cost: O(p**3) for each piece of degree p.
+        Cost: O(p**2) for each piece of degree p.
 
         Example:
             >>> a, b, c, d = (Point(Fraction(x), Fraction(y)) for x, y in
@@ -75,26 +109,32 @@ class Spline(NamedTuple):
             u, v = self.knots[k], self.knots[k + 1]
             if u == v:
                 continue
-            values = [
-                self._polar(lifted, k, [u] * (self.degree - j) + [v] * j)
-                for j in range(self.degree + 1)
-            ]
+            values = self._bezier(lifted, k)
             points = [Point(x / w, y / w) for x, y, w in values]
             yield points, [w for _, _, w in values] if self.weights else []
 
-    def _polar(self, lifted: Sequence[_Lifted], k: int, arguments: Sequence[Fraction]) -> _Lifted:
-        """The polar form of the piece from knot k to the next."""
+    def _bezier(self, lifted: Sequence[_Lifted], k: int) -> list[_Lifted]:
+        """Values of the polar form at (u, ..., u, v, ..., v), u and v being knot k and the next.
+
+        With u in place of the knots before the piece, one after another, what is last in each row
+        has u that often and then the knots after the piece; the same again with v.
+        """
         p, knots = self.degree, self.knots
-        row = list(lifted[k - p : k + 1])
-        for step, t in enumerate(arguments, 1):
-            # Entry i of the row lies between knot k - p + step + i and the one these are off.
-            off = p - step + 1
-            starts = range(k - p + step, k + 1)
+        u, v = knots[k], knots[k + 1]
+        row, last = list(lifted[k - p : k + 1]), [lifted[k]]
+        for step in range(1, p + 1):
+            ends = ((knots[i], knots[i + p - step + 1]) for i in range(k - p + step, k + 1))
             row = [
-                _mix(a, b, (t - knots[i]) / (knots[i + off] - knots[i]))
-                for i, (a, b) in zip(starts, pairwise(row), strict=True)
+                _mix(a, b, (u - low) / (high - low))
+                for (low, high), (a, b) in zip(ends, pairwise(row), strict=True)
             ]
-        return row[0]
+            last.append(row[-1])
+        row, found = last[::-1], [last[-1]]
+        while len(row) > 1:
+            shares = [(v - u) / (knots[k + i] - u) for i in range(1, len(row))]
+            row = [_mix(a, b, t) for (a, b), t in zip(pairwise(row), shares, strict=True)]
+            found.append(row[0])
+        return found
 
     def flatten(self, image: Affine, reading: Reading) -> list[Point]:
         """Turn the image of the spline into lines, as `flatten_bezier` does each piece."""
@@ -104,7 +144,27 @@ class Spline(NamedTuple):
                 found += [image.point(*point) for point in points]
             else:
                 found += flatten_bezier(points, image, reading, weights)
+        if self.degree > 1:
+            # Where pieces meet, and where a closed one begins, is as good rounded as other points.
+            rounded = round_points(found, reading.allow_curve())
+            if found[0] != found[-1]:
+                rounded[0], rounded[-1] = found[0], found[-1]
+            found = rounded
         return [a for a, b in pairwise(found) if a != b] + found[-1:]
+
+
+def _solve(values: Sequence[float], lengths: Sequence[float]) -> list[float]:
+    """Find the second derivatives of the natural cubic spline by elimination."""
+    slopes = [(q - p) / h for (p, q), h in zip(pairwise(values), lengths, strict=True)]
+    rows = [(0.0, 0.0)]
+    for (a, b), (d, e) in zip(pairwise(lengths), pairwise(slopes), strict=True):
+        share, right = rows[-1]
+        pivot = 2 * (a + b) - a * share
+        rows.append((b / pivot, (6 * (e - d) - a * right) / pivot))
+    found = [0.0]
+    for share, right in reversed(rows):
+        found.append(right - share * found[-1])
+    return found[::-1]
 
 
 def _mix(a: _Lifted, b: _Lifted, t: Fraction) -> _Lifted:

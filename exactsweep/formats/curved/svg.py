@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING, NoReturn
 
 from exactsweep.formats.candidate import Candidate, require_few_faults
@@ -13,10 +14,11 @@ from exactsweep.formats.curved.affine import Affine
 from exactsweep.formats.curved.curves import flatten_arc, place_points
 from exactsweep.formats.curved.join import OpenLine, join
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc, read_path
-from exactsweep.formats.curved.svg_placed import PlacedElement, name_kind
+from exactsweep.formats.curved.svg_placed import PlacedElement
+from exactsweep.formats.curved.svg_style import Style, name_kind
 from exactsweep.formats.curved.xml import line, parse_xml
 from exactsweep.formats.decimals import count_decimals, read_decimals
-from exactsweep.formats.error import FormatError
+from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import quote
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 
 _GROUPS = {"svg", "g", "a"}
 _CONDITIONS = {"requiredExtensions", "requiredFeatures", "systemLanguage"}
+_INVISIBLE = ("hidden", "collapse")
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 MAX_DEPTH = 32
@@ -69,10 +72,9 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
-    placed = PlacedElement(root, None, reading)
-    if reading.unit is not None:
-        # That there is no unit concerns all of the file.
-        _ = placed.matrix
+    placed = PlacedElement(root, None, reading, style=Style(root))
+    # That there is no unit concerns all of the file.
+    _ = placed.unit if reading.unit is None else placed.matrix
     found: list[tuple[int, Candidate]] = []
     faults = 0
     lines: defaultdict[str | None, list[OpenLine]] = defaultdict(list)
@@ -97,8 +99,19 @@ class _Document:
 
     def __init__(self, root: Element, reading: Reading) -> None:
         self.reading = reading
-        self.by_id = {e.attrib["id"]: e for e in reversed(list(root.iter())) if "id" in e.attrib}
+        elements = list(root.iter())
+        self.by_id = {e.attrib["id"]: e for e in reversed(elements) if "id" in e.attrib}
         self.used = 0
+        linked = {e.get(link, "").removeprefix("#") for e in elements for link in _LINKS}
+        # Definitions that nothing draws.
+        self.spare = {
+            child
+            for defs in elements
+            if name_kind(defs) == "defs"
+            for child in defs
+            if name_kind(child) in _GROUPS | _SHAPES.keys()
+            if not any(e.get("id") in linked for e in child.iter())
+        }
 
     def shapes(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         """Find the shapes inside an element; a fault of a `use` is that of the one returned."""
@@ -107,8 +120,15 @@ class _Document:
 
     def _drawn(self, placed: PlacedElement, depth: int) -> Iterator[PlacedElement]:
         element, name = placed.element, name_kind(placed.element)
-        style = element.get("style", "").replace(" ", "")
-        if element.get("display") == "none" or "display:none" in style:
+        if name == "defs":
+            for child in element:
+                if child in self.spare and not self.reading.hides(f"{name_kind(child)} in defs"):
+                    yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
+            return
+        hidden = "with display none" if placed.style("display") == "none" else ""
+        if name in _SHAPES and placed.inherited("visibility", "visible") in _INVISIBLE:
+            hidden = "that is not visible"
+        if name in _DRAWN and self.reading.hides(hidden and f"{name} {hidden}"):
             return
         if depth:
             self.used += 1
@@ -119,9 +139,8 @@ class _Document:
             yield from self.shapes(placed, depth)
         elif name == "switch":
             plain = (e for e in element if name_kind(e) and _CONDITIONS.isdisjoint(e.attrib))
-            for child in (next(plain, None),):
-                if child is not None:
-                    yield from self._drawn(PlacedElement(child, placed, self.reading), depth)
+            for first in islice(plain, 1):
+                yield from self._drawn(PlacedElement(first, placed, self.reading), depth)
         elif name == "use":
             yield from self._follow_use(placed, depth + 1)
         elif name in _SHAPES:
@@ -154,10 +173,15 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
             regions = [[0]] if len(closed) == 1 else []
             if len(closed) > 1:
                 regions = find_regions(closed, even_odd=shape.is_even_odd)
+        except OrnamentError as error:
+            raise OrnamentError(f"{shape.place}: {error}") from None
         except ValueError as error:
             raise FormatError(f"{shape.place}: {error}") from None
+        if not regions and not opened:
+            raise OrnamentError(f"{shape.place}: fewer than three vertices")
     except FormatError as error:
-        return [Candidate.refused(str(error), name, layer)]
+        is_ornament = isinstance(error, OrnamentError)
+        return [Candidate.refused(str(error), name, layer, ornament=is_ornament)]
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
         exterior, *holes = (
@@ -174,7 +198,7 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
         exact = not matrix.off
         line = OpenLine(order, shape.place, ends, partial(list, points), shaped, exact, name)
         drawn.append(line)
-    return drawn or [Candidate.refused(f"{shape.place}: fewer than three vertices", name, layer)]
+    return drawn
 
 
 def _name(shape: PlacedElement) -> str | None:
@@ -210,6 +234,7 @@ def _line(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[P
 def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     x, y = shape.length("x"), shape.length("y")
     width, height = shape.size("width"), shape.size("height")
+    _require_room(width, height)
     u, v = x + width, y + height
     if "rx" in shape.element.attrib or "ry" in shape.element.attrib:
         either = shape.element.get("rx", shape.element.get("ry"))
@@ -219,6 +244,11 @@ def _rectangle(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[l
             return [_round_rectangle((x, y, u, v), (rx, ry), matrix, reading)]
     corners = [Point(*corner) for corner in ((x, y), (u, y), (u, v), (x, v), (x, y))]
     return [place_points(corners, matrix, reading)]
+
+
+def _require_room(width: Fraction, height: Fraction) -> None:
+    if not width or not height:
+        raise OrnamentError("without width or height, which is not drawn")
 
 
 def _round_rectangle(
@@ -243,6 +273,7 @@ def _round_rectangle(
 def _ellipse(shape: PlacedElement, matrix: Affine, reading: Reading) -> list[list[Point]]:
     names = ("r", "r") if name_kind(shape.element) == "circle" else ("rx", "ry")
     rx, ry = (shape.size(name) for name in names)
+    _require_room(rx, ry)
     zero = Fraction(0)
     image = matrix @ Affine(rx, zero, zero, ry, shape.length("cx"), shape.length("cy"))
     start = Point(Fraction(1), zero)
@@ -268,3 +299,4 @@ _SHAPES: dict[str, Callable[[PlacedElement, Affine, Reading], Sequence[list[Poin
     # One whose target is not there.
     "use": _refuse_shape,
 }
+_DRAWN = _GROUPS | _SHAPES.keys() | {"switch"}

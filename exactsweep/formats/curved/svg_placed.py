@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from exactsweep.formats.curved.affine import IDENTITY, Affine, make_affine
+from exactsweep.formats.curved.svg_style import Style, name_kind
 from exactsweep.formats.curved.svg_transform import compose, read_transform
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import read_decimal, read_decimals
@@ -17,9 +18,11 @@ from exactsweep.numbers.number import quote
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-_SPACE = "{http://www.w3.org/2000/svg}"
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 _VIEWS = {"svg", "symbol"}
+# The units of lengths, in px; what a percentage is of depends on the place.
+_PX = {unit: UNITS[unit] / UNITS["px"] for unit in ("mm", "cm", "in", "pt", "pc", "px")}
+_PX |= {"": Fraction(1), "%": Fraction(1)}
 
 
 class PlacedElement:
@@ -30,6 +33,7 @@ class PlacedElement:
         parent: that of which it is drawn, None for the root.
         reading: has the tolerance of irrational angles, and the unit.
         used: the `use` that draws a symbol or a nested svg, which has its size.
+        style: of the document; that of the parent if left out.
     """
 
     def __init__(
@@ -38,8 +42,23 @@ class PlacedElement:
         parent: PlacedElement | None,
         reading: Reading,
         used: PlacedElement | None = None,
+        style: Style | None = None,
     ) -> None:
         self.element, self.parent, self.reading, self.used = element, parent, reading, used
+        self._style: Style | None = style or (parent._style if parent else None)
+
+    def style(self, name: str) -> str | None:
+        """Find a property of its own; None if it is not given."""
+        return self._style.find(self.element, name) if self._style else None
+
+    def inherited(self, name: str, initial: str) -> str:
+        """Find a property that is inherited."""
+        placed: PlacedElement | None = self
+        while placed is not None:
+            if (value := placed.style(name)) not in (None, "", "inherit"):
+                return str(value)
+            placed = placed.parent
+        return initial
 
     @cached_property
     def place(self) -> str:
@@ -53,11 +72,14 @@ class PlacedElement:
         outer = IDENTITY if self.parent is None else self.parent.matrix
         attributes = self.element.attrib
         try:
-            if "transform" in attributes.get("style", ""):
+            styled = self._style and self._style.find(self.element, "transform")
+            if "transform" in attributes.get("style", "") or (
+                styled and styled != attributes.get("transform")
+            ):
                 raise FormatError("a transformation in a style cannot be read")
             product = compose(outer, read_transform(attributes.get("transform", ""), self.reading))
             if self.parent is None:
-                return compose(make_affine(*_diagonal(self._unit(), self._unit())), product)
+                return compose(make_affine(*_diagonal(self.unit, self.unit)), product)
             if name_kind(self.element) == "use":
                 at = make_affine(1, 0, 0, 1, self.length("x"), self.length("y"))
                 return compose(product, at)
@@ -76,15 +98,7 @@ class PlacedElement:
     @property
     def is_even_odd(self) -> bool:
         """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
-        attributes = self.element.attrib
-        rule = attributes.get("fill-rule", "inherit")
-        for declaration in attributes.get("style", "").split(";"):
-            name, _, value = declaration.partition(":")
-            if name.strip() == "fill-rule":
-                rule = value.removesuffix("!important")
-        rule = rule.strip()
-        if rule == "inherit":
-            return self.parent is not None and self.parent.is_even_odd
+        rule = self.inherited("fill-rule", "nonzero")
         if rule not in ("evenodd", "nonzero"):
             raise FormatError(f"the fill rule {quote(rule)} is neither nonzero nor evenodd")
         return rule == "evenodd"
@@ -96,9 +110,33 @@ class PlacedElement:
             raise FormatError(f"{name} is missing")
         number, unit = _split(text.strip())
         try:
-            return read_decimal(number) * (UNITS[unit] / UNITS["px"] if unit else 1)
+            return read_decimal(number) * (self._whole(name) / 100 if unit == "%" else _PX[unit])
         except ValueError as error:
             raise FormatError(f"{name}: {error}") from None
+
+    def _whole(self, name: str) -> Fraction:
+        """The length of which an attribute may be a percentage: a side of what is around."""
+        width, height = self.parent.viewport if self.parent else (None, None)
+        across = name in ("x", "x1", "x2", "cx", "rx", "width")
+        found = width if across or width == height else None if name == "r" else height
+        if found is None:
+            raise FormatError("a percentage of what is not given, or irrational")
+        return found
+
+    @cached_property
+    def viewport(self) -> tuple[Fraction | None, Fraction | None]:
+        """The width and the height of the view that it is or is in, as far as they are known."""
+        if name_kind(self.element) not in _VIEWS:
+            return self.parent.viewport if self.parent else (None, None)
+        if "viewBox" in self.element.attrib:
+            return self._box()[2], self._box()[3]
+        return self._known("width"), self._known("height")
+
+    def _known(self, name: str) -> Fraction | None:
+        try:
+            return self._extent(name)
+        except FormatError:
+            return None
 
     def size(self, name: str, default: str | None = None) -> Fraction:
         """Return a length that is not negative."""
@@ -107,18 +145,21 @@ class PlacedElement:
             raise FormatError(f"{name} is negative")
         return found
 
-    def _unit(self) -> Fraction:
+    @cached_property
+    def unit(self) -> Fraction:
         """By what the numbers of the document are multiplied: the root's own."""
         attributes = self.element.attrib
         unit = None
-        if self.reading.unit is not None:
-            text = attributes.get("width", "").strip()
-            known = bool(text) and not text.endswith("%")
+        text = attributes.get("width", "").strip()
+        try:
             if "viewBox" not in attributes:
                 unit = UNITS["px"]
-            elif known:
+            elif text and not text.endswith("%"):
                 unit = self.size("width") * UNITS["px"] / self._box()[2]
-        return self.reading.scale(unit)
+        except FormatError:
+            if self.reading.unit is not None:
+                raise
+        return self.reading.scale(unit or None)
 
     def _box(self) -> list[Fraction]:
         box = read_decimals(self.element.get("viewBox", ""))
@@ -135,9 +176,6 @@ class PlacedElement:
             return at
         left, top, width, height = self._box()
         sizes = [self._extent("width"), self._extent("height")]
-        # Without a size, it is all of what is around, of which nothing is known here.
-        if None in sizes:
-            raise FormatError("a view without width and height of its own cannot be read")
         scales = [size / own for size, own in zip(sizes, (width, height), strict=True) if size]
         if len(scales) < 2:
             raise FormatError("a view without width or height is not drawn")
@@ -156,23 +194,14 @@ class PlacedElement:
         moved = make_affine(1, 0, 0, 1, *rests)
         return at @ moved @ make_affine(*_diagonal(*scales)) @ make_affine(1, 0, 0, 1, -left, -top)
 
-    def _extent(self, name: str) -> Fraction | None:
-        """A size of a view: that of the `use` that draws it, or its own."""
-        for placed in (self.used, self):
-            if placed is not None and name in placed.element.attrib:
-                text = placed.element.attrib[name].strip()
-                return None if text.endswith("%") else placed.size(name)
-        return None
+    def _extent(self, name: str) -> Fraction:
+        """A size of a view: that of the `use` that draws it, or its own, or all that there is."""
+        used = self.used if self.used and name in self.used.element.attrib else self
+        return used.size(name, "100%")
 
 
 # How much of the room that is left over goes before a view.
 _SHARES = {"Min": Fraction(0), "Mid": Fraction(1, 2), "Max": Fraction(1)}
-
-
-def name_kind(element: Element) -> str:
-    """Return the name of an element of SVG."""
-    # Comments and processing instructions have a function for a tag.
-    return element.tag.removeprefix(_SPACE) if isinstance(element.tag, str) else ""
 
 
 def _diagonal(x: Fraction, y: Fraction) -> tuple[Fraction | int, ...]:
@@ -181,7 +210,7 @@ def _diagonal(x: Fraction, y: Fraction) -> tuple[Fraction | int, ...]:
 
 def _split(text: str) -> tuple[str, str]:
     """Split a length from its unit, if it is one that there is."""
-    for unit in ("mm", "cm", "in", "pt", "pc", "px"):
-        if text.endswith(unit):
+    for unit in _PX:
+        if unit and text.endswith(unit):
             return text.removesuffix(unit).rstrip(), unit
     return text, ""

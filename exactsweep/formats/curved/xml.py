@@ -1,4 +1,4 @@
-"""Untrusted XML: no entities, nothing fetched, nothing nested too deeply."""
+"""Untrusted XML: no entities but short names, nothing fetched, nothing nested too deeply."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ _REFERENCE = re.compile(
 )
 # No name of XML can be this, so that no attribute of the document is hidden.
 _LINE = "#line"
+# The most entities, and the most letters of one.
+_MAX_ENTITY = 200
 
 
 def parse_xml(text: str) -> Element:
@@ -34,8 +36,8 @@ def parse_xml(text: str) -> Element:
         The root, whose elements `line` tells the line of.
 
     Raises:
-        FormatError: not XML, any entity that is declared or referred to, nested deeper than
-            MAX_DEPTH, more elements than `limits` allow.
+        FormatError: not XML, an entity that is not declared, or long, or that refers to others,
+            nested deeper than MAX_DEPTH, more elements than `limits` allow.
 
     Cost: linear in the length of the text.
 
@@ -65,7 +67,19 @@ def parse_xml(text: str) -> Element:
             self.depth -= 1
             return super().end(tag)
 
-    parser = DefusedXMLParser(target=Builder(), forbid_dtd=False, forbid_external=True)
+    declared: dict[str, int] = {}
+
+    def declare(name: str, is_parameter: bool, value: str | None, *outside: object) -> None:
+        declared[name] = size = len(value or "")
+        # Illustrator declares names of namespaces so.
+        if is_parameter or value is None or "&" in value or max(size, len(declared)) > _MAX_ENTITY:
+            raise EntitiesForbidden(name, value, *outside)
+        require_size(text.count(f"&{name};") * size, f"the entity {name!a} draws ")
+
+    parser = DefusedXMLParser(
+        target=Builder(), forbid_dtd=False, forbid_entities=False, forbid_external=True
+    )
+    parser.parser.EntityDeclHandler = declare
     try:
         parser.feed(text)
         root: Element = parser.close()
@@ -81,7 +95,7 @@ def parse_xml(text: str) -> Element:
         raise FormatError(f"refers to something outside of it: {error}") from None
     # Where a document type is declared elsewhere, the parser passes over what it might declare.
     for match in _REFERENCE.finditer(text):
-        if match["entity"]:
+        if match["entity"] not in {None, *declared}:
             number = text.count("\n", 0, match.start()) + 1
             raise FormatError(f"line {number}: the entity {match['entity']!a} is not declared here")
     return root

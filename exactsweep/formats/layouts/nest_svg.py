@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from exactsweep.formats.candidate import Candidate
 from exactsweep.formats.curved.svg import read_svg
-from exactsweep.formats.curved.svg_placed import name_kind
+from exactsweep.formats.curved.svg_style import name_kind
 from exactsweep.formats.curved.xml import line
 from exactsweep.formats.decimals import DECIMAL, read_decimal
 from exactsweep.formats.error import FormatError
@@ -39,12 +39,15 @@ _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 _SHEET = "#00ff00"
 
 
-def read_nest(root: Element, reading: Reading) -> tuple[NestingInstance, list[FilledSheet]] | None:
+def read_nest(
+    root: Element, reading: Reading, containers: Mapping[str, Data]
+) -> tuple[NestingInstance, list[FilledSheet]] | None:
     """Read the SVG of a nesting program.
 
     Args:
         root: of the document, as `parse_xml` parsed it.
         reading: how its shapes are read.
+        containers: those of an instance, by id, which go before the ones that are drawn.
 
     Returns:
         The parts, without demands, and the sheets; None if no program that is known wrote it.
@@ -53,24 +56,27 @@ def read_nest(root: Element, reading: Reading) -> tuple[NestingInstance, list[Fi
         FormatError: a part or a sheet cannot be read.
     """
     parts: dict[str, Data] = {}
-    sheets = list(_jagua(root, reading, parts)) or list(_nested(root, reading, parts))
+    sheets = list(_jagua(root, reading, parts, containers)) or list(_nested(root, reading, parts))
     if not sheets:
         return None
     return NestingInstance("jagua", parts, {}, {}, {}, ()), sheets
 
 
-def _jagua(root: Element, reading: Reading, parts: dict[str, Data]) -> Iterator[FilledSheet]:
+def _jagua(
+    root: Element, reading: Reading, parts: dict[str, Data], containers: Mapping[str, Data]
+) -> Iterator[FilledSheet]:
     named = {e.attrib["id"]: e for e in root.iter() if "id" in e.attrib}
     around = next(
         (e for name, e in named.items() if re.fullmatch(r"(?:container|bin)_\d+", name)), None
     )
     if around is None or "items" not in named:
         return
-    container = _one_shape([around], reading)
+    container = containers.get(around.attrib["id"].rpartition("_")[2])
     zones = named.get("quality_zones")
-    if zones is not None and len(zones):
+    if container is None and zones is not None and len(zones):
         # Those of quality 0 are defects of the container, which is drawn without them.
-        raise FormatError(f"line {line(zones)}: zones of quality are read from JSON only")
+        raise FormatError(f"line {line(zones)}: zones of quality are read with --instance only")
+    container = container or _one_shape([around], reading)
     placements = []
     for use in named["items"]:
         if name_kind(use) != "use":

@@ -20,8 +20,11 @@ from exactsweep.formats.layouts.found import (
 from exactsweep.formats.layouts.nest_svg import read_nest, write_rings
 from exactsweep.formats.layouts.node import Data, JsonNode
 from exactsweep.formats.nesting import nest_candidates
-from exactsweep.formats.polygons import parse_candidates
+from exactsweep.formats.parsing import parse_candidates
+from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.region import Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
 
@@ -54,6 +57,28 @@ def read_layout(
 
 
 @tells_arguments
+def parse_layouts(
+    text: str,
+    *,
+    instance: str | None = None,
+    container: str | None = None,
+    tolerance: object = None,
+    **options: Unpack[Options],
+) -> list[FoundLayout]:
+    """Read the layouts of a text, as `read_layouts` does; the instance is a text, too.
+
+    Example:
+        >>> found = parse_layouts(
+        ...     '<svg><rect id="sheet" width="4" height="3"/><path id="a" d="M0 0H3V1z"/></svg>'
+        ... )
+        >>> found[0].data["parts"]
+        [{'id': 'a', 'exterior': [['0', '0'], ['3', '0'], ['3', '1']]}]
+    """
+    reading = Reading(tolerance, **options)
+    return _parse(text, _parse_instance(instance, reading), container, reading)
+
+
+@tells_arguments
 def read_layouts(
     path: str,
     *,
@@ -65,7 +90,8 @@ def read_layouts(
     """Read the layouts of a file, or of standard input.
 
     Args:
-        path: a path, or "-" for standard input. Layout JSON; solutions of sparrow, jagua-rs and
+        path: a path, or "-" for standard input; after it, perhaps, "#" and the number of the only
+            sheet that is wanted, from 0. Layout JSON; solutions of sparrow, jagua-rs and
             spyrrow, of packingsolver and of CG:SHOP 2024 as JSON; SVG of sparrow, jagua-rs, SVGnest
             and Deepnest; or any drawing that `read_regions` reads, its outlines where they stand.
         instance: the file of the instance that a solution answers; needed where the solution does
@@ -83,19 +109,26 @@ def read_layouts(
 
     Cost: linear in the length of the text.
     """
-    known = None
-    if instance is not None:
-        try:
-            document = JsonNode(parse_json(read_text(instance)))
-            known = _read_instance(document, Reading(tolerance, **options))
-        except ValueError as error:
-            raise FormatError(f"{show_path(instance)}: {error}") from None
-        if known is None:
-            raise FormatError(f"{show_path(instance)}: not an instance of a nesting program")
-    try:
-        return _parse(read_text(path), known, container, Reading(tolerance, **options))
-    except ValueError as error:
-        raise FormatError(f"{show_path(path)}: {error}") from None
+    reading = Reading(tolerance, **options)
+    file, choice = split_choice(path)
+    with name_file(instance or file):
+        known = _parse_instance(None if instance is None else read_text(instance), reading)
+    with name_file(file):
+        found = _parse(read_text(file), known, container, reading)
+        if choice is None:
+            return found
+        if choice.isascii() and choice.isdigit() and int(choice) < len(found):
+            return [found[int(choice)]]
+        raise FormatError(f"no sheet has the number {quote(choice)}; there are {len(found)}")
+
+
+def _parse_instance(text: str | None, reading: Reading) -> Instance | None:
+    if text is None:
+        return None
+    found = _read_instance(JsonNode(parse_json(text)), reading)
+    if found is None:
+        raise FormatError("not an instance of a nesting program")
+    return found
 
 
 def _parse(
@@ -109,7 +142,7 @@ def _parse(
     if container is None and first == "<" and reading.unit is None:
         from exactsweep.formats.curved.xml import parse_xml
 
-        nest = read_nest(parse_xml(text), reading)
+        nest = read_nest(parse_xml(text), reading, known[0].containers if known else {})
         if nest is not None:
             drawn, sheets = nest
             if known is None:
@@ -168,15 +201,26 @@ def _read_instance(document: JsonNode, reading: Reading) -> Instance | None:
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
-    """Say which parts a drawing has that its instance has not, or has otherwise."""
-    notes = []
+    """Say which parts a drawing has otherwise than its instance."""
+    others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:
             raise FormatError(f"its instance has no part {quote(name)}")
-        keys = ("exterior", "holes")
-        if any(part.get(key, []) != known.parts[name].get(key, []) for key in keys):
-            notes.append(f"part {name} is drawn otherwise than in its instance, which counts")
-    return notes
+        if _make_shape(part) != _make_shape(known.parts[name]):
+            others.append(name)
+    if not others:
+        return []
+    what = f"part {others[0]} is" if len(others) == 1 else f"parts {', '.join(others)} are"
+    return [f"{what} drawn otherwise than in the instance, which counts"]
+
+
+def _make_shape(part: Data) -> object:
+    """The region of a part, whichever vertex is first; its rings where these bound none."""
+    rings = part["exterior"], part.get("holes", [])
+    try:
+        return Region(*rings)
+    except PolygonError:
+        return rings
 
 
 def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:
@@ -185,10 +229,12 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
     outlines = [*parse_candidates(text, reading.tolerance, **options)]
     notes = [f"left out: {one.fault}" for one in outlines if one.fault]
     outlines = [one for one in outlines if not one.fault]
+    if not outlines:
+        raise FormatError(notes[0] if notes else "no outline is drawn")
     around = _find_around(outlines) if container is None else choose(outlines, container)
     rest = [one for one in outlines if one is not around]
     if reading.nested:
-        rest = nest_candidates(rest)
+        rest = nest_candidates(rest, reading.nested)
     names = make_unique([one.name or one.layer or str(k) for k, one in enumerate(rest)])
     parts = [{"id": name, **write_rings(one)} for name, one in zip(names, rest, strict=True)]
     placements = [STANDING | {"part": name} for name in names]
@@ -199,7 +245,10 @@ def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLay
 def _find_around(outlines: list[Candidate]) -> Candidate:
     boxes = []
     for one in outlines:
-        xs, ys = zip(*one.vertices(), strict=True)
+        vertices = one.vertices()
+        if not vertices:
+            raise FormatError(f"{one.place}: no vertices")
+        xs, ys = zip(*vertices, strict=True)
         boxes.append((min(xs), min(ys), -max(xs), -max(ys)))
     least = [min(sides) for sides in zip(*boxes, strict=True)]
     around = [one for one, box in zip(outlines, boxes, strict=True) if [*box] == least]

@@ -16,11 +16,12 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.report.worst import WorstFirst
+from exactsweep.layout.report.worst import WorstFirst, rank_faults
 from exactsweep.numbers.point import Point
 from exactsweep.text.report import approximate, take_root
+from exactsweep.words import count
 
-_WIDTH, _LEAST, _MOST = 960, 160, 1200
+_WIDTH, _NARROW, _LEAST, _MOST = 960, 480, 160, 640
 _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED = 12
 
@@ -106,6 +107,31 @@ def draw_layout(
     )
 
 
+class LayoutPicture:
+    """The picture of a judged layout, which a notebook shows at the end of a cell.
+
+    Args:
+        judgement: a Judgement.
+
+    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+
+    Example:
+        >>> from exactsweep.corpus import find_layout_case
+        >>> from exactsweep.layout import judge_layout
+        >>> LayoutPicture(judge_layout(find_layout_case("layouts-tiles").layout))
+        <LayoutPicture: 6 placements>
+    """
+
+    def __init__(self, judgement: Judgement) -> None:
+        self.judgement = judgement
+
+    def __repr__(self) -> str:
+        return f"<LayoutPicture: {count(len(self.judgement.layout.placements), 'placement')}>"
+
+    def _repr_svg_(self) -> str:
+        return draw_layout(self.judgement, rank_faults(self.judgement), "a layout")
+
+
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
@@ -122,8 +148,10 @@ def draw_parts(
     ]
     (xs, ys) = zip(*points, strict=True)
     share = Fraction(max(ys) - min(ys)) / (max(xs) - min(xs))
-    height = int(min(_MOST, max(_LEAST, round(share * (_WIDTH - 2 * _MARGIN)) + 2 * _MARGIN)))
-    window = Window.around(points, _WIDTH, height, _MARGIN)
+    wide, high = _WIDTH - 2 * _MARGIN, _MOST - 2 * _MARGIN
+    width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
+    height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
+    window = Window.around(points, width, height, _MARGIN)
     # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_path("defect", [hole], window) for hole in around[1:]]
@@ -138,7 +166,7 @@ def draw_parts(
             f'<circle class="mark number" cx="{x:.1f}" cy="{y:.1f}" r="10"/>'
             f'<text class="number" x="{x:.1f}" y="{y + 4.5:.1f}">{number}</text>'
         )
-    return _WIDTH, height, "".join(drawn)
+    return width, height, "".join(drawn)
 
 
 def enlarge_faults(

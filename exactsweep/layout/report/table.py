@@ -54,8 +54,8 @@ def report_layout(
         density     1
         contacts    0
         <BLANKLINE>
-        fault    where    how bad   witness      what repairs it
-        overlap  0 and 1  0.1 deep  (0.95, 0.5)  move 1 by (0.1, 0)
+        fault    where    how bad   witness      repaired by
+        overlap  0 and 1  0.1 deep  (0.95, 0.5)  moving 1 by (0.1, 0)
     """
     ranked = rank_faults(judgement) if ranked is None else ranked
     layout = judgement.layout
@@ -66,7 +66,7 @@ def report_layout(
         "contacts": str(len(judgement.contacts)),
     }
     nearest = judgement.distance
-    if nearest is not None and not judgement.faults:
+    if nearest is not None and not (judgement.faults or judgement.contacts):
         first, second = nearest.placements
         root = approximate(take_root(nearest.square))
         facts["nearest"] = f"placements {first} and {second}, {root} apart"
@@ -99,7 +99,7 @@ def _list_faults(ranked: Sequence[WorstFirst]) -> Any:
 
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_column("fault", style="bold")
-    for name in ("where", "how bad", "witness", "what repairs it"):
+    for name in ("where", "how bad", "witness", "repaired by"):
         table.add_column(name, overflow="fold")
     for one in ranked:
         table.add_row(one.fault.kind, *tell_fault(one))
@@ -107,7 +107,7 @@ def _list_faults(ranked: Sequence[WorstFirst]) -> Any:
 
 
 def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
-    """Say where a fault is, how bad, what proves it, and what repairs it: numbers about."""
+    """Say where a fault is, how bad, what proves it, and what repairs it; numbers are about."""
     fault = one.fault
     places = _name_places(fault)
     witness = " ".join(map(_write_about, fault.points))
@@ -118,7 +118,7 @@ def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
     if one.square is not None and fault.move is not None:
         bad = f"{approximate(take_root(one.square))} deep"
         last = fault.placements[-1]
-        return places, bad, witness, f"move {last} by {_write_about(fault.move)}"
+        return places, bad, witness, f"moving {last} by {_write_about(fault.move)}"
     if fault.kind == "outside":
         return places, "fits nowhere as it is turned", witness, ""
     if fault.number:

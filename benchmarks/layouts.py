@@ -1,0 +1,278 @@
+"""Layouts judged beside CGAL, exactly, and shapely, in doubles; and the growth over doublings.
+
+All three are asked which placed parts overlap, and which leave the container. shapely and CGAL
+make intersections; CGAL is also asked for no more than whether interiors meet, by `do_intersect`.
+The layouts are tilings by interlocking parts with a small gap between them, or none, as dense as
+those of nesting programs are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from random import Random
+from statistics import median
+from tempfile import TemporaryDirectory
+from time import process_time
+from tracemalloc import get_traced_memory, start, stop
+from typing import Any, NamedTuple
+
+from rich.table import Table
+
+from benchmarks.clock import milliseconds
+from benchmarks.peers.cgal import compile_program
+from benchmarks.peers.process import run
+from exactsweep import Point, Region
+from exactsweep.conform.adapters import MissingError
+from exactsweep.layout import Layout, judge_layout
+
+SOURCE = Path(__file__).parent / "cgal" / "layouts.cpp"
+
+CELL = 10**9
+RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (80, 212))
+"""Placements and vertices of a part, as published records have them."""
+DOUBLINGS = (625, 1250, 2500, 5000, 10_000)
+GROWING = 52
+CGAL_BAR, SHAPELY_BAR = 5.0, 10.0
+"""How many times as fast as CGAL the judge has to be, and as slow as shapely it may be."""
+
+Pairs = set[tuple[int, int]]
+Offsets = list[tuple[int, int]]
+
+
+def tile(number: int, vertices: int, *, gap: bool, seed: int = 1) -> Layout:
+    """Make a layout of interlocking parts.
+
+    Args:
+        number: how many placements.
+        vertices: of each part, 4 k + 4.
+        gap: whether there is a gap between parts, else they touch along all borders.
+        seed: of the borders.
+    """
+    random = Random(f"{number}:{vertices}:{seed}")
+    inner = (vertices - 4) // 4
+    columns = round(number**0.5)
+    borders = [draw_border(random, inner) for _ in range(3)]
+    room = CELL // (200 * (inner + 1)) if gap else 0
+    parts: dict[tuple[int, ...], str] = {}
+    described, placements = [], []
+    for k in range(number):
+        row, column = divmod(k, columns)
+        kinds = tuple(
+            (place * (1 + column if axis else 1 + row) + 2 * axis) % 3
+            for axis, place in ((0, column), (0, column + 1), (1, row), (1, row + 1))
+        )
+        key = *kinds, k % 2
+        if key not in parts:
+            parts[key] = f"part {len(parts)}"
+            ring = draw_tile([borders[kind] for kind in kinds], room)
+            ring = [(-x, -y) for x, y in ring] if k % 2 else ring
+            described.append({"id": parts[key], "exterior": ring})
+        # Borders may be steep: a part that moves a little along one comes much nearer to the next.
+        x, y = (CELL * place + random.randint(0, room // vertices) for place in (column, row))
+        turn = 180 if k % 2 else 0
+        placements.append({"part": parts[key], "turn": turn, "move": [x, y]})
+    rows = -(-number // columns)
+    low, right, high = -CELL // 2, CELL * columns + CELL // 2, CELL * rows + CELL // 2
+    container = [(low, low), (right, low), (right, high), (low, high)]
+    data = {"container": {"exterior": container}, "parts": described, "placements": placements}
+    return Layout.from_json(data)
+
+
+def draw_border(random: Random, inner: int) -> Offsets:
+    """The inner points of a border: how far along it they are, and how far off it."""
+    found = []
+    for k in range(1, inner + 1):
+        along = CELL * k // (inner + 1)
+        # Borders that meet in a corner stay in their quarters around it.
+        most = 9 * min(along, CELL - along, CELL // 3) // 10
+        found.append((along, random.randint(-most, most)))
+    return found
+
+
+def draw_tile(borders: list[Offsets], room: int) -> list[tuple[int, int]]:
+    """A part of one cell, from its left, right, lower and upper border, less some room."""
+    left, right, low, high = borders
+    ring = [(room, room), *((along, off + room) for along, off in low)]
+    ring += [(CELL - room, room), *((CELL + off - room, along) for along, off in right)]
+    ring += [(CELL - room, CELL - room), *((al, CELL + off - room) for al, off in high[::-1])]
+    return [*ring, (room, CELL - room), *((off + room, along) for along, off in left[::-1])]
+
+
+def place_all(layout: Layout) -> list[Region]:
+    """The placed parts, and what is outside of the container in a frame."""
+    placed = []
+    for placement in layout.placements:
+        region = layout.part_by_id[placement.part].region
+        assert region is not None
+        region = region.mirrored() if placement.mirrored else region
+        cosine, sine, _ = placement.turn.near()
+        placed.append(region.rotated((cosine, sine)).translated(placement.move))
+    low, high = zip(*(shape.bounding_box for shape in (*placed, layout.container)), strict=True)
+    left, bottom = min(p.x for p in low) - 1, min(p.y for p in low) - 1
+    right, top = max(p.x for p in high) + 1, max(p.y for p in high) + 1
+    frame = [Point(left, bottom), Point(right, bottom), Point(right, top), Point(left, top)]
+    return [*placed, Region(frame, [layout.container.exterior])]
+
+
+def judge_ours(layout: Layout) -> Pairs:
+    """The pairs that overlap by our judge; the outside has the number after all placements."""
+    outside = len(layout.placements)
+    return {
+        (fault.placements[0], fault.placements[1] if fault.kind == "overlap" else outside)
+        for fault in judge_layout(layout).faults
+        if fault.kind in ("overlap", "outside")
+    }
+
+
+def make_shapely(shapes: list[Region]) -> Callable[[], Pairs]:
+    """The same by shapely: a tree of boxes, and the areas of intersections, in doubles."""
+    import numpy
+    import shapely
+
+    rings = [[numpy.array([(float(x), float(y)) for x, y in r]) for r in s.rings] for s in shapes]
+
+    def judge() -> Pairs:
+        made = shapely.polygons([shapely.linearrings(ring) for ring, *_ in rings])
+        for k, (_, *holes) in enumerate(rings):
+            if holes:
+                made[k] = shapely.polygons(
+                    made[k].exterior, [shapely.linearrings(h) for h in holes]
+                )
+        first, second = shapely.STRtree(made).query(made)
+        near = first < second
+        first, second = first[near], second[near]
+        meets = shapely.area(shapely.intersection(made[first], made[second])) > 0
+        return set(zip(first[meets].tolist(), second[meets].tolist(), strict=True))
+
+    return judge
+
+
+def write_shapes(shapes: list[Region]) -> str:
+    """What the program of CGAL reads."""
+    lines = [str(len(shapes))]
+    for shape in shapes:
+        lines.append(str(len(shape.rings)))
+        for k, ring in enumerate(shape.rings):
+            lines.append(str(len(ring)))
+            lines += (f"{x} {y}" for x, y in (ring[::-1] if k else ring))
+    return "\n".join(lines) + "\n"
+
+
+class Beside(NamedTuple):
+    """Median times in ms for one layout, and whether all found the same pairs."""
+
+    name: str
+    placements: int
+    vertices: int
+    ours: float
+    shapely: float
+    cgal: float | None
+    cgal_meet: float | None
+    same: bool
+
+
+def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) -> Beside:
+    """Judge a layout by all three, in turn, twice."""
+    shapes = place_all(layout)
+    by_shapely = make_shapely(shapes)
+    given = write_shapes(shapes)
+    ours: list[float] = []
+    floats: list[float] = []
+    exact: dict[str, list[float]] = {"intersection": [], "meet": []}
+    found = judge_ours(layout)
+    same = found == by_shapely()
+    for _ in range(2):
+        ours += milliseconds(partial(judge_ours, layout), seconds)
+        floats += milliseconds(by_shapely, seconds)
+        for operation, taken in exact.items() if cgal else ():
+            assert cgal is not None
+            times, *pairs = run([cgal, operation, str(seconds)], given, 100.0).splitlines()
+            taken += map(float, times.split())
+            same = same and found == {(int(a), int(b)) for a, b in map(str.split, pairs)}
+    vertices = sum(map(len, shapes[:-1])) // (len(shapes) - 1)
+    made, met = (median(taken) if taken else None for taken in exact.values())
+    count = len(shapes) - 1
+    return Beside(name, count, vertices, median(ours), median(floats), made, met, same)
+
+
+def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
+    """Tilings as large as published records are, with a gap and without."""
+    for number, vertices in RECORDS[:2] if quick else RECORDS:
+        for gap in (True, False):
+            name = "a gap" if gap else "touching"
+            yield measure(name, tile(number, vertices, gap=gap), cgal)
+
+
+class Grown(NamedTuple):
+    """Seconds for a layout with so many placements, and MB at most."""
+
+    placements: int
+    verdict: float
+    distance: float
+    memory: float
+
+
+def grow(number: int) -> Grown:
+    """Judge a large tiling once, and find its two nearest parts."""
+    layout = tile(number, GROWING, gap=True)
+    for part in layout.parts:
+        assert part.region is not None
+    began = process_time()
+    judgement = judge_layout(layout)
+    judged = process_time()
+    assert judgement.valid
+    assert judgement.distance is not None
+    ended = process_time()
+    start()
+    judge_layout(layout)
+    _, most = get_traced_memory()
+    stop()
+    return Grown(number, judged - began, ended - judged, most / 1e6)
+
+
+def compile_judge(folder: Path) -> Path | None:
+    """Compile the program of CGAL, if that is there."""
+    try:
+        return compile_program(folder, SOURCE)
+    except MissingError:
+        return None
+
+
+def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
+    """The tables, and a line that says whether the bars are met."""
+    with TemporaryDirectory() as folder:
+        cgal = cgal or compile_judge(Path(folder))
+        found = list(compare_all(cgal, quick=quick))
+    beside = Table(title="Layouts judged, median ms of processor time")
+    for name in ("parts with", "placements", "vertices", "ours", "shapely", "CGAL", "CGAL meet"):
+        beside.add_column(name, justify="right")
+    for name in ("ours / shapely", "CGAL / ours", "CGAL meet / ours", "same pairs"):
+        beside.add_column(name, justify="right")
+    for row in found:
+        beside.add_row(
+            row.name,
+            *map(str, (row.placements, row.vertices)),
+            *(f"{time:.2f}" for time in (row.ours, row.shapely)),
+            *("" if time is None else f"{time:.2f}" for time in (row.cgal, row.cgal_meet)),
+            f"{row.ours / row.shapely:.1f}",
+            *("" if t is None else f"{t / row.ours:.1f}" for t in (row.cgal, row.cgal_meet)),
+            "yes" if row.same else "no",
+        )
+    yield beside
+    slower = median(row.ours / row.shapely for row in found)
+    yield f"ours / shapely: median {slower:.1f}, at most {SHAPELY_BAR:g} asked for"
+    if cgal is not None:
+        faster = median(row.cgal / row.ours for row in found if row.cgal is not None)
+        meeting = median(row.cgal_meet / row.ours for row in found if row.cgal_meet is not None)
+        yield f"CGAL / ours: median {faster:.1f}, at least {CGAL_BAR:g} asked for"
+        yield f"CGAL meet / ours: median {meeting:.1f}"
+    growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
+    for name in ("placements", "verdict", "least distance", "memory"):
+        growth.add_column(name, justify="right")
+    for number in DOUBLINGS[:1] if quick else DOUBLINGS:
+        grown = grow(number)
+        row_of: list[Any] = [f"{grown.verdict:.2f}", f"{grown.distance:.2f}", f"{grown.memory:.0f}"]
+        growth.add_row(str(grown.placements), *row_of)
+    yield growth

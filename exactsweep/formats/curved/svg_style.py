@@ -1,0 +1,61 @@
+"""The style of SVG elements: their attributes, their `style`, and the rules of style sheets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+SPACE = "{http://www.w3.org/2000/svg}"
+"""The namespace of SVG."""
+
+# A comment, or a rule of its own kind, such as @media, with the rules in it; possessive throughout.
+_PASSED = re.compile(
+    r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\Z)", re.DOTALL
+)
+_RULE = re.compile(r"([^{}]*+)\{([^{}]*+)\}")
+
+
+class Style:
+    """The style sheets of a document, as far as their selectors are a name, a class or an id.
+
+    Args:
+        root: the document.
+    """
+
+    def __init__(self, root: Element) -> None:
+        self.rules: dict[str, dict[str, str]] = {}
+        for sheet in root.iter():
+            if name_kind(sheet) == "style":
+                for selectors, body in _RULE.findall(_PASSED.sub("", "".join(sheet.itertext()))):
+                    declared = dict(_declarations(body))
+                    for selector in selectors.split(","):
+                        self.rules.setdefault(selector.strip(), {}).update(declared)
+
+    def find(self, element: Element, name: str) -> str | None:
+        """Find a property of an element; None if it is not given."""
+        attributes = element.attrib
+        for own, value in _declarations(attributes.get("style", "")):
+            if own == name:
+                return value
+        classes = reversed(attributes.get("class", "").split())
+        selectors = f"#{attributes.get('id')}", *(f".{one}" for one in classes), name_kind(element)
+        for selector in (*selectors, "*") if self.rules else ():
+            if name in self.rules.get(selector, ()):
+                return self.rules[selector][name]
+        return attributes.get(name)
+
+
+def _declarations(text: str) -> Iterator[tuple[str, str]]:
+    for declaration in text.split(";"):
+        name, _, value = declaration.partition(":")
+        yield name.strip(), value.strip().removesuffix("!important").rstrip()
+
+
+def name_kind(element: Element) -> str:
+    """Return the name of an element of SVG."""
+    # Comments and processing instructions have a function for a tag.
+    return element.tag.removeprefix(SPACE) if isinstance(element.tag, str) else ""

@@ -1,0 +1,131 @@
+"""Texts in whichever format the content shows: the polygons in them, before they are read."""
+
+import re
+from collections.abc import Sequence
+from typing import Unpack
+
+from exactsweep.formats import csv
+from exactsweep.formats.candidate import Candidate, allow_faults
+from exactsweep.formats.error import FormatError
+from exactsweep.formats.exact_json import count_vertices, parse_json, read_exact
+from exactsweep.formats.files import DXF_SIGN
+from exactsweep.formats.geojson import read_geojson
+from exactsweep.formats.nesting import nest_candidates
+from exactsweep.formats.part_list import Coordinates, PartList
+from exactsweep.formats.reading import Options, Reading
+from exactsweep.formats.size import ELEMENT, ENTITY, measure_text, require_text
+from exactsweep.formats.wkt import parse_wkt
+
+# A group code 0 and the name that follows it.
+_ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
+
+
+def parse_candidates(
+    text: str, tolerance: object = None, **options: Unpack[Options]
+) -> PartList[Candidate]:
+    """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
+    if not isinstance(text, str):
+        raise FormatError(f"{type(text).__name__} is not text")
+    reading = Reading(tolerance, **options)
+    candidates = _parse(text, reading)
+    if reading.nested:
+        candidates = nest_candidates(candidates, reading.nested)
+    is_svg = text.lstrip().startswith("<")
+    y_down = is_svg if reading.y_down is None else reading.y_down
+    coordinates = Coordinates(y_down, reading.found_unit)
+    hidden = [f"hidden: {many} {what} (--hidden)" for what, many in reading.passed.items()]
+    return PartList(candidates, coordinates, hidden, reading.notes)
+
+
+def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
+    first = text.lstrip()[:1]
+    if not first:
+        raise FormatError("empty")
+    if first == "<":
+        from exactsweep.formats.curved.svg import parse_svg
+
+        return parse_svg(text, reading)
+    if DXF_SIGN.match(text):
+        from exactsweep.formats.curved.dxf import parse_dxf
+
+        return parse_dxf(text, reading)
+    # No other format says in which unit its numbers are.
+    reading.scale(None)
+    if first in "[{":
+        return _read_json(text)
+    is_table = csv.is_csv(text)
+    require_text(text, csv.count_vertices(text) if is_table else text.count(","))
+    if is_table:
+        return csv.parse_csv(text)
+    if first.isalpha():
+        return parse_wkt(text)
+    raise FormatError(f"starts with {first!a}: neither JSON, GeoJSON, WKT, CSV, SVG nor DXF")
+
+
+def measure_written(text: str) -> int:
+    r"""Count the bytes that a text of `format_polygons` counts for where it is read, or some more.
+
+    Args:
+        text: JSON of any other kind, too.
+
+    Returns:
+        A number of bytes.
+
+    Cost: linear.
+
+    Example:
+        >>> measure_written("[[0,0],[1,0],[0,1]]"), measure_written("0,0\n1,0\n0,1\n")
+        (64, 48)
+    """
+    first = text.lstrip()[:1]
+    if first == "<":
+        return max(measure_text(text, text.count(",")), ELEMENT * text.count("<"))
+    if DXF_SIGN.match(text):
+        return max(measure_text(text, 0), ENTITY * sum(1 for _ in _ENTITY.finditer(text)))
+    if first in "[{":
+        return measure_text(text, count_vertices(text))
+    is_table = csv.is_csv(text)
+    return measure_text(text, csv.count_vertices(text) if is_table else text.count(","))
+
+
+def _read_json(text: str) -> Sequence[Candidate]:
+    """Read one JSON document, or a document a line."""
+    try:
+        document = parse_json(text)
+    except FormatError as error:
+        lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
+        if "Extra data" not in str(error) or not _is_json(lines[0][1]):
+            raise
+        return allow_faults(found for k, line in lines for found in _read_line(line, k))
+    return find_candidates(document)
+
+
+def _is_json(text: str) -> bool:
+    try:
+        parse_json(text)
+    except FormatError:
+        return False
+    return True
+
+
+def _read_line(line: str, number: int) -> Sequence[Candidate]:
+    """Read a line of several; one that is bad concerns no other."""
+    try:
+        return find_candidates(parse_json(line), f"line {number}: $")
+    except FormatError as error:
+        reason = str(error).removeprefix("line 1, ")
+        named = "" if reason.startswith("line ") else f"line {number}: "
+        return [Candidate.refused(f"{named}{reason}")]
+
+
+def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
+    """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
+
+    Args:
+        document: the document.
+        path: where it is, for messages.
+    """
+    if isinstance(document, dict) and "type" in document and "vertices" not in document:
+        found = read_geojson(document, path)
+        return found if len(found) > 1 else [one._replace(place="") for one in found]
+    return read_exact(document, path)

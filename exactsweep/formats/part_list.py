@@ -1,0 +1,80 @@
+"""What a file holds: its polygons, which way Y points, its unit, and all that is left out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple, TypeVar
+
+from exactsweep.formats.error import FormatError
+
+_Listed = TypeVar("_Listed")
+_Read = TypeVar("_Read")
+_SHOWN = 4
+
+
+class Coordinates(NamedTuple):
+    """The meaning of coordinates.
+
+    Attributes:
+        y_down: whether Y points down, as in SVG.
+        unit: how many millimetres a number counts; None if unknown.
+    """
+
+    y_down: bool = False
+    unit: Fraction | None = None
+
+
+class PartList(list[_Listed]):
+    """Polygons of a file, in order.
+
+    Attributes:
+        coordinates: a Coordinates, the meaning of their coordinates.
+        left_out: what is hidden, an ornament or no polygon, a reason each.
+        notes: what else there is to say, a line each.
+    """
+
+    def __init__(
+        self,
+        items: Iterable[_Listed] = (),
+        coordinates: Coordinates = Coordinates(),  # noqa: B008
+        left_out: Iterable[str] = (),
+        notes: Iterable[str] = (),
+    ) -> None:
+        super().__init__(items)
+        self.coordinates, self.left_out, self.notes = coordinates, [*left_out], [*notes]
+
+    def replaced(self, items: Iterable[_Read], left_out: Iterable[str] = ()) -> PartList[_Read]:
+        """Return other items of the same file, with more reasons for what is left out."""
+        return PartList(items, self.coordinates, [*self.left_out, *left_out], self.notes)
+
+    def read_each(self, read: Callable[[_Listed], _Read]) -> PartList[_Read]:
+        """Read all items, and leave out those that are refused.
+
+        Raises:
+            ValueError: nothing is left; of the class of the first refusal.
+        """
+        found: list[_Read] = []
+        reasons: list[str] = []
+        kind: type[ValueError] = FormatError
+        for item in self:
+            try:
+                found.append(read(item))
+            except ValueError as error:
+                # Only the words of a refusal: it holds on to all that it came from.
+                kind = kind if reasons else type(error)
+                reasons.append(str(error))
+        all_reasons = [*self.left_out, *reasons]
+        if all_reasons and not found:
+            raise kind(summarize(all_reasons))
+        return self.replaced(found, reasons)
+
+
+def summarize(reasons: Sequence[str]) -> str:
+    """Join the first reasons of many in one line.
+
+    >>> summarize("abcdefg")
+    'a; b; c; d; and 3 more'
+    """
+    more = len(reasons) - _SHOWN
+    return "; ".join(reasons[:_SHOWN]) + (f"; and {more} more" if more > 0 else "")

@@ -1,0 +1,47 @@
+"""Where positions lie, beside the definition, asked at each of them."""
+
+from fractions import Fraction
+from itertools import pairwise
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from polyominoes import Cells, polyominoes, region
+from strategies import simple_polygons
+
+from exactsweep import Point, Polygon, no_fit_polygon
+from exactsweep.check import classify
+from exactsweep.geometry.region import AnyPolygon
+
+SAID = {"OVERLAP": "overlap", "CONTACT": "contact", "FREE": "free"}
+HALF = Fraction(1, 2)
+
+
+def check_positions(directrix: AnyPolygon, generatrix: AnyPolygon, aside: Point) -> None:
+    """At the vertices of loops, the middles of edges and of exact fits, and beside them."""
+    n = no_fit_polygon(directrix, generatrix, reference=(1, 0))
+    corners = [vertex for loop in (n.exterior, *n.holes) for vertex in loop]
+    ends = list(pairwise(corners)) + list(n.exact_fits)
+    places = corners + [Point((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in ends]
+    for x, y in places[:: len(places) // 12 + 1]:
+        for t in Point(x, y), Point(x + aside.x, y + aside.y):
+            verdict = classify(directrix, generatrix, (t.x - 1, t.y)).verdict
+            assert n.locate(t) == SAID[verdict]
+
+
+steps = st.builds(Point, *[st.sampled_from([-HALF, Fraction(0), HALF, Fraction(2)])] * 2)
+
+
+@settings(max_examples=20)
+@given(simple_polygons(), simple_polygons(), steps)
+def test_positions_of_polygons_are_where_the_definition_says(
+    d: Polygon, g: Polygon, aside: Point
+) -> None:
+    check_positions(d, g, aside)
+
+
+@settings(max_examples=20)
+@given(polyominoes(10, 4), polyominoes(5, 3), steps)
+def test_positions_among_exact_fits_are_where_the_definition_says(
+    d: Cells, g: Cells, aside: Point
+) -> None:
+    check_positions(region(d), region(g), aside)
