@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from exactsweep.corpus.names import require_known
 from exactsweep.layout import Layout
+from exactsweep.numbers.arguments import tells_arguments
 
 
 class LayoutCase(NamedTuple):
@@ -39,6 +40,7 @@ class LayoutCase(NamedTuple):
         return Layout.from_json(self.data)
 
 
+@tells_arguments
 def layout_cases() -> Iterator[LayoutCase]:
     """Yield the shipped layouts.
 
@@ -52,6 +54,7 @@ def layout_cases() -> Iterator[LayoutCase]:
         )
 
 
+@tells_arguments
 def find_layout_case(id: str) -> LayoutCase:
     """Return the shipped layout of this id.
 

@@ -14,7 +14,7 @@ from typing import Any
 from exactsweep.canvas.style import PALETTE
 from exactsweep.paper.growth import Growth
 
-STYLES = tuple(zip(PALETTE, "os^D", strict=False))
+STYLES = tuple(zip(PALETTE, "os^Dv<>", strict=True))
 SETTINGS: dict[str, Any] = {
     "font.size": 8,
     "legend.fontsize": 7,

@@ -31,6 +31,7 @@ from exactsweep.paper.pairs import SweepPair
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+MINUS = "\N{MINUS SIGN}"
 GROWTH = ("what", "family", "m", "n", "divided by", "ratio", "exponent", "of the bound", "found")
 """The columns of `growth_row`."""
 WEIGHTS = {
@@ -164,6 +165,7 @@ def _environment(*, html: bool) -> Environment:
         "number": lambda value: f"{value:.3f}",
         "picture": _picture,
         "section_title": title_section,
+        "steps": split_proof,
         "slug": make_slug,
     }
     environment.filters.update(filters)
@@ -172,16 +174,44 @@ def _environment(*, html: bool) -> Environment:
 
 
 def set_formula(text: str) -> Markup:
-    """Text as HTML, its indices and its Greek letter set as such.
+    """Text as HTML, its indices, signs and Greek letter set as in mathematics.
 
-    >>> print(set_formula("m_b < n_t"))
-    m<sub>b</sub> &lt; n<sub>t</sub>
-    >>> print(set_formula("T_(i-1), D_1, Trajectory_CC"))
-    T<sub>i-1</sub>, D<sub>1</sub>, Trajectory_CC
-    """
+    >>> print(set_formula("m_b < n_t, T(u) <= x - 1"))
+    m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ x − 1
+    >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
+    T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
+    """  # noqa: RUF002
+    # A sign stands beside a number, a letter of its own or a parenthesis; a hyphen inside a word.
+    signed = re.sub(r"(?<![\w)])-(?=[\d(]|[A-Za-z]\b)|(?<=[\w)]) - (?=[\w(])", _set_minus, text)
+    signed = signed.replace("<=", "≤").replace(">=", "≥")
     index = r"\b([A-Za-z])_(?:([a-z0-9])\b|\(([a-z0-9+-]+)\))"
-    html = re.sub(index, lambda m: f"{m[1]}<sub>{m[2] or m[3]}</sub>", str(escape(text)))
+    html = re.sub(
+        index,
+        lambda m: f"{m[1]}<sub>{(m[2] or m[3]).replace('-', MINUS)}</sub>",
+        str(escape(signed)),
+    )
     return Markup(re.sub(r"\balpha\b", "&alpha;", html))
+
+
+def _set_minus(found: re.Match[str]) -> str:
+    return found[0].replace("-", MINUS)
+
+
+def split_proof(text: str) -> tuple[str, list[str]]:
+    """What comes before step (1) of a proof, and its steps without their numbers.
+
+    >>> split_proof("Let x = 1. (1) Then x > 0, by f(2). (2) So x > -1.")
+    ('Let x = 1.', ['Then x > 0, by f(2).', 'So x > -1.'])
+    >>> split_proof("Obvious: see (1).")
+    ('Obvious: see (1).', [])
+    """
+    steps: list[str] = []
+    rest = text
+    while (before := re.search(rf"(?:^|(?<=[.:;]) )\({len(steps) + 1}\) ", rest)) is not None:
+        steps.append(rest[: before.start()])
+        rest = rest[before.end() :]
+    first, *others = [*steps, rest]
+    return first, others
 
 
 def find_alignments(rows: Sequence[Sequence[str]]) -> list[str]:

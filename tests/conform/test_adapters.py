@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command import PATIENCE
@@ -15,7 +16,11 @@ from strategies import points
 
 from exactsweep.conform.adapters import NAMES, Adapter, MissingError, load
 from exactsweep.conform.adapters.adapter import prepare_ring
+from exactsweep.conform.adapters.names import NPM
+from exactsweep.conform.adapters.npm import SCRIPT
 from exactsweep.conform.adapters.orbit import sort_out
+from exactsweep.conform.adapters.page import write_page
+from exactsweep.conform.adapters.program import ProgramError
 from exactsweep.conform.adapters.table import Rows, read_journal, write_tables
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
@@ -27,9 +32,11 @@ from exactsweep.corpus import Case, find_case, generate
 BOX = [(0, 0), (4, 0), (4, 4), (0, 4)]
 EXACT = ("pysfcgal", "cgal-reduced")
 ROUNDING = ("shapely", "pyclipper", "clipper2", "klayout")
-SUMS = [name for name in NAMES if name not in ("libnfporb", "libnfporb-rational", "svgnest-orbit")]
+NO_SUMS = ("libnfporb", "libnfporb-rational", "svgnest-orbit", "convex-minkowski-sum")
+SUMS = [name for name in NAMES if name not in NO_SUMS]
 CLIPPERS = {"pyclipper": ("no_fit",), "clipper2": ("no_fit",)}
 COMMAND = [sys.executable, "-m", "exactsweep.conform.adapters"]
+PACKAGES = SCRIPT.with_name("package.json")
 
 
 def installed(name: str) -> Adapter:
@@ -238,6 +245,61 @@ def test_a_nesting_program_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_
     finally:
         clipper.close()
         orbit.close()
+
+
+def test_a_package_of_npm_is_run_as_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A stand-in for a package: its union is the greatest of what is united."""
+    monkeypatch.delenv("EXACTSWEEP_NPM", raising=False)
+    with pytest.raises(MissingError, match="polygon-clipping needs node, and EXACTSWEEP_NPM"):
+        load("polygon-clipping")
+    if shutil.which("node") is None:
+        pytest.skip("node is not installed")
+    package = tmp_path / "node_modules" / "polygon-clipping"
+    package.mkdir(parents=True)
+    (package / "package.json").write_text('{"version": "1.2.3", "main": "main.js"}')
+    (package / "main.js").write_text(
+        "const reach = ([ring]) => Math.max(...ring.map(([x]) => x));\n"
+        "exports.union = (...given) => {\n"
+        "  if (given.length > 30) throw new Error('too  many');\n"
+        "  return [given.sort((a, b) => reach(b) - reach(a))[0]];\n"
+        "};\n"
+    )
+    monkeypatch.setenv("EXACTSWEEP_NPM", str(tmp_path))
+    adapter = load("polygon-clipping")
+    try:
+        assert (adapter.hello.name, adapter.hello.shapes) == ("polygon-clipping 1.2.3", "simple")
+        d, g = [(0.0, 0.0), (4.5, 0.0), (0.0, 4.0)], [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+        (rings,) = adapter.answer(d, g).values()
+        assert max(float(x) for ring in rings for x, _ in ring) == 4.5
+        many = [(float(k), float(k * k)) for k in range(12)]
+        with pytest.raises(ProgramError, match=r"^too many$"):
+            adapter.answer(many, g)
+    finally:
+        adapter.close()
+
+
+def test_versions_of_npm_packages_are_pinned() -> None:
+    pinned = json.loads(PACKAGES.read_text(encoding="utf-8"))["dependencies"]
+    assert pinned.keys() == set(NPM)
+    assert all(version[0].isdigit() for version in pinned.values())
+
+
+def test_who_is_exact_on_what_is_one_page(tmp_path: Path) -> None:
+    square = [(0, 0), (8, 0), (8, 8), (0, 8)]
+    case = Case.of("squares", "", square, [(0, 0), (1, 0), (1, 1), (0, 1)])
+    loop = case.trajectory.vertices
+    hello = Hello("a program", ("trajectory",), "rational", "origin")
+    answers: Iterator[dict[str, Any]] = iter(
+        [{"trajectory": loop}, {"trajectory": loop[:3]}, {"unsupported": "no"}]
+    )
+    peer = CallablePeer(lambda *_: next(answers), hello)
+    path = tmp_path / "a.sweep"
+    with Journal(path, command=[], hello=hello, seconds=1) as journal:
+        for _ in range(3):
+            journal.add(judge_case(peer, case))
+    *_, head, _, row = write_page([path], "three cases").splitlines()
+    assert head.startswith("| program | convex | monotone |")
+    assert row.startswith("| a program | 1 of 2 |  |")
 
 
 def test_journals_become_a_table(tmp_path: Path) -> None:

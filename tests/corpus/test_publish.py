@@ -61,7 +61,7 @@ def test_checksums_are_those_of_all_files(folder: Path) -> None:
         if path.is_file() and path.name != "SHA256SUMS"
     }
     assert sums == found
-    assert {"README.md", "LICENSE", "schema.json", "notes.json", "VERSION"} < found.keys()
+    assert {"HOW-TO-READ.md", "LICENSE", "schema.json", "notes.json", "VERSION"} < found.keys()
     assert (folder / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
 
 

@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 import tampering
-from hostile_table import require_row
 from shape_certificates import falsified
 from small_pairs import SmallPair, breed, draw, draw_shapeless
 
@@ -70,7 +69,6 @@ def test_no_changed_certificate_is_proved(kind: str, at_least: int) -> None:
             assert not verify(false).proved, (name, pair)
             tried += 1
     assert tried >= at_least
-    require_row(f"`verify`, one change, {kind}", at_least)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -88,7 +86,6 @@ def test_no_answer_to_another_question_is_proved(kind: str) -> None:
             assert verify(spliced).proved == (spliced == one), (pair, other)
             tried += spliced != one
     assert tried >= 20
-    require_row(f"`verify`, another answer, {kind}", 20)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -104,7 +101,6 @@ def test_no_answer_that_is_moved_or_scaled_as_a_whole_is_proved(kind: str) -> No
                 assert not verify(false).proved, (by, factor, pair)
                 tried += 1
     assert tried >= 12
-    require_row(f"`verify`, moved or scaled, {kind}", 12)
 
 
 def moved(item: Any, by: str, factor: str, is_area: bool) -> Any:

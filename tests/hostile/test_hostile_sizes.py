@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from command import run
-from hostile_table import require_row
 
 from exactsweep import Polygon
 from exactsweep.formats import FORMATS, format_polygons
@@ -101,7 +100,3 @@ def test_the_limit_that_is_named_is_no_higher_than_it_has_to_be(
     command, *how = WRITERS[name]
     run(command, *how, "g.json", "d.json", "-o", name)
     assert named[-1:] == [measure_written(Path(name).read_text())]
-
-
-def test_the_table_says_how_many_these_are() -> None:
-    require_row("large answers, and commands that read them", sum(map(len, map(readers, WRITERS))))

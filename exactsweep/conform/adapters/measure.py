@@ -2,7 +2,8 @@
 
 Each is asked each of its questions, on the corpus and on generated cases. The journals stay in the
 folder, and what is there already is not asked again. Then the tables are written, with the smallest
-example of each kind, in the place of those of a file between two marks, if one is given.
+example of each kind, in the place of those of a file between two marks, if one is given; and a page
+that says who is exact on what.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import click
 
 from exactsweep.conform.adapters.adapter import MissingError
 from exactsweep.conform.adapters.names import NAMES, load
+from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.adapters.table import Rows, read_journal, write_tables
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.journal import Journal
@@ -132,6 +134,9 @@ def _cut(number: object) -> str:
 @click.option("--no-judging", is_flag=True, help="Only write what the folder has already.")
 @click.option("--timeout", "seconds", default=10.0, show_default=True, help="For one answer.")
 @click.option(
+    "--page", type=click.Path(path_type=Path, dir_okay=False), help="Who is exact on what: a file."
+)
+@click.option(
     "--into", type=click.Path(path_type=Path, exists=True), help="The file with the marks."
 )
 def main(
@@ -141,6 +146,7 @@ def main(
     only: Sequence[str],
     seconds: float,
     into: Path | None,
+    page: Path | None,
     no_judging: bool,
 ) -> None:
     """Judge other programs and write what came of it."""
@@ -157,10 +163,10 @@ def main(
             judge(name, question, choose_cases(each, most), seconds, folder)
             click.echo(f"{name}, {question}: done", err=True)
     rows: Rows = {}
-    for name in NAMES:
-        for path in sorted(folder.glob(f"{name}.*")):
-            if path.suffix != ".small":
-                read_journal(path, rows)
+    found = [path for name in NAMES for path in sorted(folder.glob(f"{name}.*"))]
+    journals = [path for path in found if path.suffix != ".small"]
+    for path in journals:
+        read_journal(path, rows)
     asked = f"{len(list(cases(max_size=most)))} cases of the corpus"
     if most is not None:
         asked += f", of at most {most} vertices"
@@ -169,6 +175,8 @@ def main(
         f"Measured on {date.today():%d %B %Y}: {asked}, seed {SEED}.\n\n{write_tables(rows)}\n"
         f"The smallest example of each kind:\n\n{write_examples(folder)}"
     )
+    if page is not None:
+        page.write_text(write_page(journals, asked), encoding="utf-8")
     if into is None:
         click.echo(text)
     else:

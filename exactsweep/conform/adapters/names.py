@@ -18,6 +18,8 @@ CGAL_STRATEGIES = (
     "triangulation",
 )
 
+NPM = ("clipper2-ts", "js-angusj-clipper", "polygon-clipping", "convex-minkowski-sum")
+
 _MODULES = {
     "shapely": "shapely_union",
     "pyclipper": "clipper_sum",
@@ -25,6 +27,7 @@ _MODULES = {
     "klayout": "klayout_sum",
     "pysfcgal": "sfcgal_sum",
     **{f"cgal-{strategy}": "cgal_sum" for strategy in CGAL_STRATEGIES},
+    **dict.fromkeys(NPM, "npm"),
     "libnfporb": "orbit",
     "libnfporb-rational": "orbit",
     "svgnest-orbit": "orbit",
@@ -52,8 +55,9 @@ def load(name: str) -> Adapter:
         Traceback (most recent call last):
         exactsweep.conform.adapters.adapter.MissingError: no adapter 'abacus'; there are shapely, \
 pyclipper, clipper2, klayout, pysfcgal, cgal-reduced, cgal-full, cgal-bisectors, cgal-optimal, \
-cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, libnfporb, \
-libnfporb-rational, svgnest-orbit, svgnest-clipper, deepnest-clipper
+cgal-hertel-mehlhorn, cgal-greene, cgal-vertical, cgal-triangulation, clipper2-ts, \
+js-angusj-clipper, polygon-clipping, convex-minkowski-sum, libnfporb, libnfporb-rational, \
+svgnest-orbit, svgnest-clipper, deepnest-clipper
     """
     if name not in _MODULES:
         raise MissingError(f"no adapter {quote(name)}; there are {', '.join(NAMES)}")

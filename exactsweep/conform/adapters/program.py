@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import inf
 
-from exactsweep.conform.adapters.adapter import AskedShape
+from exactsweep.conform.adapters.adapter import AskedRing, AskedShape
 from exactsweep.conform.run.channel import Channel, ClosedError
 from exactsweep.numbers.number import format_fraction, to_fraction
 
@@ -67,7 +67,9 @@ def write_shape(shape: AskedShape, write: Callable[[object], str] = _fraction) -
     >>> write_shape([[(0, 0), (1, 0), (0, 1)]])
     '1 3 0 0 1 0 0 1'
     """
-    words = [str(len(shape))]
-    for ring in shape:
-        words += [str(len(ring)), *(write(c) for point in ring for c in point)]
-    return " ".join(words)
+    return " ".join([str(len(shape)), *(write_ring(ring, write) for ring in shape)])
+
+
+def write_ring(ring: AskedRing, write: Callable[[object], str]) -> str:
+    """Write a ring as words."""
+    return " ".join([str(len(ring)), *(write(c) for point in ring for c in point)])
