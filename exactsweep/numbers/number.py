@@ -153,6 +153,16 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
     return whole if whole * divisor == value else divide_exactly(value, divisor)
 
 
+def to_int(value: int | Fraction) -> int | Fraction:
+    """Return the number as an int, if it is one.
+
+    Example:
+        >>> to_int(Fraction(4, 2)), to_int(Fraction(1, 2))
+        (2, Fraction(1, 2))
+    """
+    return value.numerator if value.denominator == 1 else value
+
+
 def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
