@@ -1,8 +1,9 @@
 """Layouts judged beside CGAL, exactly, and shapely, in doubles; and the growth over doublings.
 
-All three are asked which placed parts overlap, and which leave the container. The layouts are
-tilings by interlocking parts with a small gap between them, or none, as dense as those of nesting
-programs are.
+All three are asked which placed parts overlap, and which leave the container. shapely and CGAL
+make intersections; CGAL is also asked for no more than whether interiors meet, by `do_intersect`.
+The layouts are tilings by interlocking parts with a small gap between them, or none, as dense as
+those of nesting programs are.
 """
 
 from __future__ import annotations
@@ -168,6 +169,7 @@ class Beside(NamedTuple):
     ours: float
     shapely: float
     cgal: float | None
+    cgal_meet: float | None
     same: bool
 
 
@@ -178,19 +180,21 @@ def measure(name: str, layout: Layout, cgal: Path | None, seconds: float = 0.2) 
     given = write_shapes(shapes)
     ours: list[float] = []
     floats: list[float] = []
-    exact: list[float] = []
+    exact: dict[str, list[float]] = {"intersection": [], "meet": []}
     found = judge_ours(layout)
     same = found == by_shapely()
     for _ in range(2):
         ours += milliseconds(partial(judge_ours, layout), seconds)
         floats += milliseconds(by_shapely, seconds)
-        if cgal is not None:
-            times, *pairs = run([cgal, str(seconds)], given, 100.0).splitlines()
-            exact += map(float, times.split())
+        for operation, taken in exact.items() if cgal else ():
+            assert cgal is not None
+            times, *pairs = run([cgal, operation, str(seconds)], given, 100.0).splitlines()
+            taken += map(float, times.split())
             same = same and found == {(int(a), int(b)) for a, b in map(str.split, pairs)}
     vertices = sum(map(len, shapes[:-1])) // (len(shapes) - 1)
-    by_cgal = median(exact) if exact else None
-    return Beside(name, len(shapes) - 1, vertices, median(ours), median(floats), by_cgal, same)
+    made, met = (median(taken) if taken else None for taken in exact.values())
+    count = len(shapes) - 1
+    return Beside(name, count, vertices, median(ours), median(floats), made, met, same)
 
 
 def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
@@ -242,18 +246,18 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
         cgal = cgal or compile_judge(Path(folder))
         found = list(compare_all(cgal, quick=quick))
     beside = Table(title="Layouts judged, median ms of processor time")
-    for name in ("parts with", "placements", "vertices", "ours", "shapely", "CGAL"):
+    for name in ("parts with", "placements", "vertices", "ours", "shapely", "CGAL", "CGAL meet"):
         beside.add_column(name, justify="right")
-    for name in ("ours / shapely", "CGAL / ours", "same pairs"):
+    for name in ("ours / shapely", "CGAL / ours", "CGAL meet / ours", "same pairs"):
         beside.add_column(name, justify="right")
     for row in found:
         beside.add_row(
             row.name,
             *map(str, (row.placements, row.vertices)),
             *(f"{time:.2f}" for time in (row.ours, row.shapely)),
-            "" if row.cgal is None else f"{row.cgal:.2f}",
+            *("" if time is None else f"{time:.2f}" for time in (row.cgal, row.cgal_meet)),
             f"{row.ours / row.shapely:.1f}",
-            "" if row.cgal is None else f"{row.cgal / row.ours:.1f}",
+            *("" if t is None else f"{t / row.ours:.1f}" for t in (row.cgal, row.cgal_meet)),
             "yes" if row.same else "no",
         )
     yield beside
@@ -261,7 +265,9 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
     yield f"ours / shapely: median {slower:.1f}, at most {SHAPELY_BAR:g} asked for"
     if cgal is not None:
         faster = median(row.cgal / row.ours for row in found if row.cgal is not None)
+        meeting = median(row.cgal_meet / row.ours for row in found if row.cgal_meet is not None)
         yield f"CGAL / ours: median {faster:.1f}, at least {CGAL_BAR:g} asked for"
+        yield f"CGAL meet / ours: median {meeting:.1f}"
     growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
     for name in ("placements", "verdict", "least distance", "memory"):
         growth.add_column(name, justify="right")

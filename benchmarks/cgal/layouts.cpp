@@ -1,13 +1,16 @@
 // Which placed parts of a layout overlap, and which leave their container, by CGAL, exactly.
 //
-//     layouts SECONDS < LAYOUT
+//     layouts OPERATION SECONDS < LAYOUT
+//
+// OPERATION is `meet`, whether interiors have a common point, or `intersection`, which is made and
+// looked at, as programs in doubles do it.
 //
 // LAYOUT: a number of shapes, then the shapes; the last one is what is outside of the container, in
 // a frame. A shape: its number of rings, the exterior first; a ring: its number of vertices, then
 // their exact rational coordinates, counter-clockwise for an exterior, clockwise for a hole.
 // Writes the processor times in ms of as many runs as fit into so many seconds, on one line; then
 // the pairs that overlap, one a line. A run makes the polygons, finds the pairs of boxes that meet
-// and asks of each pair whether the interiors do.
+// and carries out the operation on each.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -18,6 +21,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,13 +47,18 @@ static Shape make_shape(const std::vector<Ring>& rings) {
   return made;
 }
 
-static bool overlap(const Shape& a, const Shape& b) {
+static bool overlap(const Shape& a, const Shape& b, bool meet) {
+  if (!meet) {
+    std::vector<Shape> common;
+    CGAL::intersection(a, b, std::back_inserter(common));
+    return !common.empty();
+  }
   const bool holes = a.number_of_holes() || b.number_of_holes();
   return holes ? CGAL::do_intersect(a, b)
                : CGAL::do_intersect(a.outer_boundary(), b.outer_boundary());
 }
 
-static Pairs judge(const std::vector<std::vector<Ring>>& given) {
+static Pairs judge(const std::vector<std::vector<Ring>>& given, bool meet) {
   std::vector<Shape> shapes;
   shapes.reserve(given.size());
   for (const auto& rings : given) shapes.push_back(make_shape(rings));
@@ -57,7 +66,7 @@ static Pairs judge(const std::vector<std::vector<Ring>>& given) {
   for (const Shape& shape : shapes) boxes.emplace_back(shape.bbox(), &shape);
   Pairs found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (overlap(*a.handle(), *b.handle())) {
+    if (overlap(*a.handle(), *b.handle(), meet)) {
       const long k = a.handle() - shapes.data(), j = b.handle() - shapes.data();
       found.emplace_back(std::min(k, j), std::max(k, j));
     }
@@ -71,7 +80,8 @@ int main(int, char** arguments) {
     std::cout << CGAL_VERSION_STR << '\n';
     return 0;
   }
-  const double seconds = std::atof(arguments[1]);
+  const bool meet = std::string(arguments[1]) == "meet";
+  const double seconds = std::atof(arguments[2]);
   std::size_t count = 0;
   std::cin >> count;
   std::vector<std::vector<Ring>> given(count);
@@ -89,7 +99,7 @@ int main(int, char** arguments) {
   double total = 0;
   while (total == 0 || total < seconds) {
     const std::clock_t start = std::clock();
-    found = judge(given);
+    found = judge(given, meet);
     const double taken = double(std::clock() - start) / CLOCKS_PER_SEC;
     total += std::max(taken, 1e-6);
     std::cout << 1000 * taken << ' ';

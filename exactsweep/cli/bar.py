@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 from time import monotonic
 
 from rich.console import Console
@@ -57,15 +58,29 @@ def show_bar(total: int) -> Iterator[Callable[[int], None]]:
 
 
 @contextmanager
-def words() -> Iterator[Callable[[str], None]]:
-    """Say on standard error what is being done, if that is a terminal.
+def words(
+    console: Console | None = None, timer: Callable[[float, Callable[[], None]], Timer] = Timer
+) -> Iterator[Callable[[str], None]]:
+    """Say on standard error what is being done, if that is a terminal, from the second second on.
+
+    Args:
+        console: where it is said.
+        timer: begins to say it, later.
 
     Yields:
         A function to be told what is done from now on.
     """
-    console = Console(stderr=True)
+    console = console or Console(stderr=True)
     if not console.is_terminal:
         yield lambda doing: None
         return
-    with console.status("") as status:
+    status = console.status("")
+    waiting = timer(_PATIENCE, status.start)
+    waiting.daemon = True
+    waiting.start()
+    try:
         yield status.update
+    finally:
+        waiting.cancel()
+        waiting.join()
+        status.stop()

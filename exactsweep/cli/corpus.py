@@ -30,6 +30,9 @@ def corpus_command() -> None:
     """List, show, export or generate test cases."""
 
 
+_LISTS = ("cases", "themes", "flags", "families")
+
+
 def _takes_filters(command: Command) -> Command:
     for option in (
         click.option("--max-size", type=click.IntRange(min=0), help="The most vertices."),
@@ -54,32 +57,34 @@ def _takes_filters(command: Command) -> Command:
 
 @corpus_command.command("list")
 @click.argument(
-    "what",
-    default="cases",
-    metavar="[cases|themes|flags|families]",
-    shell_complete=offer(lambda: ["cases", "themes", "flags", "families"]),
+    "names",
+    nargs=-1,
+    metavar="[themes|flags|families|ID]...",
+    shell_complete=offer(lambda: ["themes", "flags", "families"], list_themes, list_cases),
 )
-@click.option(
-    "--prefix",
-    default="",
-    shell_complete=offer(list_themes, list_cases),
-    help="How the ids start; the name of a theme, for example.",
-)
+# As it was before names were given as to 'export'.
+@click.option("--prefix", hidden=True)
 @_takes_filters
 def list_command(
-    what: str, prefix: str, flags: tuple[str, ...], kind: str | None, max_size: int | None
+    names: tuple[str, ...],
+    prefix: str | None,
+    flags: tuple[str, ...],
+    kind: str | None,
+    max_size: int | None,
 ) -> None:
     """List cases, a line each; or themes, flags, or families of the generator.
 
-    A case's line has its id, its class, the number of vertices of D and G together, and its title.
+    An ID is that of a case, or the beginning of ids, such as a theme, as for 'corpus export'. A
+    case's line has its id, its class, the number of vertices of D and G together, and its title.
     """
     from exactsweep.corpus import FAMILIES, notes, themes
-    from exactsweep.corpus.names import require_known
     from exactsweep.corpus.shipped import list_summaries
 
+    what = names[0] if len(names) == 1 and names[0] in _LISTS else "cases"
+    starts = [prefix or ""] if names in ((), ("cases",)) else names
     if what != "cases" and (prefix or flags or kind or max_size is not None):
         raise click.UsageError("The options choose among cases.")
-    match require_known(what, ["cases", "themes", "flags", "families"], "list"):
+    match what:
         case "themes":
             rows: Iterable[tuple[str, ...]] = themes().items()
         case "flags":
@@ -87,8 +92,13 @@ def list_command(
         case "families":
             rows = ((family.name, family.level, family.summary) for family in FAMILIES.values())
         case _:
-            found = list_summaries(prefix=prefix, flags=flags, kind=kind, max_size=max_size)
-            rows = ((case.id, case.kind, f"{case.size:3}", case.title) for case in found)
+            rows = (
+                (case.id, case.kind, f"{case.size:3}", case.title)
+                for start in starts
+                for case in list_summaries(
+                    prefix=_require_start(start), flags=flags, kind=kind, max_size=max_size
+                )
+            )
     write(_columns([*rows]), "-")
 
 
@@ -134,6 +144,7 @@ def layouts_command(name: str | None, as_json: bool) -> None:
 @click.argument("names", nargs=-1, metavar="[ID]...", shell_complete=offer(list_themes, list_cases))
 @_takes_filters
 @click.option(
+    "--to",
     "--format",
     "form",
     type=click.Choice(["json", "wkt", "geojson", "svg"]),
@@ -244,8 +255,7 @@ def _choose(
     names: tuple[str, ...], flags: tuple[str, ...], kind: str | None, max_size: int | None
 ) -> Iterator[Case]:
     """The cases of these names; the names are looked at at once, the cases one by one."""
-    from exactsweep.corpus import cases, find_case, themes
-    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus import cases, find_case
     from exactsweep.corpus.shipped import list_ids
 
     ids = list_ids()
@@ -254,10 +264,21 @@ def _choose(
         if name in ids or name.startswith("gen-"):
             found.append([find_case(name)])
             continue
-        if not any(id.startswith(name) for id in ids):
-            require_known(name, [*themes(), *ids], "theme or case")
-        found.append(cases(prefix=name, flags=flags, kind=kind, max_size=max_size))
+        start = _require_start(name)
+        found.append(cases(prefix=start, flags=flags, kind=kind, max_size=max_size))
     return chain.from_iterable(found)
+
+
+def _require_start(name: str) -> str:
+    """Return the beginning of ids of cases; refuse one of none."""
+    from exactsweep.corpus import themes
+    from exactsweep.corpus.names import require_known
+    from exactsweep.corpus.shipped import list_ids
+
+    ids = list_ids()
+    if not any(id.startswith(name) for id in ids):
+        require_known(name, [*_LISTS, *themes(), *ids], "theme or case")
+    return name
 
 
 def _columns(rows: Sequence[tuple[str, ...]]) -> str:

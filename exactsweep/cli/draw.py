@@ -5,6 +5,7 @@ import click
 from exactsweep import Point, Sweep
 from exactsweep.cli.output import beside
 from exactsweep.cli.pair import PATH, coordinates_of_files, takes_pair
+from exactsweep.cli.working import working
 from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
 from exactsweep.numbers.number import to_fraction
@@ -73,13 +74,14 @@ def draw_command(
     """
     figure = make_figure(size=size)
     (axes,) = figure.axes
-    plot_sweep(result, axes, positions=positions or None, y_down=coordinates_of_files().y_down)
+    with working("sweeping"):
+        plot_sweep(result, axes, positions=positions or None, y_down=coordinates_of_files().y_down)
     if title:
         # No font has what is no letter, and a dollar would begin a formula.
         shown = "".join(c if c.isprintable() else repr(c)[1:-1] for c in title)
         axes.set_title(shown.replace("$", r"\$"), loc="left")
     try:
-        with beside(output) as path:
+        with working("drawing"), beside(output) as path:
             save(figure, path)
     except OSError as error:
         raise FormatError(f"{show_path(output)}: {error.strerror or error}") from None

@@ -5,6 +5,7 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import measure_terminal, takes_output, write
 from exactsweep.cli.pair import takes_pair
+from exactsweep.cli.working import working
 from exactsweep.text.explanation import tell
 from exactsweep.text.results import explanation_to_json
 
@@ -24,7 +25,9 @@ def explain_command(result: Sweep, as_json: bool, output: str) -> None:
 
     Files are read as by 'exactsweep sweep'; without files, its example is explained.
     """
-    text = explanation_to_json(result) if as_json else "".join(f"{line}\n" for line in tell(result))
+    with working("explaining the sweep"):
+        lines = [explanation_to_json(result)] if as_json else [f"{one}\n" for one in tell(result)]
+        text = "".join(lines)
     terminal = measure_terminal(output)
     if terminal and text.count("\n") > terminal.lines:
         click.echo_via_pager(text)

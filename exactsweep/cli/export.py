@@ -10,6 +10,7 @@ import click
 from exactsweep.cli.output import write_readable
 from exactsweep.cli.pair import coordinates_of_files
 from exactsweep.cli.parts import say_all
+from exactsweep.cli.working import working
 from exactsweep.formats import FORMATS, FormatError, NamedRegion, format_polygons, round_regions
 from exactsweep.formats.reading import INSUNITS
 from exactsweep.formats.rounding import MAX_PLACES, Changes, Rounding, Side, contains
@@ -83,7 +84,8 @@ def export(
     said: list[str] = []
     if rounding is not None:
         wanted = side_of if rounding.outward else _closest
-        rounded, changes = round_regions(regions, rounding.places, wanted)
+        with working("rounding"):
+            rounded, changes = round_regions(regions, rounding.places, wanted)
         ends = [_round_fit(fit, rounding.places) for fit in fits]
         moved = sum(old != new for old, new in zip(fits, ends, strict=True))
         if rounding.outward:

@@ -41,7 +41,7 @@ EXAMPLES = {
     "corpus list": ["--class MM --max-size 20", "families"],
     "corpus show": ["directions-y"],
     "corpus layouts": ["", "layouts-slot", "--json"],
-    "corpus export": ["directions --format svg -o directions.svg"],
+    "corpus export": ["directions --to svg -o directions.svg"],
     "corpus generate": ["--family notched --seed 1 --count 100"],
     "corpus schema": [""],
     "conform": ["--filter class=CC -- python adapter.py", "--pairs parts.svg -- node adapter.js"],

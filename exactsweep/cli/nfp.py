@@ -7,6 +7,7 @@ from exactsweep.cli.export import export
 from exactsweep.cli.output import measure_terminal, write, write_readable
 from exactsweep.cli.pair import takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
+from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion
 from exactsweep.formats.rounding import Side
 from exactsweep.text.report import approximate, lay_out, report_no_fit
@@ -31,7 +32,13 @@ def nfp_command(
     coordinates are finite decimals, and is refused otherwise.
     """
     pairs = [(d, g) for d in stationary for g in orbiting]
-    found = [no_fit_polygon(d.region, g.region, reference=reference) for d, g in pairs]
+    found = []
+    with working("no-fit polygons") as tell:
+        for k, (d, g) in enumerate(pairs, 1):
+            tell(f"no-fit polygon {k} of {len(pairs)}")
+            found.append(no_fit_polygon(d.region, g.region, reference=reference))
+            # It is found when it is asked for.
+            _ = found[-1].holes
     if len(pairs) == 1:
         write_result(
             found[0],

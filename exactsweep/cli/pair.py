@@ -9,6 +9,7 @@ import click
 
 from exactsweep import Point, Region, sweep
 from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
+from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
 from exactsweep.formats import reading as how
 from exactsweep.formats.folder import bring_to_one
@@ -207,14 +208,15 @@ def _read_all(paths: Sequence[str], reading: ReadingOptions) -> list[Region]:
 def read_two(first: str, second: str, reading: ReadingOptions) -> tuple[Region, Region]:
     """Read two polygons, each from a file, with Y the same way up, and say what is left out."""
     _require_one_input(first, second)
-    files = [(path, read_choice(path, **reading)) for path in (first, second)]
+    with working("reading"):
+        files = [(path, read_choice(path, **reading)) for path in (first, second)]
     keep_coordinates(*bring_to_one([(show_path(path), found) for path, found in files]))
     regions = []
     for path, found in files:
         name = split_choice(path)[0]
         say_left_out([f"{show_path(name)}: {reason}" for reason in found.left_out])
         say_all(f"{show_path(name)}: {note}" for note in found.notes)
-        with name_file(name):
+        with working("reading"), name_file(name):
             regions.append(found[0].region())
     return regions[0], regions[1]
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import click
 
+from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion, show_path
 from exactsweep.formats.folder import Listing, list_parts, make_unique
 from exactsweep.formats.part_list import PartList, summarize
@@ -22,7 +23,8 @@ def find_parts(paths: Sequence[str], reading: Mapping[str, Any]) -> Listing:
     Raises:
         FormatError: nothing is there.
     """
-    listing = list_parts(paths, **reading)
+    with working("reading"):
+        listing = list_parts(paths, **reading)
     if not listing.parts:
         reasons = listing.left_out or [f"{', '.join(map(show_path, paths))}: holds no polygon"]
         raise FormatError(summarize(reasons))
@@ -48,12 +50,13 @@ def read_named(
     found: list[NamedRegion] = []
     names: list[str] = []
     reasons: list[str] = []
-    for part in listing.parts:
-        try:
-            found.append(part.candidate.named_region())
-            names.append(part.name)
-        except ValueError as error:
-            reasons.append(f"{part.file}: {error}")
+    with working("reading"):
+        for part in listing.parts:
+            try:
+                found.append(part.candidate.named_region())
+                names.append(part.name)
+            except ValueError as error:
+                reasons.append(f"{part.file}: {error}")
     if not found:
         raise FormatError(summarize(reasons))
     say_left_out(reasons)

@@ -9,6 +9,7 @@ import click
 from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.cli.export import export, takes_format, takes_rounding
 from exactsweep.cli.output import measure_terminal, takes_output, write, write_readable
+from exactsweep.cli.working import working
 from exactsweep.formats import FormatError, NamedRegion
 from exactsweep.formats.rounding import Rounding, Side
 from exactsweep.text.results import certificate_to_json
@@ -99,23 +100,25 @@ def write_result(
     report: Callable[..., str],
 ) -> None:
     """Write a result in a form of `takes_form`."""
+    terminal = measure_terminal(form.output)
+    with working("computing"):
+        if form.kind == "to":
+            fits = () if isinstance(result, Sweep) else result.exact_fits
+            regions = to_regions(result)
+        elif form.kind == "json":
+            text = to_json(result)
+        elif form.kind == "certificate":
+            text = certificate_to_json(result)
+        elif form.kind == "wkt":
+            try:
+                text = to_wkt(result)
+            except FormatError as error:
+                raise FormatError(f"{error}; use --json, or --round") from None
+        else:
+            text = report(result, terminal and terminal.columns, everything=form.everything)
     if form.kind == "to":
-        fits = () if isinstance(result, Sweep) else result.exact_fits
-        regions = to_regions(result)
         export(regions, fits, form.target, form.rounding, form.output, side_of)
-        return
-    if form.kind == "json":
-        text = to_json(result)
-    elif form.kind == "certificate":
-        text = certificate_to_json(result)
-    elif form.kind == "wkt":
-        try:
-            text = to_wkt(result)
-        except FormatError as error:
-            raise FormatError(f"{error}; use --json, or --round") from None
-    else:
-        terminal = measure_terminal(form.output)
-        text = report(result, terminal and terminal.columns, everything=form.everything)
+    elif form.kind == "report":
         write(text, form.output)
-        return
-    write_readable(text, form.output)
+    else:
+        write_readable(text, form.output)

@@ -6,6 +6,7 @@ import click
 
 from exactsweep.cli.output import write
 from exactsweep.cli.pair import PATH
+from exactsweep.cli.working import working
 from exactsweep.formats import read_certificate
 from exactsweep.text.results import verification_to_json
 from exactsweep.words import write_pair
@@ -34,7 +35,8 @@ def verify_command(file: str, max_steps: int | None, as_json: bool) -> None:
     from exactsweep.check import verify
 
     asked = {} if max_steps is None else {"max_steps": max_steps}
-    verdict = verify(read_certificate(file), **asked)
+    with working("checking the certificate"):
+        verdict = verify(read_certificate(file), **asked)
     if as_json:
         text = verification_to_json(verdict)
     else:

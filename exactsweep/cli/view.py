@@ -5,6 +5,7 @@ import click
 from exactsweep import Sweep
 from exactsweep.cli.output import takes_output, write
 from exactsweep.cli.pair import coordinates_of_files, name_files_of_pair, takes_pair
+from exactsweep.cli.working import working
 from exactsweep.formats import show_path
 
 
@@ -21,11 +22,10 @@ def view_command(result: Sweep, output: str) -> None:
 
     Files are read as by 'exactsweep sweep'; without files, its example is shown.
     """
-    from exactsweep.cli.bar import words
     from exactsweep.view import make_page
 
     files = name_files_of_pair()
     names = None if files is None else (show_path(files[0]), show_path(files[1]))
-    with words() as tell:
+    with working("making the page") as tell:
         text = make_page(result, names=names, y_down=coordinates_of_files().y_down, tell=tell)
     write(text, output)

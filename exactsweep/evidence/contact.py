@@ -21,7 +21,7 @@ from math import lcm
 from typing import Any, Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector, angle_key
-from exactsweep.geometry.outline import Outline
+from exactsweep.geometry.outline import Outline, is_between
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
 from exactsweep.numbers.point import Edge, Rational, Vertex
@@ -121,12 +121,21 @@ def find_edge_contacts(
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
                 note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
+                # Where rings touch, vertices lie inside edges.
+                for k in directrix.vertices_inside(j):
+                    v = directrix.vertices[k]
+                    note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
+                for k in generatrix.vertices_inside(i):
+                    w = generatrix.vertices[k]
+                    note("VE", k, j, g_along[i], minus(r, w), minus(s, w))
     for i, j in find_facing(g_edges, directrix):
         (p, q), v = g_edges[i], directrix.vertices[j]
-        note("EV", i, j, g_along[i], minus(v, p), minus(v, q))
+        for k in directrix.vertices_at(v):
+            note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
     for j, i in find_facing(d_edges, generatrix):
         (r, s), w = d_edges[j], generatrix.vertices[i]
-        note("VE", i, j, d_along[j], minus(r, w), minus(s, w))
+        for k in generatrix.vertices_at(w):
+            note("VE", k, j, d_along[j], minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
 
 
@@ -175,11 +184,7 @@ class MonotoneOutline(Outline):
             x = sign * point[0]
             first = max(bisect_left(xs, x) - 1, 0)
             for k in numbers[first : bisect_right(xs, x)]:
-                p, q = self.edge(k)
-                (px, py), (qx, qy), (tx, ty) = p, q, point
-                if (qx - px) * (ty - py) == (qy - py) * (tx - px) and (
-                    min(p, q) < point < max(p, q)
-                ):
+                if is_between(point, *self.edge(k)):
                     yield k
 
 
@@ -205,11 +210,9 @@ def find_contacts(generatrix: Outline, directrix: Outline, t: Vertex) -> list[Co
     found: set[Contact] = set()
     for i, w in enumerate(generatrix.vertices):
         point = w[0] + t[0], w[1] + t[1]
-        j = directrix.numbers.get(point)
-        if j is not None:
-            found.add(Contact("VV", i, j))
-        else:
-            found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
+        # Where rings touch, a point is a vertex of one and in an edge of another.
+        found.update(Contact("VV", i, j) for j in directrix.vertices_at(point))
+        found.update(Contact("VE", i, j) for j in directrix.edges_through(point))
     for j, v in enumerate(directrix.vertices):
         found.update(Contact("EV", i, j) for i in generatrix.edges_through(minus(v, t)))
     # What two edges share ends, towards the start of G's edge, in that start or in an end of D's: a

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_interface
 from exactsweep.geometry.region import AnyPolygon, Region, Vertices
 from exactsweep.numbers.error import name_refusals
+from exactsweep.numbers.number import ratio
 from exactsweep.numbers.point import Vertex
 
 
@@ -30,6 +30,9 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
         return Region(exterior, holes) if holes else Polygon(exterior)
 
 
+_WIDE = 64
+
+
 def to_region(shape: Region | Vertices, name: str) -> Region:
     """Read the same as a Region.
 
@@ -39,24 +42,41 @@ def to_region(shape: Region | Vertices, name: str) -> Region:
     return shape if isinstance(shape, Region) else Region(to_shape(shape, name))
 
 
-def share_lattice(regions: Sequence[Region]) -> tuple[int, list[list[list[Vertex]]]]:
+def share_lattice(
+    regions: Sequence[Region], scale: int | None = None
+) -> tuple[int, list[list[list[Vertex]]]]:
     """Put regions on the coarsest integer lattice that holds them all.
 
+    Args:
+        regions: of any number.
+        scale: if given, that of a lattice on which most vertices are, which serves if the common
+            one had more than 64 bits.
+
     Returns:
-        The scale and the rings of each region times the scale, the interior on the left. If the
-        scale had more than 8192 bits, 1 and the vertices as they are.
+        The scale and the rings of each region times the scale, the interior on the left; vertices
+        off the given lattice are Fractions. If the scale had more than 8192 bits, 1 and the
+        vertices as they are.
 
     >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
     (6, [[[(0, 0), (3, 0), (0, 2)]]])
     """
     lattices = [region.lattice() for region in regions]
-    scale = lcm_within(own for own, _ in lattices)
-    if scale is None:
-        return 1, [
-            [[(Fraction(x, own), Fraction(y, own)) for x, y in ring] for ring in rings]
-            for own, rings in lattices
-        ]
-    return scale, [
-        [[(x * (scale // own), y * (scale // own)) for x, y in ring] for ring in rings]
-        for own, rings in lattices
+    common = lcm_within(own for own, _ in lattices)
+    if common is None or (scale is not None and common.bit_length() > _WIDE):
+        return scale or 1, [_scale_rings(region, scale or 1) for region in regions]
+    return common, [_enlarge(rings, common // own) for own, rings in lattices]
+
+
+def _enlarge(rings: Sequence[Sequence[Vertex]], factor: int) -> list[list[Vertex]]:
+    if factor == 1:
+        return list(map(list, rings))
+    return [[(x * factor, y * factor) for x, y in ring] for ring in rings]
+
+
+def _scale_rings(region: Region, scale: int) -> list[list[Vertex]]:
+    """The rings times a scale, interior on the left; ints where they are on the lattice."""
+    exterior, *holes = region.rings
+    return [
+        [(ratio(x * scale, 1), ratio(y * scale, 1)) for x, y in ring]
+        for ring in (exterior, *((hole[0], *hole[:0:-1]) for hole in holes))
     ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
@@ -64,6 +65,33 @@ class Outline:
         xs, order = self._by_x
         return order[bisect_left(xs, low) : bisect_right(xs, high)]
 
+    @cached_property
+    def _all_numbers(self) -> dict[Vertex, list[int]]:
+        found: defaultdict[Vertex, list[int]] = defaultdict(list)
+        for k, vertex in enumerate(self.vertices):
+            found[vertex].append(k)
+        return found
+
+    def vertices_at(self, point: Vertex) -> Sequence[int]:
+        """The numbers of the vertices at a point: several where rings touch.
+
+        Cost: O(1), and for several rings O(n) the first time.
+        """
+        if len(self.starts) == 1:
+            return (self.numbers[point],) if point in self.numbers else ()
+        return self._all_numbers.get(point, ())
+
+    def vertices_inside(self, k: int) -> list[int]:
+        """The numbers of the vertices of other rings inside edge k.
+
+        Cost: O(log n + vertices in the x-range of the edge).
+        """
+        if len(self.starts) == 1:
+            return []
+        p, q = self.edge(k)
+        near = self.vertices_between(min(p[0], q[0]), max(p[0], q[0]))
+        return [i for i in near if is_between(self.vertices[i], p, q)]
+
     def scaled(self, factor: int) -> Outline:
         """The same, enlarged by a positive factor. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
@@ -72,12 +100,18 @@ class Outline:
 
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(n)."""
-        tx, ty = point
-        for k, (px, py) in enumerate(self.vertices):
-            qx, qy = self.vertices[self.after[k]]
-            if (px <= tx <= qx or qx <= tx <= px) and (
-                (qx - px) * (ty - py) == (qy - py) * (tx - px)
-                and (px, py) != point != (qx, qy)
-                and (py <= ty <= qy or qy <= ty <= py)
-            ):
+        tx, _ = point
+        for k, p in enumerate(self.vertices):
+            q = self.vertices[self.after[k]]
+            if (p[0] <= tx <= q[0] or q[0] <= tx <= p[0]) and is_between(point, p, q):
                 yield k
+
+
+def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
+    """Whether a point is inside a segment, its ends left out.
+
+    >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)], is_between((1, 0), (0, 0), (2, 2))
+    ([False, True, False], False)
+    """
+    (tx, ty), (px, py), (qx, qy) = point, p, q
+    return (qx - px) * (ty - py) == (qy - py) * (tx - px) and min(p, q) < point < max(p, q)

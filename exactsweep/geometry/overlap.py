@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 from math import ceil, floor, lcm
 from operator import itemgetter
@@ -108,7 +109,7 @@ class _EdgesByColumn:
 
 
 class Overlap:
-    """Whether a shape overlaps another one when it is moved by t.
+    """Whether a shape overlaps another one when it is moved by t; prepared at the first question.
 
     Args:
         stationary: the rings of D, the interior on the left. D may have several pieces, and may be
@@ -118,10 +119,17 @@ class Overlap:
     """
 
     def __init__(self, stationary: Rings, orbiting: Rings, *, unbounded: bool = False) -> None:
-        self._fixed = _EdgesByColumn(stationary, unbounded=unbounded)
-        self._moved = _EdgesByColumn(orbiting)
+        self._shapes = stationary, orbiting, unbounded
         # Where edges crossed last time they are likely to cross again.
         self._last: tuple[_BoundedEdge, _BoundedEdge] | None = None
+
+    @cached_property
+    def _fixed(self) -> _EdgesByColumn:
+        return _EdgesByColumn(self._shapes[0], unbounded=self._shapes[2])
+
+    @cached_property
+    def _moved(self) -> _EdgesByColumn:
+        return _EdgesByColumn(self._shapes[1])
 
     def at(self, t: Point) -> bool:
         """Whether the interiors of D and G + t meet.

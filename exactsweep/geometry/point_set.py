@@ -54,6 +54,12 @@ class PointSet:
         """The vertices of all `rings`, one ring after another."""
         raise NotImplementedError
 
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """The least x and y, and the greatest x and y, in the order of shapely's `bounds`."""
+        xs, ys = zip(*self.rings[0], strict=True)
+        return min(xs), min(ys), max(xs), max(ys)
+
     def _image(self, under: AffineMap) -> Self:
         raise NotImplementedError
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import isqrt, lcm
 from typing import NamedTuple
 
@@ -76,6 +76,13 @@ class Turn:
         assert self.degrees is not None
         return find_rational_turn(self.degrees, bits)
 
+    @cached_property
+    def _hash(self) -> int:
+        return hash(self.exact if self.degrees is None else self.degrees)
+
+    def __hash__(self) -> int:
+        return self._hash
+
     def __str__(self) -> str:
         if self.degrees is not None:
             return f"{abridge(self.degrees)} degrees"
@@ -107,9 +114,7 @@ def read_turn(by: object) -> Turn:
     (True, (Fraction(3, 5), Fraction(4, 5)))
     """
     if not isinstance(by, Iterable) or isinstance(by, str):
-        degrees = to_fraction(by) % 360
-        quarters, rest = divmod(degrees, 90)
-        return Turn(degrees, None if rest else _QUARTERS[quarters])
+        return _turn_by(to_fraction(by) % 360)
     x, y = read_point(by, "direction")
     scale = lcm(x.denominator, y.denominator)
     square = int(x * scale) ** 2 + int(y * scale) ** 2
@@ -121,6 +126,12 @@ def read_turn(by: object) -> Turn:
         )
     exact = x * scale / length, y * scale / length
     return Turn(Fraction(90 * _QUARTERS.index(exact)) if exact in _QUARTERS else None, exact)
+
+
+@lru_cache(maxsize=1024)
+def _turn_by(degrees: Fraction) -> Turn:
+    quarters, rest = divmod(degrees, 90)
+    return Turn(degrees, None if rest else _QUARTERS[quarters])
 
 
 @lru_cache(maxsize=1024)

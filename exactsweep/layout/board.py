@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
-from math import ceil, floor
+from math import ceil, floor, lcm
+from typing import Any
 
 from exactsweep.geometry.lattice import lcm_within
 from exactsweep.geometry.point_set import AffineMap
@@ -14,11 +15,19 @@ from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.layout import Layout
 from exactsweep.layout.near import find_near
 from exactsweep.layout.outside import cut_outside
-from exactsweep.layout.pieces import ConvexRing
-from exactsweep.layout.solid import LatticeBox, LatticeForm, Solid, make_form, measure_slack
+from exactsweep.layout.solid import (
+    LatticeBox,
+    LatticeForm,
+    MatrixRows,
+    Solid,
+    make_form,
+    measure_slack,
+    put_on_lattice,
+)
 
 _SHARED_BITS = 1024
 _ROOM = 1
+_NONE = Fraction(0)
 
 
 class Board:
@@ -35,56 +44,44 @@ class Board:
         self.layout = layout
         self._regions = {part.id: part.region for part in layout.parts if part.region is not None}
         self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
-        self._pieces: dict[str, list[ConvexRing]] = {}
-        self._forms: dict[tuple[str, Turn, bool, int], tuple[int, LatticeForm]] = {}
+        self._bases: dict[str, tuple[int, LatticeForm]] = {}
+        self._forms: dict[tuple[str, Turn, bool, int], LatticeForm] = {}
         self._solids: dict[tuple[int, int], Solid] = {}
-
-    def _linear(self, k: int, bits: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """The matrix of a placement, by rows."""
-        placement = self.layout.placements[k]
-        cosine, sine, _ = placement.turn.near(bits)
-        across = -1 if placement.mirrored else 1
-        return across * cosine, -sine, across * sine, cosine
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
-        region = self._regions[self.layout.placements[k].part]
-        return region._image(AffineMap(*self._linear(k, bits)))
+        placement = self.layout.placements[k]
+        region = self._regions[placement.part]
+        cosine, sine, _ = placement.turn.near(bits)
+        across = -1 if placement.mirrored else 1
+        return region._image(AffineMap(across * cosine, -sine, across * sine, cosine))
 
-    def pieces(self, part: str) -> list[ConvexRing]:
-        """Return the convex pieces of a part, on its own lattice. Cost: that of `cut_to_convex`."""
-        found = self._pieces.get(part)
+    def base(self, part: str) -> tuple[int, LatticeForm]:
+        """Return a part on its own lattice, and the scale of that."""
+        found = self._bases.get(part)
         if found is None:
-            _, form = make_form(self._regions[part])
-            found = self._pieces[part] = form.pieces
+            found = self._bases[part] = make_form(self._regions[part])
         return found
 
-    def _turned_pieces(self, k: int, bits: int, scale: int) -> list[ConvexRing]:
-        """The pieces of a placed part, mirrored and turned, on a lattice."""
+    def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
+        """The linear map of a placement as ints, and what they are divided by."""
         placement = self.layout.placements[k]
-        factor = Fraction(scale) / self._regions[placement.part].lattice()[0]
-        a, b, c, d = (part * factor for part in self._linear(k, bits))
-        turned = [
-            [(_whole(a * x + b * y), _whole(c * x + d * y)) for x, y in piece]
-            for piece in self.pieces(placement.part)
-        ]
-        return [piece[::-1] for piece in turned] if placement.mirrored else turned
-
-    def _form(self, k: int, bits: int) -> tuple[int, LatticeForm]:
-        placement = self.layout.placements[k]
-        key = placement.part, placement.turn, placement.mirrored, bits
-        found = self._forms.get(key)
-        if found is None:
-            found = self._forms[key] = make_form(
-                self.turned(k, bits), lambda scale: self._turned_pieces(k, bits, scale)
-            )
-        return found
+        cosine, sine, _ = placement.turn.near(bits)
+        denominator = lcm(cosine.denominator, sine.denominator)
+        c = cosine.numerator * (denominator // cosine.denominator)
+        s = sine.numerator * (denominator // sine.denominator)
+        return denominator, (-c, -s, -s, c) if placement.mirrored else (c, -s, s, c)
 
     @cached_property
     def _scale(self) -> int | None:
         """The scale of the lattice that all solids share, if there is one."""
         layout = self.layout
-        scales = {self._form(k, TURN_BITS)[0] for k in self.placed}
+        kinds = {(p.part, p.turn): k for k, p in enumerate(layout.placements)}
+        scales = {
+            self.base(part)[0] * self._turn(k, TURN_BITS)[0]
+            for (part, _), k in kinds.items()
+            if part in self._regions
+        }
         scales.add(layout.container.lattice()[0])
         scales.update(c.denominator for k in self.placed for c in layout.placements[k].move)
         scale = lcm_within(scales)
@@ -96,16 +93,26 @@ class Board:
         if found is not None:
             return found
         placement = self.layout.placements[k]
-        scale, form = self._form(k, bits)
-        x, y = placement.move
-        shared = self._scale if bits == TURN_BITS else None
+        part, turn, (x, y) = placement.part, placement.turn, placement.move
+        key = part, turn, placement.mirrored, bits
+        form, shared = self._forms.get(key), self._scale if bits == TURN_BITS else None
+        scale = shared or self.base(part)[0] * self._turn(k, bits)[0]
+        if form is None:
+            own, base = self.base(part)
+            denominator, matrix = self._turn(k, bits)
+            factor = scale // (own * denominator)
+            a, b, c, d = matrix
+            form = base.mapped((a * factor, b * factor, c * factor, d * factor))
+            self._forms[key] = form
+        # Without a shared lattice, moves have denominators of their own.
         finer = shared or lcm_within((scale, x.denominator, y.denominator)) or scale
-        error = placement.turn.near(bits).error
-        slack = measure_slack(self._regions[placement.part], error) if error else error
+        slack = _NONE
+        if turn.exact is None:
+            slack = measure_slack(self._regions[part], turn.near(bits).error)
         solid = Solid(
             form.scaled(finer // scale),
-            _whole(x * finer),
-            _whole(y * finer),
+            put_on_lattice(x, finer),
+            put_on_lattice(y, finer),
             finer,
             slack,
         )
@@ -117,7 +124,7 @@ class Board:
         """A rectangle that holds all with room to spare: left, low, right, high."""
         low, high = self.layout.container.bounding_box
         xs, ys = [floor(low.x), ceil(high.x)], [floor(low.y), ceil(high.y)]
-        slack = Fraction(0)
+        slack = _NONE
         for k in self.placed:
             solid = self.solid(k)
             scale, (left, right, bottom, top) = solid.scale, solid.box
@@ -129,29 +136,47 @@ class Board:
         room = ceil(self.layout.margin + 2 * slack) + _ROOM
         return min(xs) - room, min(ys) - room, max(xs) + room, max(ys) + room
 
-    def _cut_outside(self, scale: int) -> list[ConvexRing]:
-        left, low, right, high = (c * scale for c in self.frame)
-        own, ring = self.layout.container.exterior.lattice()
-        factor = scale // own
-        exterior = [(x * factor, y * factor) for x, y in ring]
-        return cut_outside(exterior, (left, low, right, high))  # type: ignore[arg-type]
-
     @cached_property
     def around(self) -> list[Solid]:
         """The outside of the container in the frame, and each defect."""
-        left, low, right, high = self.frame
         container = self.layout.container
-        frame = [(left, low), (right, low), (right, high), (left, high)]
-        outside = Region(frame, [container.exterior])
+        own, ring = container.exterior.lattice()
+        west, south, east, north = (c * own for c in self.frame)
+        exterior: list[Any] = list(ring)
+        outside = LatticeForm(
+            [[(west, south), (east, south), (east, north), (west, north)], exterior[::-1]],
+            lambda: cut_outside(exterior, (west, south, east, north)),
+        )
         found = []
-        for region, cut in (
-            (outside, self._cut_outside),
-            *((hole, None) for hole in container.holes),
-        ):
-            scale, form = make_form(Region(region), cut)
+        for scale, form in ((own, outside), *(make_form(Region(h)) for h in container.holes)):
             finer = self._scale or scale
-            found.append(Solid(form.scaled(finer // scale), 0, 0, finer, Fraction(0)))
+            found.append(Solid(form.scaled(finer // scale), 0, 0, finer, _NONE))
         return found
+
+    @cached_property
+    def _room(self) -> LatticeBox | None:
+        """The box in which parts are inside a container that is a rectangle."""
+        low, high = self.layout.container.bounding_box
+        if self._scale is None or len(self.layout.container.exterior) > 4:
+            return None
+        if self.layout.container.exterior.area != (high.x - low.x) * (high.y - low.y):
+            return None
+        margin, scale = self.layout.margin, self._scale
+        return (
+            ceil((low.x + margin) * scale),
+            floor((high.x - margin) * scale),
+            ceil((low.y + margin) * scale),
+            floor((high.y - margin) * scale),
+        )
+
+    def is_clear(self, k: int) -> bool:
+        """Whether a box alone shows that a placed part is inside the container, by the margin."""
+        solid = self.solid(k)
+        if self._room is None or solid.slack:
+            return False
+        left, right, low, high = solid.box
+        west, east, south, north = self._room
+        return left >= west and right <= east and low >= south and high <= north
 
     @cached_property
     def grain(self) -> Fraction:
@@ -174,11 +199,6 @@ class Board:
         boxes = [_enlarge(self.solid(k), unit) for k in placed]
         for k, j in find_near(boxes, ceil(reach * unit)):
             yield placed[k], placed[j]
-
-
-def _whole(value: Fraction) -> int:
-    """A number of a lattice: an int, if the lattice holds it."""
-    return value.numerator if value.denominator == 1 else value  # type: ignore[return-value]
 
 
 def _enlarge(solid: Solid, unit: int) -> LatticeBox:

@@ -254,8 +254,8 @@ def _turn(a: Point, b: Point, c: Point) -> Fraction:
 
 def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:
     assert part.region is not None
-    scale, _ = part.region.lattice()
-    return _write_rings(board.pieces(part.id), scale)
+    scale, form = board.base(part.id)
+    return _write_rings(form.pieces, scale)
 
 
 def _write_outside(board: Board) -> list[Any]:

@@ -148,7 +148,8 @@ def _judge_container(board: Board) -> Iterator[Fault]:
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
-        for wall, fixed in enumerate(board.around):
+        clear = board.is_clear(k)
+        for wall, fixed in enumerate(board.around[clear:], clear):
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.square

@@ -28,6 +28,10 @@ LatticeBox = tuple[int, int, int, int]
 """Left, right, low and high."""
 
 
+MatrixRows = tuple[int, int, int, int]
+"""The rows of a linear map."""
+
+
 class BoxedEdge(NamedTuple):
     """An edge with its box, and its place: the number of its ring, and its number in the ring."""
 
@@ -60,15 +64,18 @@ class LatticeForm:
         self.box: LatticeBox = min(xs), max(xs), min(ys), max(ys)
         self._scaled: dict[int, LatticeForm] = {1: self}
 
+    def mapped(self, matrix: MatrixRows) -> LatticeForm:
+        """Return the image under a linear map, given by rows. Cost: O(n)."""
+        return LatticeForm(
+            [_map(ring, matrix) for ring in self.rings],
+            lambda: [_map(piece, matrix) for piece in self.pieces],
+        )
+
     def scaled(self, factor: int) -> LatticeForm:
         """Return the form on a lattice that is so many times as fine. Cost: O(n), once."""
         found = self._scaled.get(factor)
         if found is None:
-            found = LatticeForm(
-                [_scale(ring, factor) for ring in self.rings],
-                lambda: [_scale(piece, factor) for piece in self.pieces],
-            )
-            self._scaled[factor] = found
+            found = self._scaled[factor] = self.mapped((factor, 0, 0, factor))
         return found
 
     @cached_property
@@ -171,23 +178,29 @@ class Solid(NamedTuple):
         return Point(Fraction(x) / self.scale, Fraction(y) / self.scale)
 
 
-def _scale(ring: IntRing, factor: int) -> list[IntVertex]:
-    return [(x * factor, y * factor) for x, y in ring]
+def _map(ring: IntRing, matrix: MatrixRows) -> list[IntVertex]:
+    """The image of a ring, which has the interior on its left again."""
+    a, b, c, d = matrix
+    image = [(a * x + b * y, c * x + d * y) for x, y in ring]
+    return image if a * d > b * c else image[::-1]
 
 
-def make_form(
-    region: Region, cut: Callable[[int], list[ConvexRing]] | None = None
-) -> tuple[int, LatticeForm]:
-    """Return the scale of a region's lattice and its form there.
-
-    Args:
-        region: a Region.
-        cut: gives its convex pieces on a lattice, if they are known.
-
-    Cost: O(n).
-    """
+def make_form(region: Region) -> tuple[int, LatticeForm]:
+    """Return the scale of a region's lattice and its form there. Cost: O(n)."""
     scale, rings = region.lattice()
-    return scale, LatticeForm(rings, cut and (lambda: cut(scale)))  # type: ignore[arg-type]
+    return scale, LatticeForm(rings)  # type: ignore[arg-type]
+
+
+def put_on_lattice(value: Fraction, scale: int) -> int:
+    """Return a number times the scale of a lattice that holds it: an int.
+
+    >>> put_on_lattice(Fraction(1, 2), 6)
+    3
+    """
+    n, d = value.as_integer_ratio()
+    whole, rest = divmod(scale, d)
+    # Without a common lattice, coordinates are Fractions, which do as well.
+    return n * whole if rest == 0 else value * scale  # type: ignore[return-value]
 
 
 def measure_slack(region: Region, error: Fraction) -> Fraction:

@@ -28,16 +28,18 @@ class ShapeSolution(Solution):
     Args:
         generatrix: G.
         directrix: D.
+        scale: that of their lattice, where not all vertices need to be on it.
     """
 
     kind = "SS"
 
-    def __init__(self, generatrix: Region, directrix: Region) -> None:
+    def __init__(self, generatrix: Region, directrix: Region, scale: int | None = None) -> None:
         self._pair = generatrix, directrix
+        self._scale = scale
 
     @made_once
     def _lattice(self) -> tuple[int, list[list[list[Vertex]]]]:
-        return share_lattice(self._pair)
+        return share_lattice(self._pair, self._scale)
 
     @made_once
     def frame(self) -> Frame:
@@ -77,7 +79,8 @@ class ShapeSolution(Solution):
     def _around_path(self) -> ShapeSolution:
         """T's inside, and I(G), which misses T where a point is not swept."""
         path = Region(Polygon._from_canonical(self.trajectory))
-        return ShapeSolution(self._pair[0].reflected(), path)
+        # T's corners where contact segments cross would make the common lattice huge.
+        return ShapeSolution(self._pair[0].reflected(), path, self.frame.scale)
 
     @made_once
     def _inside(self) -> list[list[Point]]:

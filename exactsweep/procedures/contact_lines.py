@@ -37,14 +37,17 @@ from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
 from exactsweep.geometry.overlap import Rings
+from exactsweep.numbers.number import ratio
 from exactsweep.numbers.point import Rational, Vertex
-from exactsweep.procedures.envelope import Break
 from exactsweep.procedures.leeway import Leeway
 
 _UNITS = 2**32
 _BEYOND = 1  # how far pieces go on outside of a leeway
 
-Cut = tuple[int, Break, bool, bool, bool]
+StretchPlace = tuple[int, int]
+"""A place n / d on a line; d > 0."""
+
+Cut = tuple[int, StretchPlace, bool, bool, bool]
 """A crossing of a stretch with another one.
 
 A key, greater for another cut only where its place is not less; the place on the stretch; whether
@@ -59,8 +62,16 @@ ReducedPoint = tuple[int, int, int, int]
 class Stretch:
     """A stretch of a line on which contact segments of the same directions lie.
 
-    The line has the points with dx * y - dy * x = c; dx, dy are coprime ints, dx > 0 or (0, 1).
-    Places on it are values of x, of y if it is vertical.
+    The line has the points with dx * y - dy * x = c / e; dx, dy are coprime ints, dx > 0 or (0, 1),
+    and so are c and e > 0. Places on it are values of x, of y if it is vertical. All is kept in
+    ints, so that shapes off the lattice, such as trajectories, take no Fractions.
+
+    Args:
+        line: dx, dy and c / e.
+        low: the place of one end.
+        high: that of the other one.
+        left: as the attribute.
+        right: likewise.
 
     Attributes:
         low, high: its ends, Breaks.
@@ -78,6 +89,7 @@ class Stretch:
         "cuts",
         "dx",
         "dy",
+        "e",
         "high",
         "high_covered",
         "high_through",
@@ -96,9 +108,10 @@ class Stretch:
         left: bool,
         right: bool,
     ) -> None:
-        self.dx, self.dy, self.c = line
-        self.low: Break = (low, 1)
-        self.high: Break = (high, 1)
+        self.dx, self.dy, c = line
+        self.c, self.e = c.as_integer_ratio()
+        self.low: StretchPlace = low.as_integer_ratio()
+        self.high: StretchPlace = high.as_integer_ratio()
         self.left = left
         self.right = right
         self.low_through: tuple[bool, bool] | None = None
@@ -108,18 +121,49 @@ class Stretch:
 
     def between(self, low: Rational, high: Rational) -> Stretch:
         """The piece from one place to another; an end that is not the stretch's is covered."""
-        piece = Stretch((self.dx, self.dy, self.c), low, high, self.left, self.right)
-        piece.low_covered = self.low_covered or low != self.low[0]
-        piece.high_covered = self.high_covered or high != self.high[0]
+        line = self.dx, self.dy, ratio(self.c, self.e)
+        piece = Stretch(line, low, high, self.left, self.right)
+        piece.low_covered = self.low_covered or piece.low != self.low
+        piece.high_covered = self.high_covered or piece.high != self.high
         piece.low_through, piece.high_through = self.low_through, self.high_through
         return piece
+
+    def bound(self) -> tuple[int, int, int, int]:
+        """Bounds of the stretch, rounded outwards to ints: left, right, low, high."""
+        dx, dy, c, e, (low, below), (high, above) = (
+            self.dx,
+            self.dy,
+            self.c,
+            self.e,
+            self.low,
+            self.high,
+        )
+        left, right = low // below, -(-high // above)
+        if dx == 0:
+            return -c // e, -(c // e), left, right
+        if dy < 0:
+            low, below, high, above = high, above, low, below
+        floor = (low * dy * e + c * below) // (dx * e * below)
+        return left, right, floor, -((-high * dy * e - c * above) // (dx * e * above))
 
     def within(self, leeway: Leeway) -> Stretch | None:
         """The piece that is in the leeway, or a little more; None if there is none.
 
         Outside of the leeway there is overlap everywhere, and so just inside of an end that is cut.
         """
-        dx, dy, c, (low, _), (high, _) = self.dx, self.dy, self.c, self.low, self.high
+        west, east, south, north = leeway
+        left, right, lowest, highest = self.bound()
+        if (
+            west - _BEYOND <= left
+            and right <= east + _BEYOND
+            and south - _BEYOND <= lowest
+            and highest <= north + _BEYOND
+        ):
+            return self
+        if left > east or right < west or lowest > north or highest < south:
+            return None
+        dx, dy, c = self.dx, self.dy, ratio(self.c, self.e)
+        low, high = ratio(*self.low), ratio(*self.high)
         if dx == 0:
             if not leeway.left <= -c <= leeway.right:
                 return None
@@ -140,19 +184,15 @@ class Stretch:
             return None
         return self if (start, end) == (low, high) else self.between(start, end)
 
-    def vertex(self, place: Break) -> ReducedPoint:
+    def vertex(self, place: StretchPlace) -> ReducedPoint:
         """The point of the line at a place."""
         n, d = place
-        if self.dx == 0:
-            return *_reduce(-self.c, 1), *_reduce(n, d)
-        return *_reduce(n, d), *_reduce(n * self.dy + self.c * d, self.dx * d)
-
-
-def _reduce(n: Rational, d: Rational) -> tuple[int, int]:
-    if type(n) is int and type(d) is int:
         common = gcd(n, d)
-        return n // common, d // common
-    return Fraction(n, d).as_integer_ratio()
+        if self.dx == 0:
+            return -self.c, self.e, n // common, d // common
+        y, unit = n * self.dy * self.e + self.c * d, self.dx * d * self.e
+        other = gcd(y, unit)
+        return n // common, d // common, y // other, unit // other
 
 
 class _RankedEdge(NamedTuple):
@@ -291,7 +331,7 @@ def _join_segments(
             sides = before.left, before.right
             if sides == (left, right) == through:
                 continue
-            before.high = (place, 1)
+            before.high = place.as_integer_ratio()
             before.high_through = through if left or right else None
             yield before
         after = Stretch(line, place, place, left, right) if left or right else None

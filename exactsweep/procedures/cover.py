@@ -1,17 +1,20 @@
 """Positions that are known to be overlapped, in squares of a grid: what lies there need not be cut.
 
 Most of a contact segment runs through the inside of the positions of overlap O = int D + int H. The
-plane is cut into squares of side h, and with
+plane is cut into squares of side h. A closed square lies in O if it lies in one of these sets:
 
-(1) A, the closed squares that lie in D, and B, the grid points in the interior of H,
+(1) A + B, with A the closed squares that lie in D, and B the grid points in the interior of H: a
+    point p of the square is the limit of inner points of D, so that p + b = p' + b' for an inner
+    point p' near p and a b' near b, inner to H.
+(2) The inside of the parallelogram a + b, for an edge a of D and an edge b of H. At its inner
+    points the edge a and the edge -b of G cross, and where edges cross, interiors meet.
 
-each square of A moved by a point of B lies in O: a point p of the square is the limit of inner
-points of D, so that p + b = p' + b' for an inner point p' near p and a b' near b, inner to H. Both
-sets are kept as bits of ints, a column of squares after the other, and so A + B is a union of
-shifted ints. Bounds are rounded so that a square or a point is left out rather than wrong.
+Squares of (1) fill shapes that are wide, those of (2) the sums of thin ones, whose edges are long:
+of n zigzags across n zigzags, each parallelogram has the size of the whole answer. Bounds are
+rounded so that a square is left out rather than wrong.
 
-(2) Of a stretch, only what lies in columns where it leaves the squares of A + B matters. It is cut
-    at borders of columns; just inside of a cut there is overlap.
+(3) Of a stretch, only what lies in columns where it leaves the squares matters. It is cut at
+    borders of columns; just inside of a cut there is overlap.
 """
 
 from __future__ import annotations
@@ -20,16 +23,22 @@ from collections.abc import Iterator
 from itertools import chain
 
 from exactsweep.geometry.overlap import Rings
+from exactsweep.numbers.number import ratio
 from exactsweep.numbers.point import Rational
 from exactsweep.procedures.contact_lines import Stretch
+from exactsweep.procedures.parallelograms import fill_parallelograms
+from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
 
 _FEW = 400
 """As many stretches are cut faster as they are."""
 _SQUARES_PER_STRETCH = 2
+_MOST_COLUMNS = 2048
+_ONE_OF = 16
+"""One of so many stretches tells how many are covered."""
 
 
 def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings) -> list[Stretch]:
-    """What matters of stretches, by (2).
+    """Drop the parts of stretches that lie in covered squares, by (3).
 
     Args:
         stretches: of the contact segments of D and H.
@@ -39,17 +48,27 @@ def leave_out_covered(stretches: list[Stretch], stationary: Rings, moving: Rings
     Returns:
         Stretches between the same lines, with ends that are covered marked.
 
-    Cost: O(s) for s squares, about twice as many as stretches, in words of their columns, and
-    O(k + x) for k stretches and x columns that they cross.
+    Cost: O(s) for s squares, a fixed number for each stretch, in words of their columns, and
+    O(k log s + x) for k stretches and x columns in which they are not covered.
     """
     if len(stretches) < _FEW:
         return stretches
-    cover = Cover(stationary, moving, round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5))
+    columns = round((_SQUARES_PER_STRETCH * len(stretches)) ** 0.5)
+    cover = Cover(stationary, moving, min(columns, _MOST_COLUMNS))
+    some = stretches[::_ONE_OF]
+    if sum(any(cover.uncovered(stretch)) for stretch in some) > len(some) // 2:
+        cover.refine((stationary, moving), len(stretches))
     return list(chain.from_iterable(map(cover.uncovered, stretches)))
 
 
 class Cover:
-    """The squares of A + B, for a grid with about so many columns over each shape."""
+    """The squares of (1), for a grid with about so many columns over each shape.
+
+    Attributes:
+        side: that of a square.
+        left, low: the first column and the first row.
+        columns: the rows that are covered, as the bits of an int for each column.
+    """
 
     def __init__(self, stationary: Rings, moving: Rings, columns: int) -> None:
         spans = [
@@ -57,152 +76,78 @@ class Cover:
             for ring in (stationary[0], moving[0])
             for k in (0, 1)
         ]
-        self.side = max(1, max(spans) // columns)
-        cells_left, cells_low, cells = find_squares_in(stationary, self.side)
-        points_left, points_low, points = find_points_in(moving, self.side)
-        rows = max(map(int.bit_length, cells), default=0)
-        rows += max(map(int.bit_length, points), default=0)
-        stride = rows + 1
-        packed = 0
-        for cell_column in reversed(cells):
-            packed = packed << stride | cell_column
-        stacked = {1: packed}
-        total = 0
-        for k, point_column in enumerate(points):
-            for start, length in _find_runs(point_column):
-                total |= _stack(stacked, length) << (k * stride + start)
-        mask = (1 << stride) - 1
-        self.left, self.low = cells_left + points_left, cells_low + points_low
-        self.columns = [total >> (k * stride) & mask for k in range(len(cells) + len(points) - 1)]
+        side = max(spans) // columns
+        self.side = max(1, side - side % 2)
+        self.left, self.low, self.columns = find_squares_of_sum(stationary, moving, self.side)
+        self._blocks = _list_blocks(self.columns)
+
+    def refine(self, shapes: tuple[Rings, Rings], work: int) -> None:
+        """Halve the squares, and add those of (2), until so many of their columns were met.
+
+        Sums of (1) take much longer on a finer grid, and gain little.
+        """
+        if self.side % 2 == 0:
+            self.side, self.left, self.low = self.side // 2, 2 * self.left, 2 * self.low
+            self.columns = halve_squares(self.columns)
+        corner = self.left * self.side, self.low * self.side
+        fill_parallelograms(self.columns, corner, self.side, shapes, work)
+        self._blocks = _list_blocks(self.columns)
 
     def uncovered(self, stretch: Stretch) -> Iterator[Stretch]:
         """The pieces of a stretch that leave the squares, cut at borders of columns."""
-        side, dx, dy, c = self.side, stretch.dx, stretch.dy, stretch.c
-        (low, _), (high, _) = stretch.low, stretch.high
+        side, dx, dy, c, e = self.side, stretch.dx, stretch.dy, stretch.c, stretch.e
+        (low, below), (high, above) = stretch.low, stretch.high
+        start, end = low // (below * side), -(-high // (above * side))
         if dx == 0:
-            first = int(low // side) - self.low
-            last = int(high // side) - self.low
-            if not self._covers(int(-c // side) - self.left, first, last):
+            row, last_row = start - self.low, high // (above * side) - self.low
+            if not self._covers(0, -c // (e * side) - self.left, row, last_row):
                 yield stretch
             return
-        column = int(low // side)
-        end = int(-(-high // side))
-        unit = dx * side
-        row = int((low * dy + c) // unit)
-        since: Rational | None = None
-        reach: Rational = low
-        for k in range(column, end):
-            until = min(high, (k + 1) * side)
-            next_row = int((until * dy + c) // unit)
+        unit = dx * side * e
+        row = (low * dy * e + c * below) // (unit * below)
+        last_row = (high * dy * e + c * above) // (unit * above)
+        k, level, since = start, 0, end
+        while k < end:
+            # Blocks of columns begin at multiples of their width.
+            while level and ((k - self.left) & ((1 << level) - 1) or k + (1 << level) > end):
+                level -= 1
+            until = k + (1 << level)
+            next_row = last_row if until == end else (until * dy * side * e + c) // unit
             first, last = (row, next_row) if dy >= 0 else (next_row, row)
-            if self._covers(k - self.left, first - self.low, last - self.low):
-                if since is not None:
-                    yield stretch.between(since, reach)
-                    since = None
-            elif since is None:
-                since = reach
-            row, reach = next_row, until
-        if since is not None:
-            yield stretch.between(since, high)
+            block = (k - self.left) >> level
+            if self._covers(level, block, first - self.low, last - self.low):
+                if since < k:
+                    yield self._cut(stretch, since, k, start, end)
+                since, level = end, min(level + 1, len(self._blocks) - 1)
+            elif level:
+                level -= 1
+                continue
+            else:
+                since = min(since, k)
+            row, k = next_row, until
+        if since < end:
+            yield self._cut(stretch, since, end, start, end)
 
-    def _covers(self, column: int, first: int, last: int) -> bool:
-        if not 0 <= column < len(self.columns) or first < 0:
+    def _cut(self, stretch: Stretch, first: int, last: int, start: int, end: int) -> Stretch:
+        """The piece of a stretch in some of its columns."""
+        if (first, last) == (start, end):
+            return stretch
+        low: Rational = first * self.side if first > start else ratio(*stretch.low)
+        high: Rational = last * self.side if last < end else ratio(*stretch.high)
+        return stretch.between(low, high)
+
+    def _covers(self, level: int, block: int, first: int, last: int) -> bool:
+        blocks = self._blocks[level]
+        if not 0 <= block < len(blocks) or first < 0:
             return False
         rows = (1 << (last - first + 1)) - 1
-        return self.columns[column] >> first & rows == rows
+        return blocks[block] >> first & rows == rows
 
 
-def _stack(stacked: dict[int, int], length: int) -> int:
-    """Bits moved by 0, 1, ..., length - 1 places, all together."""
-    found = stacked.get(length)
-    if found is None:
-        half = (length + 1) // 2
-        part = _stack(stacked, half)
-        found = stacked[length] = part | part << (length - half)
-    return found
-
-
-def _find_runs(bits: int) -> Iterator[tuple[int, int]]:
-    """The runs of ones in an int: where they start and how long they are."""
-    start = 0
-    while bits:
-        zeros = (bits & -bits).bit_length() - 1
-        bits >>= zeros
-        ones = (bits + 1 & ~bits).bit_length() - 1
-        yield start + zeros, ones
-        start += zeros + ones
-        bits >>= ones
-
-
-def _lay_grid(rings: Rings, side: int) -> tuple[int, int, int]:
-    """The first column and row of squares that a shape can meet, and how many columns there are."""
-    points = list(chain.from_iterable(rings))
-    left, low = (int(min(p[k] for p in points) // side) - 1 for k in (0, 1))
-    right = int(max(x for x, _ in points) // side) + 1
-    return left, low, right - left + 1
-
-
-def find_squares_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The closed squares that lie in a shape: first column, first row, and the rows of each column.
-
-    A square lies in the shape if no edge comes near it and the number of edges below it, on the
-    left border of the column, is odd. Each edge turns all bits above it: above all edges, which are
-    an even number, none is left.
-    """
-    left, low, width = _lay_grid(rings, side)
-    near, odd = [0] * width, [0] * width
-    for px, py, qx, qy in _list_rising(rings):
-        dx, dy = qx - px, qy - py
-        first, last = int(-(-px // side)) - 1, int(qx // side)
-        row = int(py // side)
-        for k in range(first, last + 1):
-            right = (k + 1) * side
-            if right <= px and dx:
-                next_row = row
-            elif right >= qx:
-                next_row = int(qy // side)
-            else:
-                next_row = int((py * dx + (right - px) * dy) // (dx * side))
-            near[k - left] |= _set_bits(row - low, next_row - low)
-            if px <= k * side < qx:
-                odd[k - left] ^= -1 << (row + 1 - low)
-            if dx:
-                row = next_row
-    return left, low, [o & ~n for o, n in zip(odd, near, strict=True)]
-
-
-def find_points_in(rings: Rings, side: int) -> tuple[int, int, list[int]]:
-    """The grid points in the interior of a shape, as for `find_squares_in`, by grid lines."""
-    left, low, width = _lay_grid(rings, side)
-    on, odd = [0] * width, [0] * width
-    for px, py, qx, qy in _list_rising(rings):
-        dx, dy = qx - px, qy - py
-        first, last = int(-(-px // side)), int(qx // side)
-        if dx == 0:
-            if first == last:
-                on[first - left] |= _set_bits(int(-(-py // side)) - low, int(qy // side) - low)
-            continue
-        for k in range(first, last + 1):
-            rise = py * dx + (k * side - px) * dy
-            row = int(rise // (dx * side))
-            if rise == row * dx * side:
-                on[k - left] |= 1 << (row - low)
-            if k * side < qx:
-                odd[k - left] ^= -1 << (row + 1 - low)
-    return left, low, [o & ~n for o, n in zip(odd, on, strict=True)]
-
-
-def _set_bits(first: int, last: int) -> int:
-    """The bits from one place to another, either way round."""
-    if first > last:
-        first, last = last, first
-    return (1 << (last - first + 1)) - 1 << first
-
-
-def _list_rising(rings: Rings) -> Iterator[tuple[Rational, Rational, Rational, Rational]]:
-    """The edges, each from its lesser to its greater end."""
-    for ring in rings:
-        p = ring[-1]
-        for q in ring:
-            yield (*p, *q) if p < q else (*q, *p)
-            p = q
+def _list_blocks(columns: list[int]) -> list[list[int]]:
+    """The rows that all of 1, 2, 4, ... neighbouring columns have."""
+    blocks = [columns]
+    while len(blocks[-1]) > 1:
+        below = blocks[-1]
+        blocks.append([a & b for a, b in zip(below[::2], below[1::2], strict=False)])
+    return blocks

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil, floor
 
 from exactsweep.procedures.contact_lines import Stretch
 
@@ -16,7 +15,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
 
     Cost: O(k^2) at worst for k stretches.
     """
-    boxes = sorted((*_bound(stretch), k) for k, stretch in enumerate(stretches))
+    boxes = sorted([(*stretch.bound(), k) for k, stretch in enumerate(stretches)])
     active: list[tuple[int, int, int, int, int]] = []
     for box in boxes:
         left, _, low, high, k = box
@@ -28,17 +27,6 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
         active.append(box)
 
 
-def _bound(stretch: Stretch) -> tuple[int, int, int, int]:
-    """Bounds of a stretch, rounded outwards to ints: left, right, low, high."""
-    dx, dy, c, (low, _), (high, _) = stretch.dx, stretch.dy, stretch.c, stretch.low, stretch.high
-    if dx == 0:
-        return floor(-c), ceil(-c), floor(low), ceil(high)
-    first, last = low * dy + c, high * dy + c
-    if dy < 0:
-        first, last = last, first
-    return floor(low), ceil(high), int(first // dx), int(-(-last // dx))
-
-
 def cross(first: Stretch, second: Stretch) -> None:
     """Note in two stretches where they cross or touch, unless they are parallel. Cost: O(1)."""
     adx, ady, ac = first.dx, first.dy, first.c
@@ -47,6 +35,8 @@ def cross(first: Stretch, second: Stretch) -> None:
     if turn == 0:
         return
     d = abs(turn)
+    if first.e != 1 or second.e != 1:
+        ac, bc, d = ac * second.e, bc * first.e, d * first.e * second.e
     if adx and bdx:
         n = m = ac * bdx - bc * adx if turn > 0 else bc * adx - ac * bdx
     else:
@@ -55,24 +45,30 @@ def cross(first: Stretch, second: Stretch) -> None:
         n, m = x if adx else y, x if bdx else y
         if turn < 0:
             n, m = -n, -m
-    low, high, other_low, other_high = first.low[0], first.high[0], second.low[0], second.high[0]
-    if n < low * d or n > high * d or m < other_low * d or m > other_high * d:
+    # How far it is past the ends, times positive numbers.
+    (low, below), (high, above) = first.low, first.high
+    past_low, to_high = n * below - low * d, high * d - n * above
+    if past_low < 0 or to_high < 0:
+        return
+    (low, below), (high, above) = second.low, second.high
+    past_other_low, to_other_high = m * below - low * d, high * d - m * above
+    if past_other_low < 0 or to_other_high < 0:
         return
     # There is overlap all around on the sides of what runs through.
     a_left, a_right = first.left, first.right
-    if n == low * d:
+    if past_low == 0:
         a_left, a_right = first.low_through or _NEITHER
-    elif n == high * d:
+    elif to_high == 0:
         a_left, a_right = first.high_through or _NEITHER
     b_left, b_right = second.left, second.right
-    if m == other_low * d:
+    if past_other_low == 0:
         b_left, b_right = second.low_through or _NEITHER
-    elif m == other_high * d:
+    elif to_other_high == 0:
         b_left, b_right = second.high_through or _NEITHER
     if turn < 0:
         # The first goes from the right of the second to its left, and so on.
         a_left, a_right, b_left, b_right = a_right, a_left, b_right, b_left
     twice = second.left and second.right
-    first.cuts.append((int((n * _UNITS) // d), (n, d), b_left, b_right, twice))
+    first.cuts.append((n * _UNITS // d, (n, d), b_left, b_right, twice))
     twice = first.left and first.right
-    second.cuts.append((int((m * _UNITS) // d), (m, d), a_right, a_left, twice))
+    second.cuts.append((m * _UNITS // d, (m, d), a_right, a_left, twice))

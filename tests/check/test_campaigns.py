@@ -16,18 +16,16 @@ from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
 
 SQUARE = [[(0, 0), (1, 0), (1, 1), (0, 1)]]
 SLOT = [[(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]]
-# Contacts where rings touch are not all found yet.
-NAMES = ["monotone", "small", "shapes"]
 CAVE = [[(0, 0), (4, 0), (4, 4), (2, 4), (2, 3), (3, 3), (3, 1), (1, 1), (1, 4), (0, 4)]]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", campaign.STRATEGIES)
 def test_campaigns_begin_without_mismatch(name: str) -> None:
     assert campaign.by_definition(name, 2, range(20)) == [""] * 20
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", campaign.STRATEGIES)
 def test_campaigns_go_on_without_mismatch(name: str) -> None:
     assert campaign.by_definition(name, 3, range(200)) == [""] * 200
 

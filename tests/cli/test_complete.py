@@ -113,6 +113,8 @@ def commands(group: click.Command, name: str = "") -> Iterable[tuple[str, click.
 def test_help_names_all_that_a_command_takes(name: str) -> None:
     shown = run(*name.split(), "--help").stdout
     for parameter in dict(commands(main))[name].params:
+        if getattr(parameter, "hidden", False):
+            continue
         for word in (*parameter.opts, *parameter.secondary_opts):
             if word.startswith("-"):
                 assert word in shown

@@ -51,7 +51,10 @@ def test_list_filters_as_the_function_does() -> None:
     expected = [case.id for case in cases(flags=["huge", "undercut"], kind="MM")]
     assert [line.split()[0] for line in found] == expected
     assert len(lines("list", "--max-size", "7")) == len(list(cases(max_size=7)))
-    assert lines("list", "--prefix", "nothing") == []
+    assert lines("list", "worked-s") == lines("list", "--prefix", "worked-s") != []
+    assert len(lines("list", "fits", "sizes")) == sum(
+        len(lines("list", n)) for n in ("fits", "sizes")
+    )
 
 
 @pytest.mark.parametrize(
@@ -99,7 +102,7 @@ def test_export_as_json_is_a_case_a_line() -> None:
 
 
 def test_export_as_wkt_holds_every_figure_or_says_why_not() -> None:
-    rows = list(csv.reader(lines("export", "worked-swallowtail", "--format", "wkt")))
+    rows = list(csv.reader(lines("export", "worked-swallowtail", "--to", "wkt")))
     assert rows[0] == ["case", "figure", "wkt", "missing because"]
     assert [row[1] for row in rows[1:]] == [
         *["directrix", "generatrix", "trajectory", "inner", "outer"]
@@ -112,12 +115,12 @@ def test_export_as_wkt_holds_every_figure_or_says_why_not() -> None:
 
 
 def test_export_as_wkt_has_segments_for_exact_fits() -> None:
-    rows = list(csv.reader(lines("export", "fits-square", "--format", "wkt")))
+    rows = list(csv.reader(lines("export", "fits-square", "--to", "wkt")))
     assert rows[-1] == ["fits-square", "exact fit", "LINESTRING (1 -1, 1 1)", ""]
 
 
 def test_export_as_geojson_marks_what_doubles_do_not_hold() -> None:
-    text = run("corpus", "export", "worked-swallowtail", "fits-square", "--format", "geojson")
+    text = run("corpus", "export", "worked-swallowtail", "fits-square", "--to", "geojson")
     features = json.loads(text.stdout)["features"]
     assert [f["properties"]["exact"] for f in features[:5]] == [True, True, False, True, True]
     rounded = features[2]
@@ -127,7 +130,7 @@ def test_export_as_geojson_marks_what_doubles_do_not_hold() -> None:
 
 
 def test_export_as_geojson_is_exact_where_it_says_so() -> None:
-    text = run("corpus", "export", "sizes", "spelling", "--format", "geojson").stdout
+    text = run("corpus", "export", "sizes", "spelling", "--to", "geojson").stdout
     by_id = {case.id: case for case in shipped_cases()}
     seen = {True: 0, False: 0, None: 0}
     for feature in json.loads(text)["features"]:
@@ -148,7 +151,7 @@ def test_export_as_geojson_is_exact_where_it_says_so() -> None:
 
 
 def test_export_as_svg_is_a_sheet_of_pictures() -> None:
-    text = run("corpus", "export", "fits", "sizes", "--format", "svg").stdout
+    text = run("corpus", "export", "fits", "sizes", "--to", "svg").stdout
     pictures = ElementTree.fromstring(text).findall("{http://www.w3.org/2000/svg}g")
     wanted = [*cases(prefix="fits-"), *cases(prefix="sizes-")]
     assert len(pictures) == len(wanted)
@@ -202,7 +205,7 @@ def test_schema_is_that_of_the_package() -> None:
         (["export", "gen-grid"], "'gen-grid' is not of the form gen-FAMILY-SEED-NUMBER"),
         (["list", "--flag", "hugh"], "no flag 'hugh'; did you mean 'huge'?"),
         (["list", "--class", "cc"], "no class 'cc'; there are CC, CM, MM"),
-        (["list", "flag"], "no list 'flag'; did you mean 'flags'?"),
+        (["list", "flag"], "no theme or case 'flag'; did you mean 'flags'?"),
         (["generate", "--family", "grids", "--count", "1"], "no family 'grids'; did you mean"),
         (["export", "worked", "-o", "/nowhere/x"], "/nowhere/x: No such file or directory"),
     ],
@@ -217,7 +220,7 @@ def test_refusals_are_one_line(arguments: list[str], message: str) -> None:
         ["generate"],
         ["generate", "--count", "-1"],
         ["generate", "--count", "1", "--seed", "x"],
-        ["export", "--format", "png"],
+        ["export", "--to", "png"],
         ["show"],
         ["list", "--max-size", "many"],
         ["list", "flags", "--class", "CC"],

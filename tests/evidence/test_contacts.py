@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tiers import examples
 
-from exactsweep import Point, Polygon, PolygonError, sweep
+from exactsweep import Point, Polygon, PolygonError, Region, sweep
 from exactsweep.evidence.contact import (
     MonotoneOutline,
     find_contacts,
@@ -395,3 +395,10 @@ def test_contacts_along_loops_of_positions_as_the_caller_writes_them() -> None:
     ]
     with pytest.raises(PolygonError, match=r"^position is not a pair of numbers$"):
         s.contacts_along([[1, 2]])  # type: ignore[list-item]
+
+
+def test_rings_that_touch_in_a_point_all_have_contacts_there() -> None:
+    """Once the hole's corner hid the exterior's."""
+    d = Region([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], [[(1, 1), (2, 1), (2, 2), (1, 2)]])
+    found = [f"{event}({i},{j})" for event, i, j in sweep(UNIT, d).contacts_at((2, 2))]
+    assert found == ["EE(0,2)", "EE(3,3)", "VE(1,2)", "VE(3,3)", "VV(0,3)", "VV(0,8)"]

@@ -194,3 +194,10 @@ def test_help_names_the_formats_that_are_read() -> None:
     text = run("sweep", "--help").stdout
     for form in ("JSON", "GeoJSON", "WKT", "CSV", "SVG", "DXF"):
         assert form in text
+
+
+def test_bounds_are_those_of_shapely() -> None:
+    plate = Region([(-1, 2), (7, 0), (3, "19/2")], [[(2, 2), (3, 2), (2, 3)]])
+    found = shapely.Polygon([(-1, 2), (7, 0), (3, 9.5)])
+    assert tuple(map(float, plate.bounds)) == found.bounds
+    assert plate.exterior.bounds == plate.bounds == tuple(map(Fraction, (-1, 0, 7, 9.5)))

@@ -15,7 +15,8 @@ from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.point import Point
 from exactsweep.procedures.chain import inverse
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
-from exactsweep.procedures.cover import Cover, _stack, find_points_in
+from exactsweep.procedures.cover import Cover
+from exactsweep.procedures.squares import _stack, find_points_in
 
 MATRICES = st.sampled_from([(7, 0, 0, 7), (5, 3, -2, 9), (8, 8, 0, 4), (6, -1, 6, 5)])
 
@@ -28,6 +29,8 @@ def test_each_corner_of_a_square_that_is_covered_is_overlapped(
     stationary, orbiting = rings(d, matrix), rings(g, matrix)
     cover = Cover(stationary, [inverse(ring) for ring in orbiting], columns)
     overlap = Overlap(stationary, orbiting)
+    assert all(map(overlap.at, list_corners(cover)))
+    cover.refine((stationary, [inverse(ring) for ring in orbiting]), 1000)
     assert all(map(overlap.at, list_corners(cover)))
 
 
@@ -42,7 +45,13 @@ def test_what_is_covered_does_not_matter(
     whole = find_contact_stretches(stationary, moving)
     cover = Cover(stationary, moving, columns)
     left = [piece for stretch in whole for piece in cover.uncovered(stretch)]
-    assert find_free(whole, overlap) == find_free(left, overlap)
+    expected = find_free(whole, overlap)
+    assert expected == find_free(left, overlap)
+    cover.refine((stationary, moving), 1000)
+    for stretch in whole:
+        stretch.cuts.clear()
+    left = [piece for stretch in whole for piece in cover.uncovered(stretch)]
+    assert expected == find_free(left, overlap)
 
 
 def test_a_large_square_is_covered_but_for_its_border() -> None:
@@ -88,7 +97,7 @@ def test_nothing_is_covered_beyond_the_squares(line: tuple[int, int, int], low: 
         (left,) = cover.uncovered(stretch)
         assert (left.low, left.high) == (stretch.low, stretch.high)
     for column, row in [(-1, 2), (len(cover.columns), 2), (2, -1), (2, 40)]:
-        assert not cover._covers(column, row, row)
+        assert not cover._covers(0, column, row, row)
 
 
 @pytest.mark.parametrize("length", range(1, 40))

@@ -32,9 +32,9 @@ def meet(one: Stretch, other: Stretch, x: int, y: int) -> tuple[bool, bool, bool
     """Whether there is overlap just before the point and after, by the other; and on both sides."""
     place = Fraction(x if other.dx else y)
     sides: tuple[bool, bool] | None = other.left, other.right
-    if place == other.low[0]:
+    if place == Fraction(*other.low):
         sides = other.low_through
-    elif place == other.high[0]:
+    elif place == Fraction(*other.high):
         sides = other.high_through
     left, right = sides or (False, False)
     comes_from_left = other.dx * one.dy - other.dy * one.dx < 0
@@ -102,8 +102,12 @@ def test_all_that_cross_are_cut() -> None:
     found, expected = stretches(), stretches()
     for shift in 0, Fraction(1, 3):
         for stretch in (*found, *expected):
-            stretch.c += shift
-            stretch.low, stretch.high = ((n + shift, d) for n, d in (stretch.low, stretch.high))
+            # Each line moved by as much.
+            stretch.c, stretch.e = (Fraction(stretch.c, stretch.e) + shift).as_integer_ratio()
+            stretch.low, stretch.high = (
+                (Fraction(*place) + shift).as_integer_ratio()
+                for place in (stretch.low, stretch.high)
+            )
             stretch.cuts.clear()
         cut_at_crossings(found)
         for k, one in enumerate(expected):

@@ -221,16 +221,14 @@ def takes_demand_for_a_limit(layout: Layout) -> Answer:
 
 
 @wrong
-def compares_turns_as_numbers(layout: Layout) -> Answer:
-    """Does not know that 360 degrees are none."""
-    allowed = {part.id: part.turns for part in layout.parts}
-    found: Answer = []
-    for k, p in enumerate(layout.placements):
-        turns = allowed[p.part]
-        if turns is not None and not any(turn is p.turn or turn.degrees is None for turn in turns):
-            found.append(("turn", (k,)))
-    answer = right(layout)
-    return without(answer, "turn", "mirror") + found + [one for one in answer if one[0] == "mirror"]
+def allows_quarters_wherever_a_turn_is_allowed(layout: Layout) -> Answer:
+    """Takes the list of turns for steps of which all multiples are allowed."""
+    quarters = tuple(map(read_turn, (0, 90, 180, 270)))
+    return right(
+        with_parts(
+            layout, lambda p: p if p.turns is None else replace(p, turns=(*p.turns, *quarters))
+        )
+    )
 
 
 @wrong

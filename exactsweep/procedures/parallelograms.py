@@ -1,0 +1,128 @@
+"""Squares of a grid inside of parallelograms that are spanned by an edge of each of two shapes.
+
+Floats choose the parallelograms, the greatest first, and find the rows of their squares. Their
+error is bounded: in units of squares all coordinates are below 2**14, so each one, rounded once, is
+off by less than 2**-39. The sides are read off at borders of columns only if they span more than
+`_MARGIN` columns, so a quotient along a side is off by less than 2**-32, and an ordinate by less
+than 2**-17. The rows are those that lie inside by more than `_MARGIN`; so do the columns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import ceil, floor, frexp, hypot
+
+from exactsweep.geometry.overlap import Rings
+from exactsweep.numbers.point import Rational, Vertex
+
+_MARGIN = 1 / 64
+_NARROW = 3
+"""Parallelograms narrower than so many squares hold few."""
+_PATIENCE = 3
+"""So many parallelograms of one size that are covered, for each that is not, are looked at."""
+_OF_COVERED = 2
+"""The cost of one that is covered, in borders of columns."""
+
+_SpannedCorner = tuple[float, float]
+_SpanningEdge = tuple[Vertex, Vertex, float, float]
+
+
+def fill_parallelograms(
+    columns: list[int], corner: Vertex, side: Rational, shapes: tuple[Rings, Rings], work: int
+) -> None:
+    """Add the squares inside of parallelograms, of each size until so many borders were met.
+
+    Args:
+        columns: the squares that are covered, as the bits of an int for each column; changed.
+        corner: the lower left corner of the first row of the first column.
+        side: that of a square.
+        shapes: the rings of D and of H.
+        work: how many borders of columns are met at most, about, for each size; the next size is
+            half as large.
+
+    Cost: O(work) for each size.
+    """
+    sides = [_list_longest(rings, side, work) for rings in shapes]
+    found = []
+    for i, (_, _, ax, ay) in enumerate(sides[0]):
+        length = hypot(ax, ay)
+        for j, (_, _, bx, by) in enumerate(sides[1]):
+            area = ax * by - ay * bx
+            if abs(area) > _NARROW * max(length, abs(bx), abs(by)):
+                # Of one size, they come from all over the shapes.
+                found.append((-frexp(area)[1], (7919 * i + 104729 * j) % 10007, i, j))
+    found.sort()
+    x, y = corner
+    spent = filled = passed = 0
+    of_size = 0
+    for size, _, i, j in found:
+        if size != of_size:
+            of_size, spent, filled, passed = size, 0, 0, 0
+        elif spent > work or passed > _PATIENCE * (filled + _PATIENCE):
+            continue
+        (p, q, *_), (r, s, *_) = sides[0][i], sides[1][j]
+        corners = [
+            (float((a[0] + b[0] - x) / side), float((a[1] + b[1] - y) / side))
+            for a, b in ((p, r), (q, r), (q, s), (p, s))
+        ]
+        if _is_covered(columns, corners):
+            spent += _OF_COVERED
+            passed += 1
+        else:
+            filled += 1
+            spent += _fill(columns, corners)
+
+
+def _list_longest(rings: Rings, side: Rational, work: int) -> list[_SpanningEdge]:
+    """The longest edges, with their vectors in squares."""
+    edges = [
+        (p, q, float((q[0] - p[0]) / side), float((q[1] - p[1]) / side))
+        for ring in rings
+        for p, q in zip((ring[-1], *ring[:-1]), ring, strict=True)
+    ]
+    # As long as any parallelogram can be wide enough, and not more pairs than can be looked at.
+    edges = [edge for edge in edges if hypot(*edge[2:]) > _NARROW]
+    edges.sort(key=lambda edge: -hypot(*edge[2:]))
+    return edges[: max(1, round((2 * work) ** 0.5))]
+
+
+def _is_covered(columns: list[int], corners: list[_SpannedCorner]) -> bool:
+    """Whether the middle of a parallelogram and places near its corners are covered."""
+    (ax, ay), _, (bx, by), _ = corners
+    x, y = (ax + bx) / 2, (ay + by) / 2
+    near = [(x + 0.9 * (u - x), y + 0.9 * (v - y)) for u, v in corners]
+    return all(columns[int(u)] >> int(v) & 1 for u, v in [(x, y), *near])
+
+
+def _fill(columns: list[int], corners: list[_SpannedCorner]) -> int:
+    """Add the squares inside of one parallelogram; returns how many borders of columns it has."""
+    k = min(range(4), key=lambda i: corners[i])
+    start, one, end, other = corners[k:] + corners[:k]
+    turn = (one[0] - start[0]) * (end[1] - start[1]) - (one[1] - start[1]) * (end[0] - start[0])
+    lower, upper = (one, other) if turn > 0 else (other, one)
+    first, last = floor(start[0] + _MARGIN) + 1, ceil(end[0] - _MARGIN)
+    before: tuple[float, float] | None = None
+    for k in range(first, last):
+        floor_here, ceiling_here = (
+            max(_read_off(start, lower, end, k)),
+            min(_read_off(start, upper, end, k)),
+        )
+        if before is not None:
+            low = floor(max(before[0], floor_here) + _MARGIN) + 1
+            high = ceil(min(before[1], ceiling_here) - _MARGIN) - 1
+            if 0 <= low < high:
+                columns[k - 1] |= (1 << (high - low)) - 1 << low
+        before = floor_here, ceiling_here
+    return max(1, last - first)
+
+
+def _read_off(
+    start: _SpannedCorner, middle: _SpannedCorner, end: _SpannedCorner, x: int
+) -> Iterator[float]:
+    """The ordinate of a line of two sides; of a steep side the ordinates of both ends."""
+    (ax, ay), (bx, by) = (start, middle) if x <= middle[0] else (middle, end)
+    if bx - ax > _MARGIN:
+        yield ay + (x - ax) / (bx - ax) * (by - ay)
+    else:
+        yield ay
+        yield by
