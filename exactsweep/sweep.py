@@ -11,7 +11,7 @@ from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.direction import (
     DirectionError,
     Vector,
-    choose_direction,
+    find_shared_direction,
     read_direction,
     require_monotone,
 )
@@ -115,10 +115,7 @@ def _share(generatrix: AnyPolygon, directrix: AnyPolygon) -> Vector | None:
     """The shared direction, if the paper's procedures can sweep the pair."""
     if generatrix.holes or directrix.holes:
         return None
-    try:
-        return choose_direction(generatrix.exterior, directrix.exterior)
-    except DirectionError:
-        return None
+    return find_shared_direction(generatrix.exterior, directrix.exterior)
 
 
 @tells_arguments

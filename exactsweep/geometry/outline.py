@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
+from exactsweep.geometry.vectors import is_between
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
@@ -64,31 +66,43 @@ class Outline:
         xs, order = self._by_x
         return order[bisect_left(xs, low) : bisect_right(xs, high)]
 
+    @cached_property
+    def _all_numbers(self) -> dict[Vertex, list[int]]:
+        found: defaultdict[Vertex, list[int]] = defaultdict(list)
+        for k, vertex in enumerate(self.vertices):
+            found[vertex].append(k)
+        return found
+
+    def vertices_at(self, point: Vertex) -> Sequence[int]:
+        """The numbers of the vertices at a point: several where rings touch.
+
+        Cost: O(1), and for several rings O(n) the first time.
+        """
+        if len(self.starts) == 1:
+            return (self.numbers[point],) if point in self.numbers else ()
+        return self._all_numbers.get(point, ())
+
+    def vertices_inside(self, k: int) -> list[int]:
+        """The numbers of the vertices of other rings inside edge k.
+
+        Cost: O(log n + vertices in the x-range of the edge).
+        """
+        if len(self.starts) == 1:
+            return []
+        p, q = self.edge(k)
+        near = self.vertices_between(min(p[0], q[0]), max(p[0], q[0]))
+        return [i for i in near if is_between(self.vertices[i], p, q)]
+
     def scaled(self, factor: int) -> Outline:
         """The same, enlarged by a positive factor. Cost: O(n)."""
         larger = Outline([[(factor * x, factor * y) for x, y in self.vertices]])
         larger.after, larger.before, larger.starts = self.after, self.before, self.starts
         return larger
 
-    def vertices_at(self, point: Vertex) -> Sequence[int]:
-        """List the vertices at a point, one for each ring that touches there. Cost: O(1)."""
-        return self._vertices_by_point.get(point, ())
-
-    @cached_property
-    def _vertices_by_point(self) -> dict[Vertex, list[int]]:
-        found: dict[Vertex, list[int]] = {}
-        for k, vertex in enumerate(self.vertices):
-            found.setdefault(vertex, []).append(k)
-        return found
-
     def edges_through(self, point: Vertex) -> Iterator[int]:
         """The numbers of the edges whose interior holds a point. Cost: O(n)."""
-        tx, ty = point
-        for k, (px, py) in enumerate(self.vertices):
-            qx, qy = self.vertices[self.after[k]]
-            if (px <= tx <= qx or qx <= tx <= px) and (
-                (qx - px) * (ty - py) == (qy - py) * (tx - px)
-                and (px, py) != point != (qx, qy)
-                and (py <= ty <= qy or qy <= ty <= py)
-            ):
+        tx, _ = point
+        for k, p in enumerate(self.vertices):
+            q = self.vertices[self.after[k]]
+            if (p[0] <= tx <= q[0] or q[0] <= tx <= p[0]) and is_between(point, p, q):
                 yield k

@@ -50,6 +50,7 @@ class Polygon(PointSet):
     __slots__ = (
         "__weakref__",
         "_convex",
+        "_directions",
         "_edge_index",
         "_lattice",
         "_monotone",
@@ -58,6 +59,7 @@ class Polygon(PointSet):
     )
 
     _convex: bool | None
+    _directions: Any  # those to which it is monotone, once `direction` has found them
     _monotone: bool | None
     _vertices: tuple[Point, ...] | None
     _lattice: tuple[int, tuple[Vertex, ...]] | None
@@ -68,6 +70,7 @@ class Polygon(PointSet):
         if isinstance(vertices, Polygon):
             self._vertices, self._lattice = vertices._vertices, vertices._lattice
             self._convex, self._monotone = vertices._convex, vertices._monotone
+            self._directions = vertices._directions
             self._vertex_index, self._edge_index = vertices._vertex_index, vertices._edge_index
             return
         scale, points = _read(vertices)
@@ -76,13 +79,14 @@ class Polygon(PointSet):
         self._lattice = reduce_lattice(scale, ring.points)
         self._vertex_index, self._edge_index = ring.vertex_index, ring.edge_index
         self._convex, self._monotone = ring.convex, ring.monotone
+        self._directions = None
 
     @classmethod
     def _from_canonical(cls, vertices: Sequence[Point]) -> Self:
         """Trust that the vertices are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = tuple(vertices), None
-        polygon._convex = polygon._monotone = None
+        polygon._convex = polygon._monotone = polygon._directions = None
         polygon._vertex_index = polygon._edge_index = range(len(vertices))
         return polygon
 
@@ -91,7 +95,7 @@ class Polygon(PointSet):
         """Trust that the points, each divided by the scale, are canonical."""
         polygon = cls.__new__(cls)
         polygon._vertices, polygon._lattice = None, reduce_lattice(scale, tuple(points))
-        polygon._convex = polygon._monotone = None
+        polygon._convex = polygon._monotone = polygon._directions = None
         polygon._vertex_index = polygon._edge_index = range(len(points))
         return polygon
 

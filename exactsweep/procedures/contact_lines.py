@@ -187,14 +187,12 @@ class Stretch:
     def vertex(self, place: StretchPlace) -> ReducedPoint:
         """The point of the line at a place."""
         n, d = place
+        common = gcd(n, d)
         if self.dx == 0:
-            return -self.c, self.e, *_reduce(n, d)
-        return *_reduce(n, d), *_reduce(n * self.dy * self.e + self.c * d, self.dx * d * self.e)
-
-
-def _reduce(n: int, d: int) -> StretchPlace:
-    common = gcd(n, d)
-    return n // common, d // common
+            return -self.c, self.e, n // common, d // common
+        y, unit = n * self.dy * self.e + self.c * d, self.dx * d * self.e
+        other = gcd(y, unit)
+        return n // common, d // common, y // other, unit // other
 
 
 class _RankedEdge(NamedTuple):

@@ -15,7 +15,7 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
 
     Cost: O(k^2) at worst for k stretches.
     """
-    boxes = sorted((*stretch.bound(), k) for k, stretch in enumerate(stretches))
+    boxes = sorted([(*stretch.bound(), k) for k, stretch in enumerate(stretches)])
     active: list[tuple[int, int, int, int, int]] = []
     for box in boxes:
         left, _, low, high, k = box

@@ -10,6 +10,10 @@ See `contact_lines` for (1) and (2). What follows from them, step by step:
     turning counter-clockwise from the way back. It is left by (3), too, and so are all others
     until the loop closes. So a walk that comes to an end shows that all of its pieces are
     overlapped, and one position of a loop that closes decides all of it.
+    Around all overlap, if it is bounded, runs a loop that needs no question: the contact segments
+    lie in the closure of O, so the least end p of all pieces that are left is the least point of
+    that closure, a corner of the unbounded free region. Of the pieces that leave p, the one
+    furthest clockwise has that region on its right.
 (6) A single free position has overlap in all directions, and so contact segments through it that
     have every direction on their left: more than two, or two that run both ways each.
 """
@@ -19,7 +23,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from functools import cmp_to_key
-from itertools import groupby, pairwise
+from itertools import chain, groupby
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -53,6 +57,8 @@ def find_free_positions(
     stretches: Sequence[Stretch],
     overlap: Callable[[Point], bool],
     scale: int,
+    *,
+    is_bounded: bool = False,
 ) -> Free:
     """Find the loops and the exact fits among stretches that have been cut at their crossings.
 
@@ -60,6 +66,7 @@ def find_free_positions(
         stretches: of contact segments, with their cuts.
         overlap: whether there is overlap at a position.
         scale: what the positions found are divided by, when they leave the lattice.
+        is_bounded: whether all overlap is known to be bounded.
 
     Cost: O(k log k) for k cuts, and a question of `overlap` for each loop of pieces, which few are
     but the free ones, each piece with segments both ways, and each position that (6) leaves.
@@ -76,7 +83,7 @@ def find_free_positions(
                 pieces.append((p, q, stretch.dx, stretch.dy))
             else:
                 pieces.append((q, p, -stretch.dx, -stretch.dy))
-    rings = list(_walk_rings(pieces, overlap))
+    rings = list(_walk_rings(pieces, overlap, _find_outermost(pieces) if is_bounded else None))
     bounding = {start for ring in rings for start, _, _, _ in ring}
     fits = list(_join((f for f in both_ways if not overlap(_find_middle(*f[1:]))), bounding))
     known = bounding | {end for fit in fits for end in fit}
@@ -99,8 +106,12 @@ def _find_left_over(
     """
     left: list[tuple[StretchPlace, StretchPlace]] = []
     cuts, twice = stretch.cuts, stretch.left and stretch.right
+    if not cuts:
+        if not (stretch.low_covered or stretch.high_covered):
+            left.append((stretch.low, stretch.high))
+        return left
     cuts.sort(key=itemgetter(0))
-    if any(a[0] == b[0] for a, b in pairwise(cuts)):
+    if len({cut[0] for cut in cuts}) < len(cuts):
         cuts.sort(key=lambda cut: (cut[0], divide_exactly(*cut[1])))
     (since_n, since_d), covered = stretch.low, stretch.low_covered
     k, size = 0, len(cuts)
@@ -129,16 +140,39 @@ def _find_left_over(
     return left
 
 
+def _find_outermost(pieces: Sequence[_FreeEdge]) -> int:
+    """A piece that bounds the unbounded free region, by (5)."""
+    found = _find_least([piece[0] for piece in pieces])
+    for k, (start, _, ex, ey) in enumerate(pieces):
+        if start == pieces[found][0]:
+            _, _, dx, dy = pieces[found]
+            if ex * dy > ey * dx:
+                found = k
+    return found
+
+
+def _find_least(points: Sequence[ReducedPoint]) -> int:
+    """The number of the lexicographically least point."""
+    least = 0
+    xn, xd, yn, yd = points[0]
+    for k, (n, d, m, e) in enumerate(points):
+        right = n * xd - xn * d
+        if right < 0 or (right == 0 and m * yd < yn * e):
+            least = k
+            xn, xd, yn, yd = n, d, m, e
+    return least
+
+
 def _walk_rings(
-    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool]
+    pieces: Sequence[_FreeEdge], overlap: Callable[[Point], bool], known: int | None
 ) -> Iterator[Sequence[_FreeEdge]]:
-    """The rings of free pieces, by (5)."""
+    """The rings of free pieces, by (5); that of a known one first."""
     leaving: defaultdict[ReducedPoint, list[int]] = defaultdict(list)
     for number, piece in enumerate(pieces):
         leaving[piece[0]].append(number)
     undecided, on_way, done = 0, 1, 2
     state = [undecided] * len(pieces)
-    for first in range(len(pieces)):
+    for first in chain(() if known is None else (known,), range(len(pieces))):
         way: list[int] = []
         k: int | None = first
         while k is not None and state[k] == undecided:
@@ -147,7 +181,7 @@ def _walk_rings(
             k = _find_next(pieces, pieces[k], leaving.get(pieces[k][1], ()))
         if k is not None and state[k] == on_way:
             ring = way[way.index(k) :]
-            if not overlap(_find_middle(pieces[k][0], pieces[k][1])):
+            if first == known or not overlap(_find_middle(pieces[k][0], pieces[k][1])):
                 yield from _part_where_it_touches(pieces[number] for number in ring)
         for number in way:
             state[number] = done
@@ -192,14 +226,14 @@ def _part_where_it_touches(ring: Iterable[_FreeEdge]) -> Iterator[Sequence[_Free
 def _make_canonical(ring: Sequence[_FreeEdge], scale: int) -> tuple[list[Point], bool]:
     """The canonical loop of a ring, and whether it runs around overlap, counter-clockwise."""
     corners = [
-        (_leave(start, scale), (bx, by), (dx, dy))
+        (start, bx, by, dx, dy)
         for (_, _, bx, by), (start, _, dx, dy) in zip([ring[-1], *ring[:-1]], ring, strict=True)
-        if (bx, by) != (dx, dy)
+        if bx != dx or by != dy
     ]
-    first = min(range(len(corners)), key=lambda k: corners[k][0])
+    first = _find_least([corner[0] for corner in corners])
     # The least vertex is a convex corner.
-    _, (bx, by), (dx, dy) = corners[first]
-    points = [point for point, _, _ in corners[first:] + corners[:first]]
+    _, bx, by, dx, dy = corners[first]
+    points = [_leave(corner[0], scale) for corner in corners[first:] + corners[:first]]
     if bx * dy > by * dx:
         return points, True
     return [points[0], *points[:0:-1]], False

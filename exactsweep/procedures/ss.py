@@ -59,7 +59,8 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> Free:
     """
     moving = _turn(generatrix)
     stretches = find_contact_stretches(directrix, moving)
-    free = _find_free(stretches, directrix, moving, Overlap(directrix, generatrix).at, scale)
+    overlap = Overlap(directrix, generatrix).at
+    free = _find_free(stretches, directrix, moving, overlap, scale, is_bounded=True)
     (_,) = free.around
     return free._replace(within=sorted(free.within))
 
@@ -111,11 +112,13 @@ def _find_free(
     moving: Rings,
     overlap: Callable[[Point], bool],
     scale: int,
+    *,
+    is_bounded: bool = False,
 ) -> Free:
-    """What contact segments bound: a solid, which is bounded, covers some of them with H."""
+    """Find the loops and fits that contact segments bound, without what solid + H covers."""
     stretches = leave_out_covered(stretches, solid, moving)
     cut_at_crossings(stretches)
-    return find_free_positions(stretches, overlap, scale)
+    return find_free_positions(stretches, overlap, scale, is_bounded=is_bounded)
 
 
 def _find_holder(loop: list[Point], exteriors: Sequence[list[Point]]) -> int:

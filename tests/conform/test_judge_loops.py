@@ -125,6 +125,18 @@ def test_a_segment_as_a_region_that_is_nearly_none_is_within() -> None:
     assert compare(case, {"inner_fit": [wide]}, numbers="binary64").verdict == "unsound"
 
 
+def test_a_loop_that_is_smaller_than_its_rounding_is_not_taken_for_a_fit() -> None:
+    """Far from the origin doubles are integers; the whole loop is near a fit, and is no fit."""
+    far = 2**53
+    d = [(x + far, y) for x, y in BLOCK]
+    case = Case.of("far fit", "", d, [(0, 0), (2, 0), (2, 1), (0, 1)])
+    assert case.exact_fits
+    loop = [[float(x), float(y)] for x, y in case.trajectory.vertices]
+    loop[0][0] += 2
+    found = compare(case, {"trajectory": loop}, numbers="binary64")
+    assert found.parts[0].verdict is Verdict.WITHIN
+
+
 def test_a_ring_that_touches_itself_is_judged_by_its_region() -> None:
     exact = [list(p) for p in SLOT.trajectory.vertices]
     touching = [[10, 10], [12, 10], [11, 11], [12, 12], [10, 12], [11, 11]]

@@ -114,9 +114,11 @@ def test_what_is_passed_over_is_told() -> None:
         "without the instance, items are judged as the solution draws them, rounded",
     )
     data = copy.deepcopy(nests.SPARROW)
+    data["items"][0]["shape"]["data"] = [*nests.L[2:], *nests.L[:3]]
+    assert read(nests.SPARROW_SVG, data)[0].notes == ()
     data["items"][0]["shape"]["data"] = [[0, 0], [3, 0], [0, 3]]
     (found,) = read(nests.SPARROW_SVG, data)
-    assert found.notes == ("part 0 is drawn otherwise than in its instance, which counts",)
+    assert found.notes == ("part 0 is drawn otherwise than in the instance, which counts",)
     assert found.data["parts"][0]["exterior"] == [["0", "0"], ["3", "0"], ["0", "3"]]
 
 

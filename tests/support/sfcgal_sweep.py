@@ -14,21 +14,19 @@ crash. It says nothing of exact fits, nor of positions inside.
 """
 
 import json
-import re
 import sys
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import Any
 
 from exactsweep import Point, Polygon, Region
 from exactsweep.check import classify
 from exactsweep.check.location import locate
+from exactsweep.conform.adapters.adapter import prepare_shape
+from exactsweep.conform.adapters.sfcgal_sum import add
 from exactsweep.corpus import Case, case_from_json
-from exactsweep.geometry.canonical import find_doubled_area
 
 Ring = Sequence[tuple[Fraction, Fraction]]
 Rings = Sequence[Ring]
-_RING = re.compile(r"\(([^()]*)\)")
 
 
 def differs(case: Case) -> list[str]:
@@ -105,24 +103,8 @@ def _point_inside(ring: Ring) -> Point:
 
 
 def _sum(rings: Rings, others: Rings) -> list[list[tuple[Fraction, Fraction]]]:
-    from pysfcgal.geometry import Geometry
-
-    both: list[Any] = [Geometry.from_wkt(_polygon(shape)) for shape in (rings, others)]
-    found = _RING.findall(both[0].minkowski_sum(both[1]).to_wkt())
-    return [
-        [(Fraction(x), Fraction(y)) for x, y in map(str.split, ring.split(",")[:-1])]
-        for ring in found
-    ]
-
-
-def _polygon(rings: Rings) -> str:
-    exterior, *holes = rings
-    # It wants holes clockwise.
-    turned = (
-        ring[::-1] if find_doubled_area([Point(*p) for p in ring]) > 0 else ring for ring in holes
-    )
-    texts = (", ".join(f"{x} {y}" for x, y in [*ring, ring[0]]) for ring in (exterior, *turned))
-    return f"POLYGON ({', '.join(f'({text})' for text in texts)})"
+    found = add(*(prepare_shape([list(ring) for ring in shape]) for shape in (rings, others)))
+    return [[(Fraction(x), Fraction(y)) for x, y in ring[:-1]] for ring in found]
 
 
 def main() -> None:

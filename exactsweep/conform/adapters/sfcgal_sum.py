@@ -16,8 +16,8 @@ from importlib.metadata import version
 from exactsweep.conform.adapters.adapter import (
     Adapter,
     AnsweredRings,
-    AskedRing,
     AskedShape,
+    Number,
     sum_adapter,
 )
 from exactsweep.numbers.number import format_fraction
@@ -31,22 +31,33 @@ def adapter(name: str) -> Adapter:
     Raises:
         ImportError: it is not installed.
     """
+    import pysfcgal  # noqa: F401
+
+    return sum_adapter(f"pysfcgal {version('pysfcgal')}", "rational", _add_either, shapes="any")
+
+
+def _add_either(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
+    if len(inverse) > 1:
+        if len(directrix) > 1:
+            raise NotImplementedError("holes in both")
+        directrix, inverse = inverse, directrix
+    return add(directrix, inverse)
+
+
+def add(first: AskedShape, second: AskedShape) -> list[list[list[str]]]:
+    """Return the rings of the sum of two shapes, the second of which has no holes."""
     from pysfcgal.geometry import Geometry
 
-    def written(ring: AskedRing) -> str:
-        closed = [*ring, ring[0]]
-        points = (" ".join(format_fraction(Fraction(c)) for c in point) for point in closed)
-        return f"({', '.join(points)})"
+    one, other = (Geometry.from_wkt(_write(shape)) for shape in (first, second))
+    text = one.minkowski_sum(other).to_wkt()
+    return [[point.split() for point in ring.split(",")] for ring in _RING.findall(text)]
 
-    def polygon(shape: AskedShape) -> Geometry:
-        return Geometry.from_wkt(f"POLYGON ({', '.join(map(written, shape))})")
 
-    def add(directrix: AskedShape, inverse: AskedShape) -> AnsweredRings:
-        if len(inverse) > 1:
-            if len(directrix) > 1:
-                raise NotImplementedError("holes in both")
-            directrix, inverse = inverse, directrix
-        text = polygon(directrix).minkowski_sum(polygon(inverse)).to_wkt()
-        return [[point.split() for point in ring.split(",")] for ring in _RING.findall(text)]
+def _write(shape: AskedShape) -> str:
+    closed = ([*ring, ring[0]] for ring in shape)
+    rings = (", ".join(f"{_number(x)} {_number(y)}" for x, y in ring) for ring in closed)
+    return f"POLYGON ({', '.join(f'({ring})' for ring in rings)})"
 
-    return sum_adapter(f"pysfcgal {version('pysfcgal')}", "rational", add, shapes="any")
+
+def _number(c: Number) -> str:
+    return format_fraction(Fraction(c))

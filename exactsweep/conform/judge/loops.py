@@ -131,19 +131,19 @@ def _match_rounded(
     """Return the fits that rings trace if they are the exact ones except for rounding, or None."""
     if not rounding:
         return None
-    thin = [find_rounded_fit(ring, fits, rounding) for ring in rings]
-    rest = [ring for ring, fit in zip(rings, thin, strict=True) if fit is None]
-    found = [fit for fit in thin if fit is not None]
-    if match_rings(exact, rest, rounding):
-        return found
-    if fits and match_rings(trace_whiskers(exact, fits), rest, rounding):
-        return [*found, *fits]
-    if writing.fault is None and writing.rings is not rings:
-        plain = trace_rings(find_boundary(exact))
-        thin = [find_rounded_fit(ring, fits, rounding) for ring in writing.rings]
-        rest = [ring for ring, fit in zip(writing.rings, thin, strict=True) if fit is None]
-        if match_rings(plain, rest, rounding):
-            return [*writing.traced, *(fit for fit in thin if fit is not None)]
+    if match_rings(exact, rings, rounding):
+        return []
+    if fits and match_rings(trace_whiskers(exact, fits), rings, rounding):
+        return fits
+    is_traced = writing.fault is None and writing.rings is not rings
+    plain = trace_rings(find_boundary(exact)) if is_traced else exact
+    # Rings that are nowhere so far from an exact fit trace it.
+    thin = [find_rounded_fit(ring, fits, rounding) for ring in writing.rings]
+    rest = [ring for ring, fit in zip(writing.rings, thin, strict=True) if fit is None]
+    if match_rings(plain, writing.rings, rounding):
+        return writing.traced
+    if match_rings(plain, rest, rounding):
+        return [*writing.traced, *(fit for fit in thin if fit is not None)]
     return None
 
 

@@ -23,6 +23,8 @@ from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.parsing import parse_candidates
 from exactsweep.formats.polygons import name_file, split_choice
 from exactsweep.formats.reading import Options, Reading
+from exactsweep.geometry.canonical import PolygonError
+from exactsweep.geometry.region import Region
 from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import quote
 
@@ -199,15 +201,26 @@ def _read_instance(document: JsonNode, reading: Reading) -> Instance | None:
 
 
 def _compare_parts(drawn: NestingInstance, known: NestingInstance) -> list[str]:
-    """Say which parts a drawing has that its instance has not, or has otherwise."""
-    notes = []
+    """Say which parts a drawing has otherwise than its instance."""
+    others = []
     for name, part in drawn.parts.items():
         if name not in known.parts:
             raise FormatError(f"its instance has no part {quote(name)}")
-        keys = ("exterior", "holes")
-        if any(part.get(key, []) != known.parts[name].get(key, []) for key in keys):
-            notes.append(f"part {name} is drawn otherwise than in its instance, which counts")
-    return notes
+        if _make_shape(part) != _make_shape(known.parts[name]):
+            others.append(name)
+    if not others:
+        return []
+    what = f"part {others[0]} is" if len(others) == 1 else f"parts {', '.join(others)} are"
+    return [f"{what} drawn otherwise than in the instance, which counts"]
+
+
+def _make_shape(part: Data) -> object:
+    """The region of a part, whichever vertex is first; its rings where these bound none."""
+    rings = part["exterior"], part.get("holes", [])
+    try:
+        return Region(*rings)
+    except PolygonError:
+        return rings
 
 
 def _draw_layout(text: str, container: str | None, reading: Reading) -> FoundLayout:

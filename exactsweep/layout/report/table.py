@@ -66,7 +66,7 @@ def report_layout(
         "contacts": str(len(judgement.contacts)),
     }
     nearest = judgement.distance
-    if nearest is not None and not judgement.faults:
+    if nearest is not None and not (judgement.faults or judgement.contacts):
         first, second = nearest.placements
         root = approximate(take_root(nearest.square))
         facts["nearest"] = f"placements {first} and {second}, {root} apart"

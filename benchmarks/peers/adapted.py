@@ -1,0 +1,27 @@
+"""Other programs, through the adapters that judge them: the exterior of the no-fit polygon."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from benchmarks.peers.worker import Loop
+from exactsweep.conform.adapters import load
+from exactsweep.conform.adapters.adapter import prepare_shape
+from exactsweep.corpus.generator.shapes import Ring
+
+NAMES = ("pysfcgal", "shapely", "pyclipper", "klayout")
+
+
+def version(name: str) -> str:
+    return load(name).hello.name
+
+
+def prepare(name: str, generatrix: Ring, directrix: Ring) -> Callable[[], list[Loop]]:
+    """Return what asks a program, polygons prepared as it wants them."""
+    adapter = load(name)
+    number = float if adapter.hello.numbers == "binary64" else int
+    d, g = (
+        prepare_shape([[(number(x), number(y)) for x, y in ring]])
+        for ring in (directrix, generatrix)
+    )
+    return lambda: list(adapter.ask("no_fit", d, g)["no_fit"])
