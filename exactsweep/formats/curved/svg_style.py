@@ -38,6 +38,8 @@ class Style:
     def find(self, element: Element, name: str) -> str | None:
         """Find a property of an element; None if it is not given."""
         attributes = element.attrib
+        if not self.rules and "style" not in attributes:
+            return attributes.get(name)
         for own, value in _declarations(attributes.get("style", "")):
             if own == name:
                 return value
