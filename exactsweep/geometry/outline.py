@@ -108,7 +108,7 @@ class Outline:
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Whether a point is inside a segment, its ends left out.
+    """Decide whether a point is inside a segment, its ends left out.
 
     >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)], is_between((1, 0), (0, 0), (2, 2))
     ([False, True, False], False)

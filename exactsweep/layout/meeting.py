@@ -1,4 +1,4 @@
-"""Whether two solids overlap or touch, decided exactly among the edges that are near both.
+"""The exact decision whether two solids overlap or touch, among the edges that are near both.
 
 By (1) and (2) of `geometry.overlap`. Edges that cross, and places where boundaries touch, lie in
 the common part of the two boxes, the *window*; so does each point of both interiors. Nothing
@@ -15,7 +15,7 @@ from exactsweep.layout.solid import LatticeBox, Solid
 
 
 class Relation(Enum):
-    """How two solids lie."""
+    """The relation of two solids."""
 
     APART = "apart"
     CONTACT = "contact"
@@ -82,7 +82,7 @@ def meet(a: Solid, b: Solid) -> Relation:
 
 
 def _enters(a: Solid, b: Solid, places: Places, shift: tuple[int, int], window: LatticeBox) -> bool:
-    """Whether a piece of a's boundary between places runs through the inside of b."""
+    """Decide whether a piece of a's boundary between places runs through the inside of b."""
     left, right, low, high = window
     dx, dy = 2 * shift[0], 2 * shift[1]
     holds = b.form.holds
