@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from shown import FLAGS, MILLISECONDS, Open, Shown
 
-from exactsweep import Sweep
+from exactsweep import InnerFit, NoFitPolygon, Sweep
 from exactsweep.view import make_page
 
 settings.register_profile("fresh", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -48,7 +48,7 @@ def heed_interrupts() -> Iterator[None]:
 def show(browser: Any, tmp_path: Path) -> Iterator[Open]:
     opened: list[Shown] = []
 
-    def open_page(s: Sweep, **options: Any) -> Shown:
+    def open_page(s: Sweep | NoFitPolygon | InnerFit, **options: Any) -> Shown:
         file = tmp_path / "sweep.html"
         file.write_text(make_page(s), encoding="utf-8")
         opened.append(Shown(browser, file, **options))

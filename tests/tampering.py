@@ -267,7 +267,7 @@ def _rest(certificate: Certificate, rng: random.Random) -> Iterator[Change]:
     for direction in ([0, 1], [1, 1], [1, -1], [3, 1]):
         if not _is_shared(certificate, direction):
             yield "direction not shared", {**certificate, "direction": direction}
-    yield "version changed", {**certificate, "version": 2}
+    yield "version changed", {**certificate, "version": 1}
     yield "format changed", {**certificate, "format": "exactsweep"}
     key = rng.choice(sorted(certificate))
     yield "key dropped", {k: v for k, v in certificate.items() if k != key}

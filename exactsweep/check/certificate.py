@@ -24,7 +24,7 @@ from exactsweep.numbers.number import (
 from exactsweep.numbers.point import Fit, Loop, Point
 
 FORMAT = "exactsweep certificate"
-VERSION = 1
+VERSION = 2
 
 DIGITS_OF_AN_INT = 4300  # as JSON is read by Python
 _SHORT = 600  # digits of an int that Python reads whatever its own limit is

@@ -499,7 +499,12 @@ def prove_inner_fit(c: dict[str, Any], work: Work) -> str:
     d, g, loops = shape(d), shape(g), []
     work.fit(d + g)
     for exterior, holes in (fields(region, "exterior holes") for region in items(regions)):
-        loops += [loop(exterior, work)[::-1], *(loop(hole, work) for hole in items(holes))]
+        around, inside = loop(exterior, work), [loop(hole, work) for hole in items(holes)]
+        for one in inside:
+            middles = [(x, y, 2 * w) for x, y, w in (add(p, q) for p, q in edges(one))]
+            free = [p for p in middles if not any(lies(p, *e) for e in edges(around))]
+            need(any(winds(around, p) for p in free), "a hole is not in its region")
+        loops += [around[::-1], *inside]
     outside, moving = solid(d, first, work, read_frame(frame)), solid(g, second, work).turned()
     prove_positions(outside, moving, loops, read_fits(fits), chains, work)
     answer = f"{count(loops)} in {len(loops)} loops, {len(fits)} exact fits"
@@ -513,6 +518,7 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
         names = f"directrix generatrix exterior holes unswept {head}"
         d, g, t, holes, unswept, *rest = fields(c, names, "format version claim kind")
         d, g = shape(d), shape(g)
+        need(kind == "SS", "kind: not SS")
     else:
         names = f"directrix generatrix trajectory reference direction {head}"
         lists = "contacts inner_drawn outer_drawn"
@@ -523,10 +529,8 @@ def prove_sweep(c: dict[str, Any], work: Work) -> str:
     keys = "frame directrix generatrix trajectory outside slits within chains"
     frame, *cut, slits, within, chains = fields(proof, keys)
     work.fit(d + g)
-    t, inner, outer = (
-        [add(p, to) for p in loop(e, work)]
-        for e, to in ((t, at), (inner, (0, 0, 1)), (outer, (0, 0, 1)))
-    )
+    t, inner, outer = (loop(e, work) for e in (t, inner, outer))
+    t = [node(*place(add(p, at))) for p in t]
     fits = [(add(p, at), add(q, at)) for p, q in read_fits(fits)]
     holes, unswept = ([loop(hole, work)[::-1] for hole in items(e)] for e in (holes, unswept))
     inside = [integer(k, 0, len(unswept)) for k in items(within)]
@@ -762,6 +766,32 @@ class Layout:
         need(near, f"faults: the points do not show {kind}")
 
 
+def outline(points: Ring) -> Ring:
+    """Return a ring as loops are written, without straight angles."""
+    around = points if double_area(points) > 0 else points[::-1]
+    size = len(around)
+    bent = [p for k, p in enumerate(around) if side(line(around[k - 1], p), around[(k + 1) % size])]
+    least = bent.index(min(bent, key=place)) if bent else 0
+    return bent[least:] + bent[:least]
+
+
+def check_given(certificate: Any, key: str, rings: list[Ring]) -> None:
+    """Refuse a certificate that is about another shape than the one given."""
+    need(key in certificate, f"{key}: there is none in the certificate")
+    item = certificate[key]
+    listed = [ring(item)] if type(item) is list else shape(item)
+    (one, *holes), (other, *others) = ([*map(outline, found)] for found in (listed, rings))
+    same = one == other and sorted(holes) == sorted(others)
+    need(same, f"{key}: not the polygon that is given")
+
+
+def read_given(text: str) -> list[Ring]:
+    """Read a shape or a ring from JSON, its numbers exactly as they are written."""
+    item = json.loads(text, parse_float=str, parse_int=str, parse_constant=str)
+    rings = [item] if type(item) is list else [item["exterior"], *item.get("holes", [])]
+    return [[node(*map(Fraction, items(p, 2))) for p in points] for points in rings]
+
+
 def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
     """Prove a certificate, as `json.loads` gives it, and say what is proved.
 
@@ -772,11 +802,13 @@ def prove(certificate: Any, max_steps: int = MAX_STEPS) -> str:
     need(type(certificate) is dict, "a certificate is an object")
     kind, claim, version = (certificate.get(key) for key in ("kind", "claim", "version"))
     need(certificate.get("format") == FORMAT, f"format: not {FORMAT!r}")
+    need(type(max_steps) is int, "max_steps: not an int")
     need(type(version) is int and version == VERSION, f"version: not {VERSION}")
     if kind == "layout":
         return Layout(certificate, work).prove()
-    provers = {"no_fit": prove_no_fit, "inner_fit": prove_inner_fit}
-    return provers.get(str(claim), prove_sweep)(certificate, work)
+    provers = {"no_fit": prove_no_fit, "inner_fit": prove_inner_fit, "sweep": prove_sweep}
+    need(claim in provers if type(claim) is str else "claim" not in certificate, "claim: unknown")
+    return provers[claim or "sweep"](certificate, work)
 
 
 def load(text: str) -> Any:
@@ -790,10 +822,16 @@ def load(text: str) -> Any:
 
 
 def main(arguments: list[str]) -> int:
-    """Print what a certificate proves, or why it does not; return the exit code."""
+    """Print what a certificate proves, of the shapes G and D if given; return the exit code."""
     try:
-        print(f"proved: {prove(load(Path(arguments[0]).read_text(encoding='utf-8')))}")
-    except (Refused, ValueError, RecursionError) as error:
+        text, *given = (Path(name).read_text(encoding="utf-8") for name in arguments)
+        certificate = load(text)
+        proved = prove(certificate)
+        keys = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
+        for key, shape_text in zip(keys, given, strict=False):
+            check_given(certificate, key, read_given(shape_text))
+        print(f"proved: {proved}")
+    except (Refused, ValueError, TypeError, KeyError, RecursionError) as error:
         print(f"not proved: {error}")
         return 1
     return 0

@@ -40,13 +40,16 @@ from exactsweep.check.cover import check_drawings
 from exactsweep.check.fits import count_pairs, find_places, list_exact_fits
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 from exactsweep.check.size import check_reading, check_size, find_common_scale
-from exactsweep.check.standalone import Refused, prove
+from exactsweep.check.standalone import Refused, Ring, check_given, node, prove
 from exactsweep.check.sums import check_sum_within, count_steps
 from exactsweep.numbers.arguments import tells_arguments
+from exactsweep.numbers.error import ExactSweepError
+from exactsweep.numbers.number import to_fraction
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 
 # About a microsecond each.
 _MAX_STEPS = 10**8
+_PLAIN = (str, int, float, bool, type(None), dict, list)
 
 
 class Verification(NamedTuple):
@@ -63,11 +66,25 @@ class Verification(NamedTuple):
 
 
 @tells_arguments
-def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
+def verify(
+    certificate: Any,
+    *,
+    generatrix: Any = None,
+    directrix: Any = None,
+    part: Any = None,
+    container: Any = None,
+    max_steps: int = _MAX_STEPS,
+) -> Verification:
     """Decide whether a certificate proves its answer, from the definition alone.
 
     Args:
-        certificate: as `json.loads` gives it, from any source.
+        certificate: as `json.loads` gives it, from any source. With a `proof`, the checker that
+            stands alone has to prove it, too; layouts are proved by that alone.
+        generatrix: the polygon G that the certificate should be about: a Polygon, its vertices or a
+            Region. If left out, the certificate may be about any.
+        directrix: D, likewise.
+        part: that of an inner fit, likewise.
+        container: likewise.
         max_steps: the most work to take on, in steps of about a microsecond. A certificate that
             asks for more is not proved: it is told before the work is begun or, for polygons of any
             shape, of which too many pieces meet, once so many steps are taken.
@@ -75,6 +92,9 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     Returns:
         Verification. The reason is "proved", or says which loop, edge or list is wrong. Nothing is
         raised, whatever the certificate.
+
+    Raises:
+        ExactSweepError: a polygon that is none, or `max_steps` that is no int above 0.
 
     Cost: with m and n edges, a look-up for each edge and corner that may touch, and each pair of
     convex corners that have a slope in common, O(m + n) for convex polygons and O(mn) for others;
@@ -86,19 +106,64 @@ def verify(certificate: Any, *, max_steps: int = _MAX_STEPS) -> Verification:
     >>> verify({"format": "exactsweep certificate"})
     Verification(proved=False, reason="the key 'version' is missing", witness=None)
     """
+    if type(max_steps) is not int or max_steps < 1:
+        raise ExactSweepError("max_steps must be an int, at least 1")
+    given = {
+        name: _read_given(shape)
+        for name, shape in (
+            ("generatrix", generatrix),
+            ("directrix", directrix),
+            ("part", part),
+            ("container", container),
+        )
+        if shape is not None
+    }
     try:
-        check_reading(certificate, max_steps)
-        if type(certificate) is dict and "layout" in certificate:
-            prove(certificate, max_steps)
-        elif type(certificate) is dict and "claim" in certificate:
-            prove_claim(read_claim(certificate), max_steps)
-        else:
-            _prove(read(certificate), max_steps)
+        _verify(certificate, max_steps)
+        for name, rings in given.items():
+            check_given(certificate, name, rings)
     except CertificateError as flaw:
         return Verification(False, str(flaw), flaw.witness)
     except Refused as refused:
         return Verification(False, str(refused), None)
     return Verification(True, "proved", None)
+
+
+def _verify(certificate: Any, max_steps: int) -> None:
+    _check_types(certificate)
+    check_reading(certificate, max_steps)
+    if type(certificate) is dict and "layout" in certificate:
+        prove(certificate, max_steps)
+        return
+    if type(certificate) is not dict:
+        raise CertificateError(f"a certificate is an object, not a {type(certificate).__name__}")
+    claim = {key: item for key, item in certificate.items() if key != "proof"}
+    if "claim" in claim:
+        prove_claim(read_claim(claim), max_steps)
+    else:
+        _prove(read(claim), max_steps)
+    if len(claim) < len(certificate):
+        prove(certificate, max_steps)
+
+
+def _check_types(certificate: Any) -> None:
+    """Refuse what is not as `json.loads` gives it: values of other types may do anything."""
+    left, seen = [certificate], set()
+    while left:
+        item = left.pop()
+        if type(item) in (dict, list) and id(item) not in seen:
+            seen.add(id(item))  # a list may hold itself
+            left += [*item, *item.values()] if type(item) is dict else item
+        elif type(item) not in _PLAIN:
+            raise CertificateError(f"a {type(item).__name__} is not JSON")
+
+
+def _read_given(shape: Any) -> list[Ring]:
+    rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
+    return [
+        [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
+        for points in rings
+    ]
 
 
 def _prove(c: Certificate, max_steps: int) -> None:

@@ -1,12 +1,14 @@
 """`exactsweep draw`."""
 
+from collections.abc import Callable
+
 import click
 
-from exactsweep import Point, Sweep
+from exactsweep import InnerFit, NoFitPolygon, Point, Sweep
 from exactsweep.cli.output import beside
-from exactsweep.cli.pair import PATH, coordinates_of_files, takes_pair
+from exactsweep.cli.pair import PATH, coordinates_of_files, takes_pair, takes_question
 from exactsweep.cli.working import working
-from exactsweep.draw import make_figure, plot_sweep, read_suffix, save
+from exactsweep.draw import make_figure, plot_positions, plot_sweep, read_suffix, save
 from exactsweep.formats import FormatError, show_path
 from exactsweep.numbers.number import to_fraction
 
@@ -29,6 +31,7 @@ def _to_points(
 
 
 @click.command("draw")
+@takes_question
 @takes_pair
 @click.option(
     "--position",
@@ -57,7 +60,7 @@ def _to_points(
     help="The picture: a file that ends in .svg, .pdf or .png.",
 )
 def draw_command(
-    result: Sweep,
+    result: Sweep | NoFitPolygon | InnerFit,
     positions: list[Point],
     title: str | None,
     size: tuple[float, float] | None,
@@ -70,12 +73,16 @@ def draw_command(
     closing undercuts, in exact fits and at the first vertex of the trajectory if none are given.
     Details are enlarged below where one polygon is far smaller than the picture, or all are flat.
 
+    Of a no-fit polygon or an inner fit it has all loops, free positions filled, and exact fits.
+
     Files are read as by 'exactsweep sweep'; without files, its example is drawn.
     """
     figure = make_figure(size=size)
     (axes,) = figure.axes
     with working("sweeping"):
-        plot_sweep(result, axes, positions=positions or None, y_down=coordinates_of_files().y_down)
+        y_down = coordinates_of_files().y_down
+        plot: Callable[..., object] = plot_sweep if isinstance(result, Sweep) else plot_positions
+        plot(result, axes, positions=positions or None, y_down=y_down)
     if title:
         # No font has what is no letter, and a dollar would begin a formula.
         shown = "".join(c if c.isprintable() else repr(c)[1:-1] for c in title)

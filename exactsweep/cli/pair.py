@@ -7,7 +7,15 @@ from typing import Any
 
 import click
 
-from exactsweep import Point, Region, sweep
+from exactsweep import (
+    InnerFit,
+    NoFitPolygon,
+    Point,
+    Region,
+    inner_fit_polygon,
+    no_fit_polygon,
+    sweep,
+)
 from exactsweep.cli.parts import find_parts, read_named, say_all, say_left_out
 from exactsweep.cli.working import working
 from exactsweep.formats import NamedRegion, show_path
@@ -90,10 +98,17 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
     ) -> None:
         if generatrix is not None and directrix is None:
             raise click.UsageError("Give both GENERATRIX and DIRECTRIX, or neither.")
+        asked = _ASKED.get(options.pop("asked", "sweep"))
         if generatrix is None or directrix is None:
             g, d = Region(GENERATRIX), Region(DIRECTRIX)
+            g, d = (d, g) if asked else (g, d)
         else:
             g, d = read_two(generatrix, directrix, reading)
+        if asked:
+            if direction is not None:
+                raise click.UsageError("--direction is for sweeps.")
+            command(asked(g, d, reference=reference), **options)
+            return
         try:
             result = sweep(g, d, direction=direction, reference=reference)
         except DirectionError as error:
@@ -105,6 +120,25 @@ def takes_pair(command: Callable[..., None]) -> Callable[..., None]:
         command(result, **options)
 
     return with_pair
+
+
+_ASKED: dict[str, Callable[..., NoFitPolygon | InnerFit]] = {
+    "nfp": no_fit_polygon,
+    "ifp": inner_fit_polygon,
+}
+
+
+def takes_question(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command of `takes_pair` the option --of, by which its result is no sweep."""
+    option = click.option(
+        "--of",
+        "asked",
+        type=click.Choice(["sweep", *_ASKED]),
+        default="sweep",
+        help="Show a sweep, or the no-fit polygon of STATIONARY and ORBITING, or the inner fit of "
+        "CONTAINER and PART, the files in this order.",
+    )
+    return option(command)
 
 
 def name_files_of_pair() -> tuple[str, str] | None:

@@ -19,7 +19,7 @@ from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Point
 
 FORMAT = "exactsweep certificate"
-VERSION = 1
+VERSION = 2
 _DIGITS_OF_AN_INT = 4300
 
 

@@ -21,9 +21,10 @@ from math import lcm
 from typing import Any, Literal, NamedTuple
 
 from exactsweep.geometry.direction import Vector, angle_key
-from exactsweep.geometry.outline import Outline, is_between
+from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.segment import Segment, find_direction, find_offset, make_segment
+from exactsweep.geometry.vectors import is_between, minus
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 Event = Literal["EE", "EV", "VE", "VV"]
@@ -151,11 +152,6 @@ def _without_parts(contacts: set[Contact], g: Outline, d: Outline) -> set[Contac
             implied |= {Contact("EV", i, j), Contact("EV", i, d.after[j])}
             implied |= {Contact("VE", i, j), Contact("VE", g.after[i], j)}
     return contacts - implied
-
-
-def minus(p: Vertex, q: Vertex) -> Vertex:
-    """The vector from q to p."""
-    return p[0] - q[0], p[1] - q[1]
 
 
 class MonotoneOutline(Outline):

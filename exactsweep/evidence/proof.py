@@ -100,7 +100,7 @@ def _prove_sweep(certificate: dict[str, Any], work: Work) -> dict[str, Any]:
     work.fit(directrix.rings + generatrix.rings)
     back = (0, 0, 1) if is_any else standalone.turn([standalone.point(certificate["reference"])])[0]
     trajectory = ring(certificate["exterior" if is_any else "trajectory"])
-    trajectory = [add(p, back) for p in trajectory]
+    trajectory = [node(*place(add(p, back))) for p in trajectory]
     fits = [
         (add(p, back), add(q, back)) for p, q in standalone.read_fits(certificate["exact_fits"])
     ]
@@ -205,8 +205,9 @@ class _Finder:
             best = self._reach_from(a, b, reach, closed)
             if best is None:
                 # Free from here to where the next sum begins.
-                end = min((low for low, _ in self._list_spans(a, b) if low >= reach), default=1)
-                end = min(Fraction(end), Fraction(1))
+                lows = [low for low, _ in self._list_spans(a, b)]
+                ahead = [low for low in lows if low > reach or (low == reach and not closed)]
+                end = min([*ahead, Fraction(1)])
                 slits.append((_along(a, b, reach), _along(a, b, end)))
                 reach, closed = end, True
                 continue

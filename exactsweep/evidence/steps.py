@@ -22,10 +22,11 @@ from collections.abc import Sequence
 from itertools import permutations
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from exactsweep.evidence.contact import Contact, find_contacts, list_edges, minus
+from exactsweep.evidence.contact import Contact, find_contacts, list_edges
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import find_direction
+from exactsweep.geometry.vectors import cross, minus
 from exactsweep.numbers.point import Edge, Point, Rational, Vertex
 
 if TYPE_CHECKING:
@@ -274,26 +275,26 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
     event, i, j = contact
     if event == "EV":
         _, forward = _rays(generatrix, i)
-        return _cross(forward, step) < 0
+        return cross(forward, step) < 0
     if event != "VV":
         _, forward = _rays(directrix, j)
-        return _cross(forward, step) > 0
+        return cross(forward, step) > 0
     g_back, g_forward = _rays(generatrix, i)
     d_back, d_forward = _rays(directrix, j)
     back = minus((0, 0), step)
     # In a reflex corner, the other polygon can only move as its free cone, convex, allows; unless
     # it is not in there, and touches another ring at this point.
-    if _cross(d_forward, d_back) < 0:
+    if cross(d_forward, d_back) < 0:
         return _is_held((d_back, d_forward), (g_back, g_forward), step)
-    if _cross(g_forward, g_back) < 0:
+    if cross(g_forward, g_back) < 0:
         return _is_held((g_back, g_forward), (d_back, d_forward), back)
     # Two convex cones without overlap: their sum is convex, at most a half-plane. If they overlap,
     # there is another ring between.
     rays = [d_forward, d_back, minus((0, 0), g_forward), minus((0, 0), g_back)]
     return any(
-        all(_cross(first, other) >= 0 and _cross(other, last) >= 0 for other in rays)
+        all(cross(first, other) >= 0 and cross(other, last) >= 0 for other in rays)
         for first, last in permutations(rays, 2)
-        if _cross(first, step) > 0 and _cross(step, last) > 0
+        if cross(first, step) > 0 and cross(step, last) > 0
     )
 
 
@@ -302,7 +303,7 @@ def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) 
     first, last = free
 
     def is_out(ray: Vertex) -> bool:
-        return _cross(first, ray) < 0 or _cross(ray, last) < 0
+        return cross(first, ray) < 0 or cross(ray, last) < 0
 
     return is_out(step) and not any(map(is_out, rays))
 
@@ -312,7 +313,3 @@ def _rays(outline: Outline, k: int) -> tuple[Vertex, Vertex]:
     vertices = outline.vertices
     here = vertices[k]
     return minus(vertices[outline.before[k]], here), minus(vertices[outline.after[k]], here)
-
-
-def _cross(p: Vertex, q: Vertex) -> Rational:
-    return p[0] * q[1] - p[1] * q[0]

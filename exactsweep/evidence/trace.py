@@ -19,7 +19,7 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Literal, NamedTuple
 
-from exactsweep.evidence.contact import find_facing, minus
+from exactsweep.evidence.contact import find_facing
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import (
@@ -29,6 +29,7 @@ from exactsweep.geometry.segment import (
     make_segment,
     measure_along,
 )
+from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import ORIGIN, Edge, Rational, Vertex
 

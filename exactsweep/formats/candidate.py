@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
 from exactsweep.formats.error import FormatError
@@ -11,7 +12,7 @@ from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.limits import answer_digits
-from exactsweep.numbers.number import NumberError, quote
+from exactsweep.numbers.number import NumberError, quote, split_ratios
 from exactsweep.numbers.point import Point
 from exactsweep.words import count, suggest
 
@@ -120,9 +121,8 @@ class Candidate(NamedTuple):
         Only transformations and curves make them: a product of numbers has the digits of all.
         """
         points = self.vertices()
-        bits = max(
-            (n.bit_length() for p in points for c in p for n in c.as_integer_ratio()), default=0
-        )
+        numbers = split_ratios([c for point in points for c in point])
+        bits = max(map(int.bit_length, chain(*numbers)), default=0)
         # A bit is 0.30103 digits, rounded up.
         if bits * 30_103 > answer_digits() * 100_000:
             raise NumberError(f"a coordinate has more than {answer_digits()} digits (max_digits)")

@@ -1,12 +1,13 @@
 """Decimal numbers as files hold them, read and written exactly."""
 
 import re
+from contextlib import suppress
 from fractions import Fraction
 from math import ceil, log2
 
 from exactsweep.formats.error import FormatError
 from exactsweep.numbers.digits import write_int
-from exactsweep.numbers.number import abridge, format_fraction, quote, to_fraction
+from exactsweep.numbers.number import NumberError, abridge, format_fraction, quote, to_fraction
 
 # Possessive, so that a long number with a letter at its end is not tried again for each digit.
 DECIMAL = r"[+-]?(?:[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
@@ -32,8 +33,10 @@ def read_decimal(text: str) -> Fraction:
         >>> read_decimal("+.5"), read_decimal("007.e-2")
         (Fraction(1, 2), Fraction(7, 100))
     """
-    if len(text) < 16 and text.isascii() and text.isdigit():
-        return Fraction(int(text))
+    # What begins as a number of JSON is one nearly always.
+    if text.removeprefix("-")[:1].isdigit() and "/" not in text:
+        with suppress(NumberError):
+            return to_fraction(text)
     if not re.fullmatch(DECIMAL, text):
         raise FormatError(f"{quote(text)} is not a decimal number")
     match = _PARTS.fullmatch(text)

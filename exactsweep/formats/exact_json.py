@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -79,6 +80,10 @@ def read_vertices(value: object, path: str) -> list[Point]:
     """
     if not isinstance(value, list):
         raise FormatError(f"{path} is {describe_kind(value)}, not a list of vertices")
+    if all(type(pair) is list and [*map(type, pair)] == [str, str] for pair in value):
+        with suppress(NumberError):
+            return [Point(to_fraction(x), to_fraction(y)) for x, y in value]
+    # Something is wrong, or spelled in another way.
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 

@@ -207,7 +207,8 @@ def find_monotone_directions(polygon: Polygon) -> Directions:
     return found
 
 
-def _turn_through(edges: Sequence[Vector]) -> Directions:
+def _turn_through(edges: Sequence[Vertex]) -> Directions:
+    """The directions, from the edges of a polygon as vectors."""
     n = len(edges)
     # Start just past -90 degrees: u = (e, -1) with an infinitesimal e > 0.
     forward = [dy < 0 or (dy == 0 and dx > 0) for dx, dy in edges]

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import X_AXIS, Vector
-from exactsweep.numbers.number import divide_all, divide_exactly
-from exactsweep.numbers.point import ORIGIN, Point, Rational, Vertex, make_points
+from exactsweep.numbers.number import divide_all, divide_exactly, to_int
+from exactsweep.numbers.point import ORIGIN, Point, Vertex, make_points
 
 
 class Frame(NamedTuple):
@@ -36,7 +35,7 @@ class Frame(NamedTuple):
         """A point less a vector, in the frame; ints where it is on the lattice."""
         (p, q), scale = self.direction, self.scale
         x, y = (point.x - shift.x) * scale, (point.y - shift.y) * scale
-        return _plain(p * x + q * y), _plain(p * y - q * x)
+        return to_int(p * x + q * y), to_int(p * y - q * x)
 
     def leave(self, points: Sequence[Vertex], shift: Point = ORIGIN) -> list[Point]:
         """Points of the frame in the plane, moved by a vector. Cost: O(n)."""
@@ -57,7 +56,3 @@ class Frame(NamedTuple):
             dx, dy = shift
             xs, ys = [x + dx for x in xs], [y + dy for y in ys]
         return make_points(xs, ys)
-
-
-def _plain(value: Fraction) -> Rational:
-    return value.numerator if value.denominator == 1 else value

@@ -30,7 +30,8 @@ def to_shape(shape: Region | Vertices, name: str) -> AnyPolygon:
         return Region(exterior, holes) if holes else Polygon(exterior)
 
 
-_WIDE = 64
+_WIDE, _LONG = 64, 1024
+"""Scales of more bits do not serve: where most vertices are on another lattice, and else."""
 
 
 def to_region(shape: Region | Vertices, name: str) -> Region:
@@ -50,19 +51,19 @@ def share_lattice(
     Args:
         regions: of any number.
         scale: if given, that of a lattice on which most vertices are, which serves if the common
-            one had more than 64 bits.
+            one is long.
 
     Returns:
         The scale and the rings of each region times the scale, the interior on the left; vertices
-        off the given lattice are Fractions. If the scale had more than 8192 bits, 1 and the
-        vertices as they are.
+        off the given lattice are Fractions. If the scale had more than 1024 bits, 1 and the
+        vertices as they are: on such a lattice all numbers are longer than any of the vertices.
 
     >>> share_lattice([Region([(0, 0), ("1/2", 0), (0, "1/3")])])
     (6, [[[(0, 0), (3, 0), (0, 2)]]])
     """
     lattices = [region.lattice() for region in regions]
     common = lcm_within(own for own, _ in lattices)
-    if common is None or (scale is not None and common.bit_length() > _WIDE):
+    if common is None or common.bit_length() > (_LONG if scale is None else _WIDE):
         return scale or 1, [_scale_rings(region, scale or 1) for region in regions]
     return common, [_enlarge(rings, common // own) for own, rings in lattices]
 

@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
+from exactsweep.geometry.vectors import is_between
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
@@ -105,13 +106,3 @@ class Outline:
             q = self.vertices[self.after[k]]
             if (p[0] <= tx <= q[0] or q[0] <= tx <= p[0]) and is_between(point, p, q):
                 yield k
-
-
-def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is inside a segment, its ends left out.
-
-    >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)], is_between((1, 0), (0, 0), (2, 2))
-    ([False, True, False], False)
-    """
-    (tx, ty), (px, py), (qx, qy) = point, p, q
-    return (qx - px) * (ty - py) == (qy - py) * (tx - px) and min(p, q) < point < max(p, q)

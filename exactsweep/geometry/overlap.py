@@ -161,21 +161,15 @@ class Overlap:
         if touching is None:
             return True
         on_moved, on_fixed = touching
-        moved_rings = {
-            k: [(px * scale + dx, py * scale + dy) for px, py in ring]
-            for k, ring in enumerate(self._moved.rings)
-        }
+        moved_rings = dict(enumerate(self._moved.rings))
         # A ring of D that G + t holds has all of its edges near.
-        fixed_rings = {
-            k: [(px * scale, py * scale) for px, py in self._fixed.rings[k]]
-            for k in {side.ring for side in fixed}
-        }
+        fixed_rings = {k: self._fixed.rings[k] for k in {side.ring for side in fixed}}
         return any(
             self._fixed.holds(px, py, 2 * scale)
-            for px, py in find_points_between(moved_rings, on_moved)
+            for px, py in find_points_between(moved_rings, on_moved, scale, shift)
         ) or any(
             self._moved.holds(px - 2 * dx, py - 2 * dy, 2 * scale)
-            for px, py in find_points_between(fixed_rings, on_fixed)
+            for px, py in find_points_between(fixed_rings, on_fixed, scale)
         )
 
     def _meet(
@@ -279,21 +273,32 @@ def touch(a: Vertex, b: Vertex, p: Vertex, q: Vertex) -> list[Vertex] | None:
     return [a if of_a == 0 else b if of_b == 0 else p if of_p == 0 else q]
 
 
-def find_points_between(rings: Mapping[int, Sequence[Vertex]], places: Places) -> Iterator[Vertex]:
-    """A point, times two, of each piece of the rings between places; a vertex if there are none."""
-    for k, ring in rings.items():
-        found = False
-        for i, p in enumerate(ring):
-            on_edge = places.get((k, i))
-            if not on_edge:
-                continue
-            found = True
-            q = ring[(i + 1) % len(ring)]
-            along = sorted({p, q, *on_edge})
-            yield from ((ax + bx, ay + by) for (ax, ay), (bx, by) in pairwise(along))
-        if not found:
-            x, y = ring[0]
-            yield 2 * x, 2 * y
+def find_points_between(
+    rings: Mapping[int, Sequence[Vertex]],
+    places: Places,
+    scale: int = 1,
+    shift: Vertex = (0, 0),
+) -> Iterator[Vertex]:
+    """A point, times two, of each piece of the rings between places; a vertex if there are none.
+
+    Rings are enlarged by the scale and then moved by the shift; places are on them as they are
+    then. Only pieces on the edges that have places are looked at: the others are parts of these.
+
+    Cost: O(p log p + r) for p places and r rings.
+    """
+    dx, dy = shift
+    found: set[int] = set()
+    for (k, i), on_edge in places.items():
+        if not on_edge:
+            continue
+        found.add(k)
+        ring = rings[k]
+        ends = {(x * scale + dx, y * scale + dy) for x, y in (ring[i], ring[(i + 1) % len(ring)])}
+        along = sorted(ends | on_edge)
+        yield from ((ax + bx, ay + by) for (ax, ay), (bx, by) in pairwise(along))
+    for k in rings.keys() - found:
+        x, y = rings[k][0]
+        yield 2 * (x * scale + dx), 2 * (y * scale + dy)
 
 
 def is_inside(doubled: Vertex, rings: Rings) -> bool:

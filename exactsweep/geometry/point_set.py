@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, Self, overload
 from exactsweep.geometry.overlap import is_inside
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.turn import TURN_BITS, read_turn
+from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.number import NumberError
 from exactsweep.numbers.point import Point
 
@@ -247,11 +248,7 @@ def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
     >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)
     (True, False)
     """
-    return any(
-        (b.x - a.x) * (point.y - a.y) == (b.y - a.y) * (point.x - a.x)
-        and min(a, b) <= point <= max(a, b)
-        for a, b in pairwise((*ring, ring[0]))
-    )
+    return any(is_on_segment(point, a, b) for a, b in pairwise((*ring, ring[0])))
 
 
 def _is_pair(value: object) -> bool:

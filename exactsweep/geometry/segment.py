@@ -11,6 +11,8 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
+from exactsweep.geometry.vectors import cross
+from exactsweep.numbers.number import to_int
 from exactsweep.numbers.point import Edge, Rational, Vertex
 
 
@@ -54,8 +56,7 @@ def find_offset(direction: Vector, point: Vertex) -> Rational:
     It is for all lines of the lattice, also through points that are not on it: and ints are found
     in dictionaries in a tenth of the time.
     """
-    found = direction[0] * point[1] - direction[1] * point[0]
-    return found.numerator if found.denominator == 1 else found
+    return to_int(cross(direction, point))
 
 
 def make_segment(edge: Edge, direction: Vector | None = None) -> Segment:

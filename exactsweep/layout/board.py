@@ -75,28 +75,32 @@ class Board:
     @cached_property
     def _scale(self) -> int | None:
         """The scale of the lattice that all solids share, if there is one."""
-        layout = self.layout
-        kinds = {(p.part, p.turn): k for k, p in enumerate(layout.placements)}
+        layout, placements = self.layout, self.layout.placements
+        kinds = {(placements[k].part, placements[k].turn): k for k in self.placed}
         scales = {
-            self.base(part)[0] * self._turn(k, TURN_BITS)[0]
-            for (part, _), k in kinds.items()
-            if part in self._regions
+            self.base(part)[0] * self._turn(k, TURN_BITS)[0] for (part, _), k in kinds.items()
         }
         scales.add(layout.container.lattice()[0])
-        scales.update(c.denominator for k in self.placed for c in layout.placements[k].move)
+        moves = [placements[k].move for k in self.placed]
+        scales.update(x.denominator for x, _ in moves)
+        scales.update(y.denominator for _, y in moves)
         scale = lcm_within(scales)
         return None if scale is None or scale.bit_length() > _SHARED_BITS else scale
 
     def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
         """Return the solid of a placement, of which the turn is off by at most 2**-bits."""
         found = self._solids.get((k, bits))
-        if found is not None:
-            return found
+        if found is None:
+            found = self._solids[k, bits] = self._place(k, bits)
+        return found
+
+    def _place(self, k: int, bits: int) -> Solid:
         placement = self.layout.placements[k]
         part, turn, (x, y) = placement.part, placement.turn, placement.move
-        key = part, turn, placement.mirrored, bits
-        form, shared = self._forms.get(key), self._scale if bits == TURN_BITS else None
+        shared = self._scale if bits == TURN_BITS else None
         scale = shared or self.base(part)[0] * self._turn(k, bits)[0]
+        key = part, turn, placement.mirrored, bits
+        form = self._forms.get(key)
         if form is None:
             own, base = self.base(part)
             denominator, matrix = self._turn(k, bits)
@@ -104,20 +108,14 @@ class Board:
             a, b, c, d = matrix
             form = base.mapped((a * factor, b * factor, c * factor, d * factor))
             self._forms[key] = form
-        # Without a shared lattice, moves have denominators of their own.
-        finer = shared or lcm_within((scale, x.denominator, y.denominator)) or scale
+        if shared is None:
+            # Moves have denominators of their own.
+            finer = lcm_within((scale, x.denominator, y.denominator)) or scale
+            form, scale = form.scaled(finer // scale), finer
         slack = _NONE
         if turn.exact is None:
             slack = measure_slack(self._regions[part], turn.near(bits).error)
-        solid = Solid(
-            form.scaled(finer // scale),
-            put_on_lattice(x, finer),
-            put_on_lattice(y, finer),
-            finer,
-            slack,
-        )
-        self._solids[k, bits] = solid
-        return solid
+        return Solid(form, put_on_lattice(x, scale), put_on_lattice(y, scale), scale, slack)
 
     @cached_property
     def frame(self) -> tuple[int, int, int, int]:

@@ -19,7 +19,7 @@ from exactsweep.layout.certificate import write_certificate
 from exactsweep.layout.closest import NearestPair, find_nearest_pair
 from exactsweep.layout.fault import Fault, FaultKind
 from exactsweep.layout.layout import Layout
-from exactsweep.layout.meeting import Relation
+from exactsweep.layout.meeting import Relation, meet
 from exactsweep.layout.verdict import PairVerdict, judge_pair
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.arguments import tells_arguments
@@ -134,6 +134,14 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
     """The faults of pairs of placements; pairs that touch are added to the contacts."""
     spacing, solid = board.layout.spacing, board.solid
     for k, j in board.list_near(spacing):
+        a, b = solid(k), solid(j)
+        if not spacing and a.scale == b.scale and not (a.slack or b.slack):
+            # Most pairs need no more than this.
+            relation = meet(a, b)
+            if relation is Relation.CONTACT:
+                contacts.append((k, j))
+            if relation is not Relation.OVERLAP:
+                continue
         found = judge_pair(lambda bits: (solid(k, bits), solid(j, bits)), TURN_BITS, spacing)  # noqa: B023
         if found.meeting is Relation.CONTACT:
             contacts.append((k, j))
@@ -143,13 +151,12 @@ def _judge_pairs(board: Board, contacts: list[tuple[int, int]]) -> Iterator[Faul
 
 def _judge_container(board: Board) -> Iterator[Fault]:
     """The faults of placements against the outside and the defects, at most one each."""
-    if not board.placed:
-        return
     margin, solid = board.layout.margin, board.solid
     for k in board.placed:
         worst: list[tuple[Fraction, Fault]] = []
         clear = board.is_clear(k)
-        for wall, fixed in enumerate(board.around[clear:], clear):
+        for wall in range(clear, 1 + len(board.layout.container.holes)):
+            fixed = board.around[wall]
             found = judge_pair(lambda bits: (solid(k, bits), fixed), TURN_BITS, margin)  # noqa: B023
             faults = _name_faults(board, (k,), found, "outside", wall)
             rank = Fraction(-1) if found.gap is None else found.gap.square

@@ -8,10 +8,15 @@ outside of the window is looked at.
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from enum import Enum
 
 from exactsweep.geometry.overlap import Places, find_points_between, touch
-from exactsweep.layout.solid import LatticeBox, Solid
+from exactsweep.layout.solid import BoxedEdge, LatticeBox, LatticeForm, Solid
+from exactsweep.numbers.point import Vertex
+
+_EdgePlace = tuple[int, int]
+"""The number of a ring, and that of an edge in it."""
 
 
 class Relation(Enum):
@@ -36,19 +41,47 @@ def meet(a: Solid, b: Solid) -> Relation:
     x, y = b.x - a.x, b.y - a.y
     left, right, low, high = a.form.box
     west, east, south, north = b.form.box
-    window = (
-        max(left, west + x),
-        min(right, east + x),
-        max(low, south + y),
-        min(high, north + y),
-    )
-    left, right, low, high = window
-    if left > right or low > high:
+    west, east, south, north = west + x, east + x, south + y, north + y
+    if left > east or west > right or low > north or south > high:
         return Relation.APART
+    window = (
+        left if left > west else west,
+        right if right < east else east,
+        low if low > south else south,
+        high if high < north else north,
+    )
     ours = a.form.near(window)
-    theirs = b.form.near((left - x, right - x, low - y, high - y)) if ours else ()
+    moved = window[0] - x, window[1] - x, window[2] - y, window[3] - y
+    touching = _find_touching(ours, b.form.near(moved), x, y) if ours else []
+    if touching is None:
+        return Relation.OVERLAP
+    if not touching:
+        # The boundaries have no common point, so one exterior may be inside the other solid.
+        for form, other, at, sense, box in (
+            (a.form, b.form, a.form.box, -2, window),
+            (b.form, a.form, b.form.box, 2, moved),
+        ):
+            px, py = form.rings[0][0]
+            if at == box and other.holds(2 * px + sense * x, 2 * py + sense * y):
+                return Relation.OVERLAP
+        return Relation.APART
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
+    for ours_at, theirs_at, shared in touching:
+        on_a[ours_at].update(shared)
+        on_b[theirs_at].update((px - x, py - y) for px, py in shared)
+    if _enters(a.form, b.form, on_a, (-2 * x, -2 * y), window):
+        return Relation.OVERLAP
+    if _enters(b.form, a.form, on_b, (2 * x, 2 * y), moved):
+        return Relation.OVERLAP
+    return Relation.CONTACT
+
+
+def _find_touching(
+    ours: Sequence[BoxedEdge], theirs: Sequence[BoxedEdge], x: int, y: int
+) -> list[tuple[_EdgePlace, _EdgePlace, list[Vertex]]] | None:
+    """The pairs of edges that touch, and where; None if two of them cross."""
+    found = []
     for west, east, south, north, ax, ay, bx, by, ring, number in theirs:
         ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
         west, east, south, north = west + x, east + x, south + y, north + y
@@ -65,33 +98,22 @@ def meet(a: Solid, b: Solid) -> Relation:
                 continue
             shared = touch((ax, ay), (bx, by), (px, py), (qx, qy))
             if shared is None:
-                return Relation.OVERLAP
+                return None
             if shared:
-                on_a[other, k].update(shared)
-                on_b[ring, number].update(shared)
-    if _enters(a, b, on_a, (x, y), window):
-        return Relation.OVERLAP
-    back = -x, -y
-    moved: Places = defaultdict(
-        set, {place: {(px - x, py - y) for px, py in points} for place, points in on_b.items()}
-    )
-    left, right, low, high = window
-    if _enters(b, a, moved, back, (left - x, right - x, low - y, high - y)):
-        return Relation.OVERLAP
-    return Relation.CONTACT if on_a else Relation.APART
+                found.append(((other, k), (ring, number), shared))
+    return found
 
 
-def _enters(a: Solid, b: Solid, places: Places, shift: tuple[int, int], window: LatticeBox) -> bool:
-    """Decide whether a piece of a's boundary between places runs through the inside of b."""
-    left, right, low, high = window
-    dx, dy = 2 * shift[0], 2 * shift[1]
-    holds = b.form.holds
-    if not places:
-        # Without a common point of the boundaries, vertices of the exteriors decide.
-        x, y = a.form.rings[0][0]
-        return left <= x <= right and low <= y <= high and holds(2 * x - dx, 2 * y - dy)
-    left, right, low, high = 2 * left, 2 * right, 2 * low, 2 * high
+def _enters(
+    a: LatticeForm, b: LatticeForm, places: Places, shift: tuple[int, int], window: LatticeBox
+) -> bool:
+    """Decide whether a piece of a's boundary between places runs through the inside of b.
+
+    The shift leads from a's coordinates, times two, to b's.
+    """
+    left, right, low, high = (2 * end for end in window)
+    dx, dy = shift
     return any(
-        left <= x <= right and low <= y <= high and holds(x - dx, y - dy)
-        for x, y in find_points_between(dict(enumerate(a.form.rings)), places)
+        left <= x <= right and low <= y <= high and b.holds(x + dx, y + dy)
+        for x, y in find_points_between(dict(enumerate(a.rings)), places)
     )

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 from exactsweep.layout.solid import LatticeBox
 
-_FEW = 12
+_FEW = 24
 """As many boxes are compared one by one."""
 
 _Numbered = tuple[int, int, int, int, int]

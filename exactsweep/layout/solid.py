@@ -32,19 +32,11 @@ MatrixRows = tuple[int, int, int, int]
 """The rows of a linear map."""
 
 
-class BoxedEdge(NamedTuple):
-    """An edge with its box, and its place: the number of its ring, and its number in the ring."""
+BoxedEdge = tuple[int, int, int, int, int, int, int, int, int, int]
+"""An edge: its box, its ends (ax, ay) and (bx, by), the number of its ring, its number in that."""
 
-    left: int
-    right: int
-    low: int
-    high: int
-    ax: int
-    ay: int
-    bx: int
-    by: int
-    ring: int
-    number: int
+_FEW = 16
+"""As many edges are looked at one by one."""
 
 
 class LatticeForm:
@@ -88,7 +80,7 @@ class LatticeForm:
                 left, right = (ax, bx) if ax < bx else (bx, ax)
                 low, high = (ay, by) if ay < by else (by, ay)
                 number = (i or len(ring)) - 1
-                found.append(BoxedEdge(left, right, low, high, ax, ay, bx, by, k, number))
+                found.append((left, right, low, high, ax, ay, bx, by, k, number))
                 ax, ay = bx, by
         found.sort()
         return found
@@ -115,12 +107,14 @@ class LatticeForm:
         it by no more than the widest edge is wide.
         """
         left, right, low, high = box
-        lefts, widest = self._lefts
-        first, last = bisect_left(lefts, left - widest), bisect_right(lefts, right)
+        edges = self.edges
+        if len(edges) > _FEW:
+            lefts, widest = self._lefts
+            edges = edges[bisect_left(lefts, left - widest) : bisect_right(lefts, right)]
         return [
             edge
-            for edge in self.edges[first:last]
-            if edge[1] >= left and edge[2] <= high and edge[3] >= low
+            for edge in edges
+            if edge[0] <= right and edge[1] >= left and edge[2] <= high and edge[3] >= low
         ]
 
     def holds(self, x: Rational, y: Rational) -> bool:

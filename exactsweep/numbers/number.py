@@ -153,6 +153,16 @@ def ratio(value: int | Fraction, divisor: int | Fraction) -> int | Fraction:
     return whole if whole * divisor == value else divide_exactly(value, divisor)
 
 
+def to_int(value: int | Fraction) -> int | Fraction:
+    """Return the number as an int, if it is one.
+
+    Example:
+        >>> to_int(Fraction(4, 2)), to_int(Fraction(1, 2))
+        (2, Fraction(1, 2))
+    """
+    return value.numerator if value.denominator == 1 else value
+
+
 def divide_all(values: Iterable[int | Fraction], divisor: int) -> list[Fraction]:
     """Divide by a positive int, quickly where all is integer.
 
@@ -260,10 +270,23 @@ def format_fraction(value: Fraction) -> str:
 
 
 def _from_string(text: str) -> Fraction:
-    digits = text.removeprefix("-")
-    is_int = digits.isdecimal() and digits.isascii() and (digits[0] != "0" or digits == "0")
-    if is_int and len(text) <= _SHORT and len(text) <= get_max_digits():
-        return _make_reduced(int(text), 1)
+    if len(text) <= _SHORT and text.isascii() and len(text) <= get_max_digits():
+        digits = text.removeprefix("-")
+        # Most numbers are whole, decimals without an exponent, or fractions.
+        whole, point, decimals = digits.partition(".")
+        whole, slash, below = whole.partition("/")
+        if whole.isdecimal() and (whole[0] != "0" or whole == "0"):
+            if whole == digits:
+                return _make_reduced(int(text), 1)
+            n = d = 0
+            if decimals.isdecimal() and not slash:
+                n, d = int(whole + decimals), 10 ** len(decimals)
+            elif below.isdecimal() and below[0] != "0" and not point:
+                n, d = int(whole), int(below)
+            if d:
+                common = gcd(n, d)
+                n //= common
+                return _make_reduced(-n if text.startswith("-") else n, d // common)
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise NumberError(f"{quote(text)} is not a number such as 3, -7/2, 0.125 or 1e-3")

@@ -42,13 +42,21 @@ function briefContacts(track, k) {
   const here = contactsAt(exactStop(k, track), placeOn(track, k));
   const lasting = [...track.contacts[k], ...track.contacts.at(k - 1)];
   const known = new Set(lasting.map(String));
-  for (const [event, i, j] of [...here, ...lasting]) {
-    if (event !== "EE") continue;
-    for (const end of endsOf(data.directrix, j)) known.add(`EV,${i},${end}`);
-    for (const end of endsOf(data.generatrix, i)) known.add(`VE,${end},${j}`);
-  }
-  track.brief[k] = here.filter((contact) => !known.has(String(contact)));
+  track.brief[k] = withoutParts(here, [...here, ...lasting]).filter(
+    (contact) => !known.has(String(contact)),
+  );
   return track.brief[k];
+}
+
+// Contacts without those of a vertex and an edge that are part of one of edges.
+function withoutParts(contacts, all) {
+  const parts = new Set();
+  for (const [event, i, j] of all) {
+    if (event !== "EE") continue;
+    for (const end of endsOf(data.directrix, j)) parts.add(`EV,${i},${end}`);
+    for (const end of endsOf(data.generatrix, i)) parts.add(`VE,${end},${j}`);
+  }
+  return contacts.filter((contact) => !parts.has(String(contact)));
 }
 
 function endsOf({ vertices, edgeOf, after }, number) {

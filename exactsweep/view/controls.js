@@ -58,10 +58,23 @@ surface
     refresh(false);
   });
 
+// G in a third of the picture, however small it is.
+function zoomToGeneratrix() {
+  const [px, py] = place();
+  const [left, low, right, high] = bounds(data.generatrix.places);
+  const sizes = [view.width / (view.kx * (right - left)), view.height / (view.ky * (high - low))];
+  const k = Math.min(zoom.scaleExtent()[1], Math.min(...sizes) / 3);
+  const x = view.x0 + view.kx * (px + (left + right) / 2);
+  const y = view.y0 + view.sign * view.ky * (py + (low + high) / 2);
+  const shown = d3.zoomIdentity.translate(view.width / 2 - k * x, view.height / 2 - k * y).scale(k);
+  surface.call(zoom.transform, shown);
+}
+
 const actions = {
   closer: () => zoomBy(1.5),
   farther: () => zoomBy(1 / 1.5),
   whole: () => surface.call(zoom.transform, d3.zoomIdentity),
+  generatrix: zoomToGeneratrix,
   back: () => moveToStop(at % PARTS ? stopBefore() : stopBefore() - 1),
   on: () => moveToStop(stopBefore() + 1),
   play: () => play(playing === null),
@@ -77,7 +90,7 @@ const actions = {
 };
 const keys = {
   "+": "closer", "=": "closer", "-": "farther", 0: "whole", PageUp: "back", PageDown: "on",
-  Home: "start", End: "end", " ": "play", u: "undercut", f: "fit", t: "track", g: "grid",
+  z: "generatrix", Home: "start", End: "end", " ": "play", u: "undercut", f: "fit", t: "track", g: "grid",
 };
 const slides = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 const pans = { ArrowRight: [-1, 0], ArrowLeft: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -159,8 +172,11 @@ setText(element("area-about"), about([rational.parse(data.area)]));
 setText(element("path"), `of the reference point of G${data.path && `; the dot is ${data.path}`}`);
 setText(element("undercuts"), `undercut (${data.undercuts.length})`);
 setText(element("fits"), `exact fit (${data.fits.length})`);
-setText(element("holes"), `hole of the no-fit polygon (${data.holes})`);
-element("hole").hidden = !data.holes;
+const holes = data.loops - data.outside;
+setText(element("holes"), data.outside ? `hole of the no-fit polygon (${holes})` : `free positions (${holes})`);
+element("hole").hidden = !holes;
+setText(element("area-name"), data.areaName);
+for (const item of document.querySelectorAll(".of-sweep")) item.hidden = data.asked !== "sweep";
 element("stretched").hidden = !data.stretched;
 element("incomplete").hidden = data.hasMeetings;
 

@@ -10,12 +10,13 @@ the page, when G is there.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from exactsweep.draw import ContactStretch, Scale
+from exactsweep.draw import ContactStretch, DrawError, Scale
+from exactsweep.draw.no_fits import Positions
 from exactsweep.draw.stretches import cut_loops
-from exactsweep.draw.sweeps import find_anchor, find_shift, name_anchor, trace_anchor
+from exactsweep.draw.sweeps import Moving, find_anchor, find_shift, name_anchor, trace_anchor
 from exactsweep.evidence.contact import Contact
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.region import AnyPolygon
@@ -24,6 +25,9 @@ from exactsweep.numbers.point import Point
 from exactsweep.text.results import list_numbers
 from exactsweep.view.meetings import find_meetings
 from exactsweep.words import CLASSES
+
+if TYPE_CHECKING:
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
 
 
 class Track(NamedTuple):
@@ -114,7 +118,6 @@ def gather_page_data(
 
     Cost: that of `find_stops` and of the loops.
     """
-    dx, dy = find_shift(s)
     tell("the loops")
     outer, moved = s.outer.vertices, trace_anchor(s).vertices
     scale = Scale.of(outer, moved)
@@ -128,44 +131,21 @@ def gather_page_data(
     holes = len(s.no_fit_holes)
     on_loops = {stop.position for on_track in found[: holes + 1] for stop in on_track}
 
-    def shown(points: Iterable[Point]) -> dict[str, Any]:
-        points = list(points)
-        return {
-            "places": [c for point in points for c in scale.place(point)],
-            "exact": [format_fraction(c) for point in points for c in point],
-        }
-
-    def positions(points: Iterable[Point]) -> dict[str, Any]:
-        """Positions of the reference point, placed where the anchor is then."""
-        points = list(points)
-        placed = shown(Point(p.x + dx, p.y + dy) for p in points)["places"]
-        return {"places": placed, "exact": [format_fraction(c) for p in points for c in p]}
-
-    sizes = f"{len(s.generatrix)} around {len(s.directrix)} vertices"
-    return {
-        "title": f"Sweep of {sizes}" if names is None else f"{' around '.join(names)}: {sizes}",
-        "names": names,
-        "down": y_down,
-        "axes": [
-            {"origin": format_fraction(axis.origin), "exponent": axis.exponent}
-            for axis in scale[:2]
-        ],
+    return gather_shapes(s, scale, names, f"Sweep of {_sizes(s)}", y_down) | {
         "class": CLASSES[s.kind],
+        "asked": "sweep",
         "area": format_fraction(s.area),
-        "stretched": not scale.is_true,
+        "areaName": "Swept area",
         "hasMeetings": has_meetings,
-        "path": "" if find_anchor(s) == s.reference else name_anchor(s),
-        "reference": [format_fraction(c) for c in s.reference],
-        "generatrix": {**_around_anchor(s, scale), **_number(s.generatrix)},
-        "directrix": {**shown(s.directrix.vertices), **_number(s.directrix)},
-        "inner": shown(s.inner.vertices),
-        "outer": shown(outer),
-        "unswept": [shown(loop.vertices) for loop in s.unswept],
-        "holes": holes,
+        "inner": show_points(scale, s.inner.vertices),
+        "outer": show_points(scale, outer),
+        "unswept": [show_points(scale, loop.vertices) for loop in s.unswept],
+        "loops": holes + 1,
+        "outside": 1,
         "tracks": [
             {
                 "name": track.name,
-                **positions(stop.position for stop in on_track),
+                **show_positions(s, scale, [stop.position for stop in on_track]),
                 "vertex": [stop.vertex for stop in on_track],
                 "contacts": [stop.contacts for stop in on_track],
             }
@@ -173,7 +153,7 @@ def gather_page_data(
         ],
         "undercuts": [
             {
-                **shown(undercut.polygon.vertices),
+                **show_points(scale, undercut.polygon.vertices),
                 "area": format_fraction(undercut.polygon.area),
                 "slides": undercut.intersection == "segment",
                 "extremes": [format_fraction(c) for p in undercut.extremes for c in p],
@@ -182,9 +162,124 @@ def gather_page_data(
             for undercut in closed
         ],
         "fits": [
-            {**positions(fit), "hangs": [end in on_loops for end in fit]} for fit in s.exact_fits
+            {**show_positions(s, scale, fit), "hangs": [end in on_loops for end in fit]}
+            for fit in s.exact_fits
         ],
     }
+
+
+def gather_positions(
+    found: NoFitPolygon | InnerFit,
+    *,
+    names: tuple[str, str] | None = None,
+    y_down: bool = False,
+) -> dict[str, Any]:
+    """Gather what the page shows of a no-fit polygon or of an inner fit, as plain JSON data.
+
+    Stops are the vertices of its loops, and the page itself finds what touches anywhere.
+
+    Args:
+        found: a NoFitPolygon or an InnerFit.
+        names: what the shape that moves and the one that stays are called.
+        y_down: whether Y points down.
+
+    Returns:
+        As `gather_page_data`, without the loops of a sweep.
+
+    Raises:
+        DrawError: there is no position.
+
+    Cost: that of all positions, and linear in their size.
+    """
+    shapes = Positions.of(found)
+    loops = [loop.vertices for loop in shapes.loops]
+    fits = [tuple(dict.fromkeys(fit)) for fit in shapes.exact_fits]
+    is_outside = shapes.exterior is not None
+    called = [f"{'hole' if is_outside else 'loop'} {k - is_outside}" for k in range(len(loops))]
+    called = [*(["the exterior"] if is_outside else []), *called[is_outside:]]
+    called += [f"exact fit {k}" for k in range(len(fits))]
+    if not called:
+        raise DrawError("there is no position: the part does not fit")
+    shift = find_shift(shapes)
+    paths = [Point(p.x + shift.x, p.y + shift.y) for points in [*loops, *fits] for p in points]
+    scale = Scale.of(shapes.directrix.vertices, paths)
+    ends = {corner for loop in loops for corner in loop}
+    where = "around" if is_outside else "in"
+    title = f"{'No-fit polygon' if is_outside else 'Inner fit'} of {_sizes(shapes, where)}"
+    return gather_shapes(shapes, scale, names, title, y_down, where) | {
+        "class": "",
+        "asked": "positions",
+        "area": format_fraction(found.area),
+        "areaName": "Area of overlap" if is_outside else "Area of free positions",
+        "hasMeetings": True,
+        "inner": show_points(scale, []),
+        "outer": show_points(scale, []),
+        "unswept": [],
+        "loops": len(loops),
+        "outside": int(is_outside),
+        "tracks": [
+            {
+                "name": name,
+                **show_positions(shapes, scale, corners),
+                "vertex": list(range(len(corners))),
+                "contacts": [[] for _ in corners],
+            }
+            for name, corners in zip(called, [*loops, *fits], strict=True)
+        ],
+        "undercuts": [],
+        "fits": [
+            {**show_positions(shapes, scale, fit), "hangs": [end in ends for end in fit]}
+            for fit in shapes.exact_fits
+        ],
+    }
+
+
+def gather_shapes(
+    s: Moving,
+    scale: Scale,
+    names: tuple[str, str] | None,
+    title: str,
+    y_down: bool,
+    where: str = "around",
+) -> dict[str, Any]:
+    """Gather the two shapes, the scale and the names."""
+    return {
+        "title": title if names is None else f"{f' {where} '.join(names)}: {_sizes(s, where)}",
+        "names": names,
+        "down": y_down,
+        "axes": [
+            {"origin": format_fraction(axis.origin), "exponent": axis.exponent}
+            for axis in scale[:2]
+        ],
+        "stretched": not scale.is_true,
+        "path": "" if find_anchor(s) == s.reference else name_anchor(s),
+        "reference": [format_fraction(c) for c in s.reference],
+        "generatrix": {**_around_anchor(s, scale), **_number(s.generatrix)},
+        "directrix": {**show_points(scale, s.directrix.vertices), **_number(s.directrix)},
+    }
+
+
+def show_points(scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
+    """Give the places of points, and their coordinates as text."""
+    return {
+        "places": [c for point in points for c in scale.place(point)],
+        "exact": _exact(points),
+    }
+
+
+def show_positions(s: Moving, scale: Scale, points: Sequence[Point]) -> dict[str, Any]:
+    """Give positions of the reference point, placed where the anchor is then."""
+    dx, dy = find_shift(s)
+    placed = show_points(scale, [Point(p.x + dx, p.y + dy) for p in points])
+    return {**placed, "exact": _exact(points)}
+
+
+def _exact(points: Sequence[Point]) -> list[str]:
+    return [format_fraction(c) for point in points for c in point]
+
+
+def _sizes(s: Moving, where: str = "around") -> str:
+    return f"{len(s.generatrix)} {where} {len(s.directrix)} vertices"
 
 
 def _landmarks(s: Sweep) -> list[Point]:
@@ -211,7 +306,7 @@ def _on_line(p: Point, a: Point, b: Point) -> bool:
     return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x)
 
 
-def _around_anchor(s: Sweep, scale: Scale) -> dict[str, Any]:
+def _around_anchor(s: Moving, scale: Scale) -> dict[str, Any]:
     x, y = find_anchor(s)
     corners = s.generatrix.vertices
     return {

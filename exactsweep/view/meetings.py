@@ -12,11 +12,13 @@ from fractions import Fraction
 from itertools import pairwise
 from math import lcm
 
-from exactsweep.evidence.contact import find_facing, minus
+from exactsweep.evidence.contact import find_facing
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
-from exactsweep.numbers.point import Point, Rational
+from exactsweep.geometry.vectors import minus
+from exactsweep.numbers.number import to_int
+from exactsweep.numbers.point import Point
 
 # Pairs of vertices, and looks at one of them from an edge, that take a second at most.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
@@ -87,11 +89,7 @@ def find_meetings(s: Sweep, corners: int) -> Meetings | None:
 def _outline(shape: AnyPolygon, scale: int) -> Outline:
     """The features of a shape, in ints if it is on the lattice."""
     exterior, *holes = (
-        [(_plain(x * scale), _plain(y * scale)) for x, y in ring] for ring in shape.rings
+        [(to_int(x * scale), to_int(y * scale)) for x, y in ring] for ring in shape.rings
     )
     # With the interior on the left, as all of an outline has it.
     return Outline([exterior, *(hole[::-1] for hole in holes)])
-
-
-def _plain(value: Fraction) -> Rational:
-    return value.numerator if value.denominator == 1 else value

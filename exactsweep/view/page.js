@@ -12,7 +12,7 @@ const SNAP = 12;
 
 // The trajectory, the holes of the no-fit polygon, and the exact fits, there and back.
 const { tracks } = data;
-const firstFit = 1 + data.holes;
+const firstFit = data.loops;
 for (const track of tracks) {
   track.size = track.contacts.length;
   track.span = track.size * PARTS;
@@ -36,7 +36,8 @@ for (const polygon of [data.generatrix, data.directrix]) {
   polygon.before = around(-1);
 }
 
-const view = new View(bounds(data.outer.places.concat(tracks[0].places)), data.stretched, data.down);
+const all = [data.directrix, data.outer, ...tracks].flatMap(({ places }) => places);
+const view = new View(bounds(all), data.stretched, data.down);
 const scene = new Scene(data, view, element("ground"), element("top"));
 const top = element("top");
 
@@ -85,6 +86,7 @@ const about = (exact) => {
 
 // What touches, each with a note: at a stop, whether it ends or begins there.
 function contactsHere() {
+  if (data.asked !== "sweep") return contactsAnywhere().map((contact) => ({ contact, note: "" }));
   const k = stopBefore();
   const onward = stops.contacts[k];
   if (at % PARTS) return onward.map((contact) => ({ contact, note: "" }));
@@ -104,6 +106,16 @@ function contactsHere() {
       note: lasted.has(String(contact)) ? "" : ", from here on",
     })),
   ];
+}
+
+// Of positions alone, what touches is found when it is asked for, once for each place.
+let found = { at: null };
+function contactsAnywhere() {
+  if (found.at !== at || found.stops !== stops) {
+    const here = contactsAt(exactPosition(), place());
+    found = { at, stops, contacts: withoutParts(here, here) };
+  }
+  return found.contacts;
 }
 
 function words([event, i, j]) {

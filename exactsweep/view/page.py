@@ -15,6 +15,7 @@ from exactsweep.canvas.style import write_style_sheet
 from exactsweep.numbers.arguments import tells_arguments
 
 if TYPE_CHECKING:
+    from exactsweep.evidence.no_fit import InnerFit, NoFitPolygon
     from exactsweep.evidence.sweep import Sweep
 
 # d3-zoom and what it needs, each before those that need it; vendor/README.md says more.
@@ -38,16 +39,16 @@ _FIELD = re.compile(r"\{\{(\w+)\}\}")
 
 @tells_arguments
 def make_page(
-    s: Sweep,
+    s: Sweep | NoFitPolygon | InnerFit,
     *,
     names: tuple[str, str] | None = None,
     y_down: bool = False,
     tell: Callable[[str], object] = str,
 ) -> str:
-    """Make a page on which G can be moved around D.
+    """Make a page on which G can be moved around D, or inside a container.
 
     Args:
-        s: a Sweep.
+        s: a Sweep, a NoFitPolygon or an InnerFit.
         names: what G and D are called, such as their files.
         y_down: whether Y points down, as viewers of SVG have it.
         tell: is called with a few words before each step that may take long.
@@ -64,9 +65,14 @@ def make_page(
         >>> make_page(sweep(square, square)).startswith("<!doctype html>")
         True
     """
-    from exactsweep.view.data import gather_page_data
+    from exactsweep.evidence.sweep import Sweep
+    from exactsweep.view.data import gather_page_data, gather_positions
 
-    data = gather_page_data(s, names=names, y_down=y_down, tell=tell)
+    if isinstance(s, Sweep):
+        data = gather_page_data(s, names=names, y_down=y_down, tell=tell)
+    else:
+        tell("all positions")
+        data = gather_positions(s, names=names, y_down=y_down)
     library = "\n".join(_text(f"vendor/{name}.min.js") for name in _LIBRARIES)
     notice = _text("vendor/LICENSE").strip()
     script = "\n".join(map(_text, _SCRIPTS))

@@ -11,7 +11,7 @@ class Scene {
   constructor(data, view, ground, top) {
     Object.assign(this, { data, view });
     this.layers = [ground, top].map((canvas) => ({ canvas, context: canvas.getContext("2d") }));
-    this.loops = data.tracks.slice(0, 1 + data.holes);
+    this.loops = data.tracks.slice(0, data.loops);
     this.runs = runs(this.loops);
     this.hasGrid = true;
     this.readColors();
@@ -110,10 +110,12 @@ class Scene {
     const [inner, outer] = ["inner", "outer"].map((name) => view.pixels(data[name].places));
     const unswept = data.unswept.map(({ places }) => view.pixels(places));
     const directrix = ringsOf(data.directrix.rings, view.pixels(data.directrix.places));
-    this.area(context, [outer, inner, ...unswept], this.color("swept"));
+    const paths = this.loops.map(({ places }) => view.pixels(places));
+    const swept = data.asked === "sweep" ? [outer, inner, ...unswept] : data.outside ? paths : [];
+    this.area(context, swept, this.color("swept"));
     this.area(context, directrix, this.color("directrix-fill"));
     this.lines(context, directrix, "directrix", 1, { isClosed: true });
-    const holes = this.loops.slice(1).map(({ places }) => view.pixels(places));
+    const holes = paths.slice(data.outside);
     this.area(context, holes, this.color("free-fill"));
     this.lines(context, holes, "free", 2.5, { isClosed: true });
     const undercuts = data.undercuts.map(({ places }) => view.pixels(places));
@@ -189,7 +191,7 @@ function runs(loops) {
     let last = null;
     for (let k = 0; k < contacts.length; k++) {
       const events = new Set(contacts[k].map(([event]) => event));
-      const event = events.size === 1 ? contacts[k][0][0] : "several";
+      const event = events.size === 1 ? contacts[k][0][0] : events.size ? "several" : "free";
       if (event !== last) {
         if (!found.has(event)) found.set(event, []);
         found.get(event).push(places.slice(2 * k, 2 * k + 2));

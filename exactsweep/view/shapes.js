@@ -106,6 +106,7 @@ function traceArea(context, pixels, window) {
 
 function traceNear(context, pixels) {
   const size = pixels.length;
+  if (!size) return 0;
   let [x, y] = [pixels[0], pixels[1]];
   let length = 0;
   context.moveTo(x, y);

@@ -130,7 +130,7 @@ def test_junk_is_refused_with_a_reason(claim: str) -> None:
     ("key", "value", "reason"),
     [
         ("format", "x", "format is not 'exactsweep certificate'"),
-        ("version", True, "version is not 1"),
+        ("version", True, "version is not 2"),
         ("kind", "MC", "kind is not CC, CM or MM"),
         ("kind", "MM", "kind: it is CM, not MM"),
         ("direction", [2, 0], "direction: not primitive"),

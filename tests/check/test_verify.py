@@ -66,7 +66,7 @@ def test_certificate_by_hand() -> None:
     square = [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
     certificate = {
         "format": "exactsweep certificate",
-        "version": 1,
+        "version": 2,
         "generatrix": square,
         "directrix": square,
         "kind": "CC",

@@ -209,7 +209,7 @@ def test_holes_may_touch_in_points() -> None:
         ({"claim": []}, "claim is not no_fit, inner_fit, sweep"),
         ({"claim": "sweep"}, "the key 'kind' is missing"),
         ({"extra": 1}, "there are unknown keys"),
-        ({"version": 2}, "version is not 1"),
+        ({"version": 1}, "version is not 2"),
         ({"directrix": []}, "directrix: not an object of exterior and holes"),
         ({"generatrix": {"exterior": SQUARE}}, "generatrix: not an object of exterior and holes"),
         ({"exterior": [["0", "0"]]}, "exterior: fewer than three vertices"),

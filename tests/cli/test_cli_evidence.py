@@ -14,6 +14,7 @@ import pytest
 from command import EXACTSWEEP, EXAMPLE, HOUSE, NOTCH, PATIENCE, refusal, run
 from linear import require_linear
 
+from exactsweep.check.standalone import prove
 from exactsweep.text.explanation import tell
 
 
@@ -92,7 +93,16 @@ def test_a_certificate_is_proved(tmp_path: Path) -> None:
     assert run("sweep", HOUSE, NOTCH, "--certificate", "-o", path).output == ""
     assert json.loads(Path(path).read_text()) == EXAMPLE.certificate()
     for result in (run("verify", path), run("verify", "-", stdin=Path(path).read_bytes())):
-        assert (result.exit_code, result.stdout, result.stderr) == (0, "proved\n", "")
+        said = "proved\nCM of 5 and 7 vertices\n"
+        assert (result.exit_code, result.stdout, result.stderr) == (0, said, "")
+    assert run("verify", path, HOUSE, NOTCH).exit_code == 0
+    other = run("verify", path, NOTCH, HOUSE)
+    assert (other.exit_code, other.stdout) == (1, "generatrix: not the polygon that is given\n")
+    assert run("verify", path, HOUSE).exit_code == 2
+    proved = str(tmp_path / "proved.json")
+    assert run("verify", path, "--add-proof", proved).exit_code == 0
+    assert run("verify", proved).exit_code == 0
+    assert prove(json.loads(Path(proved).read_text()))
     verdict = run("verify", "--json", path)
     assert json.loads(verdict.stdout) == {"proved": True, "reason": "proved", "witness": None}
 
@@ -116,7 +126,7 @@ def test_a_false_certificate_is_answered_by_reason_and_witness() -> None:
         ("{}", "the key 'format' is missing"),
         ("[]", "a certificate is an object, not a list"),
         ("null", "a certificate is an object, not a NoneType"),
-        ('{"format": "exactsweep certificate", "version": 1}', "the key 'generatrix' is missing"),
+        ('{"format": "exactsweep certificate", "version": 2}', "the key 'generatrix' is missing"),
     ],
 )
 def test_what_is_no_certificate_is_not_proved(content: str, reason: str) -> None:

@@ -204,7 +204,7 @@ def test_certificates_are_proved(
     proof = str(tmp_path / "proof.json")
     options = ("--certificate", "--reference", "1", "1/2", "-o", proof)
     assert run(command, files["plate.wkt"], files[moved], *options).output == ""
-    assert run("verify", proof).stdout == "proved\n"
+    assert run("verify", proof).stdout.startswith("proved\n")
     # An answer that hides a hole or a region is not.
     tampered: dict[str, Any] = json.loads(Path(proof).read_text())
     if moved == "square.json":

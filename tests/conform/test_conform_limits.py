@@ -10,6 +10,7 @@ import pytest
 from command import refusal, run
 from judged import CONVEX, CORRECT, HOSTILE, SQUARE, TWO, write_cases
 
+from exactsweep import processes
 from exactsweep.conform import Outcome, Run, Verdict
 from exactsweep.conform.run.fault import name_fault
 from exactsweep.conform.run.outcome import judge_case
@@ -221,3 +222,22 @@ def test_shares_are_exact() -> None:
     for k, verdict in enumerate((Verdict.EXACT, Verdict.UNSUPPORTED, Verdict.UNSUPPORTED)):
         report.add(Outcome(str(k), "CC", (), verdict))
     assert report.passed
+
+
+def test_a_family_of_processes_may_be_nested_deeper_than_calls(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Children:
+        """Of each process the next one, as files under /proc have it."""
+
+        def __init__(self, name: str) -> None:
+            self.pid = int(name.split("/")[2])
+
+        def glob(self, pattern: str) -> list["Children"]:
+            return [self]
+
+        def read_text(self) -> str:
+            return str(self.pid + 1) if self.pid < 5000 else ""
+
+    monkeypatch.setattr("exactsweep.processes.Path", Children)
+    assert processes._find_family(1) == list(range(1, 5001))

@@ -13,10 +13,13 @@ from judged import FAULTY, TWO, write_cases
 
 from exactsweep.check import classify
 from exactsweep.conform import Verdict
+from exactsweep.conform.report.html import write_html
 from exactsweep.conform.report.junit import write_junit
+from exactsweep.conform.report.text import close
 from exactsweep.conform.run.outcome import Outcome
 from exactsweep.conform.run.protocol import Hello
 from exactsweep.conform.run.run import Run
+from exactsweep.conform.run.tally import ACCEPTED
 
 
 @pytest.fixture
@@ -174,3 +177,22 @@ def test_failures_come_first_and_are_linked(two: str, tmp_path: Path) -> None:
     assert links <= set(re.findall(r'id="(\w+)"', page))
     assert {"failures", "verdicts", "far", "all", "f1"} <= links
     assert "prefers-color-scheme" in page
+
+
+def test_the_page_shows_no_control_characters_and_names_all_questions() -> None:
+    run = Run(Hello("mine", (), questions=("no_fit", "inner_fit")))
+    run.add(
+        Outcome("a", "CC", (), Verdict.CRASH, "exited", "crash: exited", stderr="\x1b[31m\x00x\ny")
+    )
+    page = write_html(run)
+    assert "\x1b" not in page
+    assert "\x00" not in page
+    assert "\ufffd[31m\ufffdx\ny" in page
+    assert "Answers no fit, inner fit; numbers" in page
+
+
+def test_who_works_in_floats_is_told_what_passes() -> None:
+    for accepted, told in ((ACCEPTED, True), (Verdict.WITHIN, False)):
+        run = Run(Hello("mine", numbers="binary64"), accepted=accepted)
+        run.add(Outcome("a", "CC", (), Verdict.WITHIN, "rounded", "within: rounded"))
+        assert ("with --accept within, 1 rounded answer would pass" in close(run)) == told

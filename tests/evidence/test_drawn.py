@@ -8,10 +8,11 @@ from many_contacts import FORK, ROOF, STAIRS, STEPS, TABLE
 
 from exactsweep import Sweep, sweep
 from exactsweep.check import verify
-from exactsweep.evidence.contact import list_edges, minus
+from exactsweep.evidence.contact import list_edges
 from exactsweep.evidence.trace import Feature, Trace
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.segment import Segment, choose_cover, make_segment
+from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.point import Edge
 
 TEETH = [(0, 0), (1, 2), (2, 0), (4, 3), (5, 1), (8, 4), (9, 0), (9, 6), (0, 6)]

@@ -28,7 +28,7 @@ def certificate_of(
     trajectory, inner, outer = loops or reference_loops(g, d)
     certificate: Certificate = {
         "format": "exactsweep certificate",
-        "version": 1,
+        "version": 2,
         "generatrix": texts(g.vertices),
         "directrix": texts(d.vertices),
         "kind": "MM" if not g.is_convex else "CC" if d.is_convex else "CM",

@@ -18,7 +18,7 @@ from exactsweep.numbers.number import format_fraction, to_fraction
 
 Certificate = dict[str, Any]
 Written = list[list[str]]
-HEAD = {"format": "exactsweep certificate", "version": 1}
+HEAD = {"format": "exactsweep certificate", "version": 2}
 
 
 def write(points: Sequence[Point]) -> Written:

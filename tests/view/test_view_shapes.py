@@ -65,7 +65,7 @@ def test_contacts_between_stops_of_every_track_are_true(g: Polygon, d: Polygon) 
 def test_the_trajectory_the_holes_and_the_fits_are_tracks() -> None:
     data = gather_page_data(EXAMPLE)
     assert [track["name"] for track in data["tracks"]] == NAMES
-    assert data["holes"] == 1
+    assert data["loops"] == 2
     _, hole, segment, single = list_tracks(EXAMPLE)
     assert tuple(hole.corners) == points((2, 2), (5, 2), (5, 4), (2, 4))
     assert tuple(segment.corners) == points((9, 2), (9, 8))

@@ -62,12 +62,13 @@ def judge_fits(
     answered = [_forget_order(fit) for fit in theirs]
     if set(answered) == exact and len(answered) == len(exact):
         return PartComparison(name, Verdict.EXACT)
-    if unite([*theirs, *whiskers]) == unite(fits):
+    given = [*theirs, *whiskers]
+    if not subtract_fits(given, fits)[1] and not subtract_fits(fits, given)[1]:
         kind = "whisker" if whiskers else "given twice or in pieces"
         reason = "traced as whiskers of the loop" if whiskers else kind
         return PartComparison(name, Verdict.EQUIVALENT, reason, kind=kind)
     missing = [f for f in fits if _forget_order(f) not in answered]
-    others = [f for f in [*theirs, *whiskers] if _forget_order(f) not in exact]
+    others = [f for f in given if _forget_order(f) not in exact]
     rounded = _take_rounded(missing, others, rounding)
     ways = _name_ways(missing, others)
     if twice := len(answered) - len(set(answered)):
@@ -107,29 +108,6 @@ def judge_fits(
 def list_exact_fits(case: Case, name: str) -> Sequence[Fit]:
     """Return the exact fits of G around D, or inside it, as the name says."""
     return case.inner_exact_fits if name == INSIDE else case.exact_fits
-
-
-def unite(segments: Iterable[Fit]) -> set[frozenset[Point]]:
-    """Return the longest segments, by their ends, that others make up together. Cost: O(f^2).
-
-    Example:
-        >>> a, b, c = (Point(Fraction(x), Fraction(0)) for x in (0, 1, 3))
-        >>> unite([(a, b), (c, b), (b, b)]) == {frozenset({a, c})}
-        True
-    """
-    united: list[Fit] = []
-    for segment in segments:
-        joined = segment
-        rest = []
-        for other in united:
-            if are_collinear((*joined, *other)) and max(*map(min, (joined, other))) <= min(
-                *map(max, (joined, other))
-            ):
-                joined = min(*joined, *other), max(*joined, *other)
-            else:
-                rest.append(other)
-        united = [*rest, joined]
-    return {_forget_order(segment) for segment in united}
 
 
 def find_rounded_fit(ring: Loop, fits: Iterable[Fit], rounding: Fraction) -> Fit | None:

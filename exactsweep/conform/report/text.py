@@ -154,7 +154,7 @@ def close(run: Run, *, is_timed: bool = False) -> str:
         lines.append(f"within: a rounding of up to {_about(granted)} was granted ({cut(where)})")
     rounded = run.summary.total(Verdict.WITHIN)
     if rounded and fails(Verdict.WITHIN, run.accepted):
-        lines.append(f"{count(rounded, 'answer')} exact but for rounding pass with --accept within")
+        lines.append(f"with --accept within, {count(rounded, 'rounded answer')} would pass")
     if is_timed:
         lines += tell_costs(run.summary)
     summary = run.summary

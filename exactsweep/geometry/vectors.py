@@ -1,0 +1,32 @@
+"""Differences and cross products of vectors, and points on segments."""
+
+from exactsweep.numbers.point import Rational, Vertex
+
+
+def minus(p: Vertex, q: Vertex) -> Vertex:
+    """The vector from q to p."""
+    return p[0] - q[0], p[1] - q[1]
+
+
+def cross(u: Vertex, v: Vertex) -> Rational:
+    """The cross product, positive if v is to the left of u."""
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
+    """Decide whether a point is on a segment, its ends included.
+
+    >>> [is_on_segment(point, (2, 2), (0, 0)) for point in [(0, 0), (1, 1), (3, 3), (1, 0)]]
+    [True, True, False, False]
+    """
+    (tx, ty), (px, py), (qx, qy) = point, p, q
+    return (qx - px) * (ty - py) == (qy - py) * (tx - px) and min(p, q) <= point <= max(p, q)
+
+
+def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
+    """Decide whether a point is inside a segment, its ends left out.
+
+    >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)]
+    [False, True, False]
+    """
+    return is_on_segment(point, p, q) and p != point != q

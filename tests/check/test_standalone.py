@@ -1,0 +1,264 @@
+"""The checker that stands alone: sweeps, no-fit polygons and inner fits, proved and falsified."""
+
+import copy
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check import standalone, verify
+from exactsweep.check.standalone import Refused, prove
+from exactsweep.evidence.proof import add_proof
+
+Certificate = dict[str, Any]
+
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+HOUSE = [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]
+NOTCHED = [(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)]
+SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 2), (0, 2)]
+CAVE = [
+    (0, 0),
+    (4, 0),
+    (4, 2),
+    (3, 2),
+    (3, 1),
+    (1, 1),
+    (1, 4),
+    (3, 4),
+    (3, 3),
+    (4, 3),
+    (4, 5),
+    (0, 5),
+]
+ROOM = Region(
+    [(0, 0), (6, 0), (6, 6), (0, 6)],
+    [[(1, 1), (2, 1), (2, 2), (1, 2)], [(3, 2), (5, 4), (3, 4)], [(2, 2), (3, 4), (2, 4)]],
+)
+HOOK = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (3, 3), (3, 4), (0, 4)]
+
+
+def certificates() -> dict[str, Certificate]:
+    """A certificate of each kind, with exact fits, slits, holes, reference points."""
+    made: dict[str, Any] = {
+        "CC": sweep(HOUSE, SQUARE),
+        "CM": sweep(SQUARE, NOTCHED, reference=("1/3", -2)),
+        "MM": sweep(NOTCHED, SLOT),
+        "fit": sweep(SQUARE, SLOT, reference=(5, 7)),
+        "SS": sweep(HOOK, CAVE),
+        "unswept": sweep(SQUARE, ROOM),
+        "cave": no_fit_polygon(CAVE, SQUARE),
+        "room": no_fit_polygon(ROOM, SQUARE),
+        "inside": inner_fit_polygon(ROOM, SQUARE),
+        "inside exactly": inner_fit_polygon(SLOT, SQUARE),
+        "nowhere": inner_fit_polygon(SQUARE, HOUSE),
+    }
+    return {name: add_proof(json.loads(json.dumps(a.certificate()))) for name, a in made.items()}
+
+
+CERTIFICATES = certificates()
+
+
+@pytest.mark.parametrize("name", CERTIFICATES)
+def test_certificates_of_every_kind_are_proved(name: str) -> None:
+    certificate = CERTIFICATES[name]
+    assert prove(certificate)
+    assert verify(certificate).proved
+
+
+def test_it_says_what_is_proved() -> None:
+    assert prove(CERTIFICATES["CC"]) == (
+        "CC sweep of 5 around 4 vertices, trajectory 6, inner 4, outer 8, area 22"
+    )
+    assert prove(CERTIFICATES["cave"]) == (
+        "no-fit polygon of 4 around 12 vertices, 8 in 2 loops, 1 exact fits"
+    )
+    assert prove(CERTIFICATES["nowhere"]) == (
+        "inner fit of 5 in 4 vertices, 0 in 0 loops, 0 exact fits"
+    )
+
+
+def places(item: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """All places of a certificate, of long lists the first and the last entry alone."""
+    entries: list[tuple[Any, Any]] = []
+    if type(item) is dict:
+        entries = list(item.items())
+    elif type(item) is list:
+        entries = [(k, item[k]) for k in sorted({0, len(item) - 1}) if item]
+    return [path, *(found for key, value in entries for found in places(value, (*path, key)))]
+
+
+def put(certificate: Certificate, path: tuple[Any, ...], value: Any) -> Certificate:
+    changed = copy.deepcopy(certificate)
+    at: Any = changed
+    for key in path[:-1]:
+        at = at[key]
+    at[path[-1]] = value
+    return changed
+
+
+def get(certificate: Any, path: tuple[Any, ...]) -> Any:
+    for key in path:
+        certificate = certificate[key]
+    return certificate
+
+
+# What the checker does not read: reasons for people, which `verify` checks.
+UNREAD = ("contacts", "inner_drawn", "outer_drawn")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", CERTIFICATES)
+def test_values_of_another_type_are_refused_at_every_place(name: str) -> None:
+    certificate = CERTIFICATES[name]
+    for path in places(certificate):
+        if not path or path[0] in UNREAD:
+            continue
+        true = get(certificate, path)
+        others: tuple[Any, ...] = (None, True, 1.0, float("nan"), "nan", "1e3", {}, [[]], 10**30)
+        for false in others:
+            # The holes of a shape may be left out.
+            if type(false) is not type(true) and (len(path), path[-1], false) != (2, "holes", None):
+                assert not proves(put(certificate, path, false)), (path, false)
+
+
+@pytest.mark.parametrize("name", CERTIFICATES)
+def test_each_number_matters(name: str) -> None:
+    certificate = CERTIFICATES[name]
+    for path in places(certificate):
+        if path and path[0] not in (*UNREAD, "proof") and type(get(certificate, path)) is str:
+            moved = "1/97" if path[-1] in (0, 1) else "x"
+            assert not proves(put(certificate, path, moved)), path
+
+
+def proves(certificate: Any) -> bool:
+    try:
+        prove(certificate)
+    except Refused:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("name", CERTIFICATES)
+def test_entries_that_are_left_out_or_there_twice_are_missed(name: str) -> None:
+    certificate = CERTIFICATES[name]
+    for path in places(certificate):
+        item = get(certificate, path)
+        if type(item) is not list or not item or path[0] in UNREAD or path[-1] == "direction":
+            continue
+        for k in sorted({0, len(item) - 1}):
+            assert not proves(put(certificate, path, item[:k] + item[k + 1 :])), path
+            twice = item[: k + 1] + item[k:]
+            # A point that is repeated counts once; so does an entry of a chain.
+            if type(item[k]) is list and "chains" not in path[-2:-1]:
+                is_point = item[k] and type(item[k][0]) is str
+                assert is_point or not proves(put(certificate, path, twice)), path
+
+
+def test_a_hole_does_not_pass_as_a_ring_of_fits_or_a_fit_as_a_hole() -> None:
+    cave = CERTIFICATES["cave"]
+    (hole,) = cave["holes"]
+    ring = [[p, hole[k - 1]] for k, p in enumerate(hole)]
+    assert not proves({**cave, "holes": [], "exact_fits": cave["exact_fits"] + ring})
+    assert not proves({**cave, "holes": []})
+    assert not proves({**cave, "holes": [hole, hole]})
+    assert not proves({**cave, "exact_fits": []})
+
+
+def test_loops_are_not_exchanged() -> None:
+    cc = CERTIFICATES["CC"]
+    assert not proves({**cc, "inner": cc["outer"], "outer": cc["inner"]})
+    assert not proves({**cc, "kind": "CM"})
+    assert not proves({**cc, "direction": [0, 0]})
+    assert not proves({**CERTIFICATES["CM"], "direction": [0, 1]})
+
+
+def test_interlocked_rings_are_covered_at_the_points_where_they_touch() -> None:
+    # Of both shapes two holes touch: each position of the one point on the other is asked about.
+    pair = Region(
+        [(0, 0), (9, 0), (9, 9), (0, 9)],
+        [[(1, 4), (4, 1), (4, 4)], [(4, 4), (7, 7), (4, 7)]],
+    )
+    certificate = add_proof(json.loads(json.dumps(no_fit_polygon(pair, pair).certificate())))
+    assert prove(certificate)
+    (point,) = certificate["proof"]["chains"][-1:]
+    assert not proves(put(certificate, ("proof", "chains", -1), []))
+    assert point
+
+
+def test_a_certificate_is_held_against_the_polygons_of_the_caller() -> None:
+    cc = CERTIFICATES["CC"]
+    assert verify(cc, generatrix=HOUSE, directrix=SQUARE).proved
+    # Another start, another orientation, a straight angle, other spellings.
+    respelled = [("2", 1), (2.0, 0), (1, 0), (0, 0), (0, 1), ("2/2", 2)]
+    assert verify(cc, generatrix=respelled).proved
+    moved = [(0, 0), (2, 0), (2, 1), ("1000000001/1000000000", 2), (0, 1)]
+    assert verify(cc, generatrix=moved).reason == "generatrix: not the polygon that is given"
+    assert not verify(cc, directrix=HOUSE).proved
+    assert not verify(cc, part=HOUSE).proved
+    inside = CERTIFICATES["inside"]
+    assert verify(inside, part=SQUARE, container=ROOM).proved
+    assert not verify(inside, container=ROOM.exterior).proved
+
+
+def test_values_that_cannot_be_compared_are_refused() -> None:
+    class Hostile:
+        def __eq__(self, other: object) -> bool:
+            raise ValueError
+
+        __hash__ = object.__hash__
+
+    cc = CERTIFICATES["CC"]
+    for key in ("format", "version", "kind", "contacts", "proof"):
+        assert verify({**cc, key: Hostile()}).reason == "a Hostile is not JSON"
+    assert not verify({**cc, Hostile(): 1}).proved
+
+
+@pytest.mark.parametrize("steps", [float("nan"), float("inf"), True, 0, -1, 1.5, "9"])
+def test_steps_are_a_positive_int(steps: Any) -> None:
+    with pytest.raises(ValueError, match="max_steps"):
+        verify(CERTIFICATES["CC"], max_steps=steps)
+
+
+def test_no_more_steps_are_taken_than_allowed() -> None:
+    with pytest.raises(Refused, match="too large"):
+        prove(CERTIFICATES["SS"], 1000)
+
+
+def run(*arguments: str) -> tuple[int, str]:
+    """Run the file by itself, in a process that cannot see the package."""
+    done = subprocess.run(
+        [sys.executable, "-I", standalone.__file__, *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.returncode, done.stdout
+
+
+def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
+    files = {
+        "proof": json.dumps(CERTIFICATES["CM"]),
+        "g": json.dumps(SQUARE),
+        "d": '{"exterior": [[0, 0], [8, 0.0], ["8", 5e0], [7, 5], [3, 1], [2, 5], [0, 5]]}',
+        "claim": json.dumps({k: v for k, v in CERTIFICATES["CM"].items() if k != "proof"}),
+        "twice": '{"format": 1, "format": 1}',
+        "nan": '{"format": NaN}',
+        "bad": "{",
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    at = {name: str(tmp_path / name) for name in files}
+    code, said = run(at["proof"], at["g"], at["d"])
+    assert (code, said[:37]) == (0, "proved: CM sweep of 4 around 7 vertic")
+    assert run(at["proof"])[0] == 0
+    assert run(at["proof"], at["d"], at["g"]) == (
+        1,
+        "not proved: generatrix: not the polygon that is given\n",
+    )
+    for name in ("claim", "twice", "nan", "bad"):
+        code, said = run(at[name])
+        assert (code, said[:12]) == (1, "not proved: ")

@@ -1,0 +1,135 @@
+"""Pages and pictures of no-fit polygons and of inner fits."""
+
+import json
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from command import refusal, run
+from shown import Open
+
+from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.draw import make_figure, plot_positions, save_svg
+from exactsweep.view import make_page
+from exactsweep.view.data import gather_positions
+
+PLATE = Region([(0, 0), (9, 0), (9, 9), (0, 9)], [[(2, 2), (7, 2), (7, 4), (2, 4)]])
+PART = Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
+TIGHT = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
+
+
+def test_tracks_are_all_loops_and_fits() -> None:
+    around = gather_positions(no_fit_polygon(PLATE, PART))
+    assert [track["name"] for track in around["tracks"]] == ["the exterior", "hole 0"]
+    assert (around["loops"], around["outside"]) == (2, 1)
+    assert around["tracks"][1]["exact"] == ["2", "2", "5", "2", "5", "3", "2", "3"]
+    slot = gather_positions(no_fit_polygon(PLATE, TIGHT))
+    assert [track["name"] for track in slot["tracks"]] == ["the exterior", "exact fit 0"]
+    inside = gather_positions(inner_fit_polygon(PLATE, PART))
+    assert [track["name"] for track in inside["tracks"]] == [
+        "loop 0",
+        "loop 1",
+        "exact fit 0",
+        "exact fit 1",
+    ]
+    assert inside["outside"] == 0
+    assert "9" not in inside["tracks"][0]["exact"]
+    assert make_page(inner_fit_polygon(PLATE, PART)).startswith("<!doctype html>")
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> tuple[str, str]:
+    exterior, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[2, 2], [7, 2], [7, 4], [2, 4]]
+    plate = {"exterior": exterior, "holes": [hole]}
+    (tmp_path / "plate.json").write_text(json.dumps(plate))
+    (tmp_path / "part.json").write_text("[[0, 0], [2, 0], [2, 1], [0, 1]]")
+    return str(tmp_path / "plate.json"), str(tmp_path / "part.json")
+
+
+@pytest.mark.parametrize("asked", ["nfp", "ifp"])
+def test_commands_show_positions(asked: str, files: tuple[str, str], tmp_path: Path) -> None:
+    done = run("view", "--of", asked, *files)
+    assert done.exit_code == 0
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', done.stdout)
+    assert found is not None
+    data = json.loads(found[1])
+    assert data["names"] == [files[1], files[0]]
+    where = " around " if asked == "nfp" else " in "
+    assert data["title"] == f"{files[1]}{where}{files[0]}: 4{where}8 vertices"
+    picture = tmp_path / "a.svg"
+    assert run("draw", "--of", asked, *files, "-o", str(picture)).exit_code == 0
+    figure = make_figure()
+    answer = no_fit_polygon if asked == "nfp" else inner_fit_polygon
+    plot_positions(answer(PLATE, PART), figure.axes[0])
+    assert picture.read_text() == save_svg(figure)
+    assert run("view", "--of", asked).exit_code == 0
+
+
+def test_questions_that_have_no_picture_are_refused(files: tuple[str, str]) -> None:
+    message = refusal(run("view", "--of", "ifp", files[1], files[0]))
+    assert message == "there is no position: the part does not fit"
+    done = run("view", "--of", "nfp", *files, "--direction", "1", "0")
+    assert done.exit_code == 2
+    assert "--direction is for sweeps" in done.stderr
+
+
+def test_the_page_names_contacts_of_positions(show: Open) -> None:
+    page = show(inner_fit_polygon(PLATE, PART))
+    assert page.text("contacts").splitlines()
+    assert page.text("area") == "35"
+    page.press("t", "PageDown")
+    assert page.text("contacts").splitlines()
+
+
+def test_a_phone_shows_all_that_can_be_chosen(show: Open) -> None:
+    page = show(sweep(TIGHT, PLATE))
+    page.tab.set_viewport_size({"width": 390, "height": 800})
+    page.settle()
+    sizes = "() => [document.documentElement.scrollWidth, ...[...document.querySelectorAll("
+    sizes += "'#player *, #zooming *')].map((e) => e.getBoundingClientRect().right)]"
+    assert page.tab.is_visible("#track")
+    assert max(page.tab.evaluate(sizes)) <= 390
+
+
+def test_a_tiny_generatrix_is_found(show: Open) -> None:
+    tiny = PART.scaled(Fraction(1, 10**6))
+    page = show(sweep(tiny, PLATE))
+    page.press("z")
+    xs, ys = zip(*page.pixels, strict=True)
+    assert max(xs) - min(xs) > 100
+    assert 0 < min(xs) < max(xs) < 1000
+    assert 0 < min(ys) < max(ys) < 640
+
+
+def test_what_is_not_to_scale_covers_no_label(show: Open) -> None:
+    flat = Polygon([(0, 0), (400, 0), (400, 5), (0, 5)])
+    page = show(sweep(PART, flat))
+    for width in (1000, 390):
+        page.tab.set_viewport_size({"width": width, "height": 640})
+        page.settle()
+        note = page.tab.locator("#stretched").bounding_box()
+        buttons = page.tab.locator("#zooming").bounding_box()
+        # Numbers stand at the lower edge, and at the right one from 46 pixels on.
+        assert note["y"] + note["height"] <= 56
+        assert note["x"] >= buttons["x"] + buttons["width"]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_names_of_contacts_have_the_contrast_of_text(scheme: str, show: Open) -> None:
+    page = show(sweep(TIGHT, PLATE), color_scheme=scheme)
+    look = (
+        "(e) => [getComputedStyle(e).color, getComputedStyle(e.closest('aside')).backgroundColor]"
+    )
+    found = [page.tab.evaluate(look, b) for b in page.tab.query_selector_all("#contacts b")]
+    assert found
+    for colors in found:
+        light, dark = sorted(map(_luminance, colors), reverse=True)
+        assert (light + 0.05) / (dark + 0.05) >= 4.5
+
+
+def _luminance(color: str) -> float:
+    """The relative luminance of a colour, by WCAG 2."""
+    shares = [int(part) / 255 for part in re.findall(r"[0-9]+", color)[:3]]
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in shares)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
