@@ -122,7 +122,7 @@ def corners_with_common_slopes(
 
 
 def _is_below(one: Line, other: Line) -> bool:
-    """Whether the slope of an edge before a corner is less than that of an edge after one."""
+    """Compare slopes: is an edge before a corner flatter than an edge after one?"""
     return turn(one, other) > 0 or one[1] == other[1] == 0
 
 

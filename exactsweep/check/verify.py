@@ -58,7 +58,7 @@ _PLAIN = (str, int, float, bool, type(None), dict, list)
 
 
 class Verification(NamedTuple):
-    """Whether a certificate is proved, else the first thing that is wrong with it.
+    """The verdict on a certificate: proved, or the first thing that is wrong with it.
 
     The witness, if there is one, is a point of the loop or edge that the reason speaks of, or in
     its way. For the trajectory, contacts and exact fits it is a translation of G, without regard to

@@ -23,7 +23,7 @@ from exactsweep.words import write_pair
 
 
 class NoFitPolygon(Shown):
-    """Where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
+    """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
     Each part is computed when it is first read.
 
@@ -226,7 +226,7 @@ class InnerFit(Shown):
 
 
 def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
-    """Whether a position is on some loop, or in an exact fit."""
+    """Decide whether a position is on some loop, or in an exact fit."""
     return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
 
 

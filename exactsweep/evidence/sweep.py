@@ -274,7 +274,7 @@ class Sweep(Shown):
         }
 
     def _trace(self, loop: Sequence[Point]) -> list[list[Trace]]:
-        """What draws the edges of a loop."""
+        """Find the features that draw the edges of a loop."""
         return list(map(self._tracer.trace, list_edges(self._enter(loop))))
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Whether two solids overlap or touch, decided exactly among the edges that are near both.
+"""The exact decision whether two solids overlap or touch, among the edges that are near both.
 
 By (1) and (2) of `geometry.overlap`. Edges that cross, and places where boundaries touch, lie in
 the common part of the two boxes, the *window*; so does each point of both interiors. Nothing
@@ -20,7 +20,7 @@ _EdgePlace = tuple[int, int]
 
 
 class Relation(Enum):
-    """How two solids lie."""
+    """The relation of two solids."""
 
     APART = "apart"
     CONTACT = "contact"
@@ -118,7 +118,7 @@ def _enters(
     window: LatticeBox,
     shared: Container[Vertex],
 ) -> bool:
-    """Whether a piece of a's boundary between places runs through the inside of b.
+    """Decide whether a piece of a's boundary between places runs through the inside of b.
 
     The shift leads from a's coordinates, times two, to b's. Points that are shared are left out.
     """
