@@ -46,7 +46,7 @@ class Detail(NamedTuple):
         return Point(left, bottom), Point(left + side, bottom + side)
 
     def is_near(self, other: Detail) -> bool:
-        """Whether it shows nearly the same."""
+        """Decide whether it shows nearly the same."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
 

@@ -67,13 +67,13 @@ class PlacedElement:
 
     @cached_property
     def place(self) -> str:
-        """What and where it is, for messages."""
+        """The name and the place of the element, for messages."""
         name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
         return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
     @cached_property
     def matrix(self) -> Affine:
-        """What maps the element's coordinates to those of the drawing."""
+        """The map of the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         attributes = self.element.attrib
         try:
@@ -102,7 +102,7 @@ class PlacedElement:
 
     @property
     def is_even_odd(self) -> bool:
-        """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
+        """Read whether the inherited fill rule of a path is evenodd, not nonzero."""
         rule = self.inherited("fill-rule", "nonzero")
         if rule not in ("evenodd", "nonzero"):
             raise FormatError(f"the fill rule {quote(rule)} is neither nonzero nor evenodd")
@@ -173,7 +173,7 @@ class PlacedElement:
         return box
 
     def _view(self) -> Affine:
-        """What maps the inside of a nested svg, or of a symbol, to the outside."""
+        """Compute the map of the inside of a nested svg, or of a symbol, to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
         at = make_affine(1, 0, 0, 1, x, y)
