@@ -151,7 +151,7 @@ class Edges:
         self._ends = {frozenset((segment.a, segment.b)) for segment in self._segments}
 
     def has(self, edge: LoopEdge) -> bool:
-        """Whether there is an edge with the same ends."""
+        """Decide whether there is an edge with the same ends."""
         return frozenset((edge.a, edge.b)) in self._ends
 
     def nearest(self, place: Place) -> tuple[Fraction, LoopEdge]:

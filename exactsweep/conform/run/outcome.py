@@ -32,7 +32,7 @@ _MAX_RESULT = 65536
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one case.
+    """The outcome of one case.
 
     Attributes:
         id: of the case.

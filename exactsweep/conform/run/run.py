@@ -171,7 +171,7 @@ class Run:
 
     @property
     def passed(self) -> bool:
-        """Whether enough was judged, nothing failed, and nothing else was wrong."""
+        """Decide whether enough was judged, nothing failed, and nothing else was wrong."""
         return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:

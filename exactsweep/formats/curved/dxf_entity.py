@@ -94,7 +94,7 @@ class Entity:
 
     @property
     def hidden(self) -> str:
-        """What hides it, whatever its layer: "" for nothing."""
+        """The reason why it is hidden, whatever its layer: "" for none."""
         if self._text(_PAPER, "0") == "1":
             return "in paper space"
         return "made invisible" if self._text(_INVISIBLE, "0") == "1" else ""
@@ -114,7 +114,7 @@ class Entity:
 
     @property
     def plane(self) -> Affine:
-        """What maps the entity's own plane to that of x and y, as seen from above."""
+        """The map of the entity's own plane to that of x and y, as seen from above."""
         normal = [self.number(code, default) for code, default in _NORMAL.items()]
         if normal == [0, 0, 1]:
             return IDENTITY
