@@ -73,6 +73,7 @@ def find_details(
     Cost: linear in the number of points.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
         >>> for detail in find_details(big.vertices, big, [small], []):
         ...     print(*detail)

@@ -58,6 +58,7 @@ def format_polygons(
     Cost: linear in the length of the result, times that of a division of numbers so long.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> print(format_polygons([Polygon([(0, 0), ("1/2", 0), (0, 1)])], "wkt"), end="")
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
         >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
@@ -124,6 +125,7 @@ def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
         FormatError: a coordinate that is not a finite decimal.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> write_wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
         'POLYGON ((0 0, 0.5 0, 0 1, 0 0))\n'
     """
