@@ -25,6 +25,11 @@ in one piece. The checks below, in this order, prove them, and what goes with th
 5. The exact fits are those of the definition; the area is that between the loops.
 
 That the loops are nested follows: D is in E, for D + I(G) = P; E is in P + G, for p + I(G) in P.
+
+Two steps more. G sweeps P + G less the inside of E along the boundary T of P: a point p is in T + G
+if the connected set p + I(G) meets T, that is, if it meets P and is not inside P. Perpendiculars
+meet P, P + G and E in one interval each: sums have sums of intervals as sections, and E, which all
+P - g have in common for g in I(G), has intersections of intervals.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
-from exactsweep.evidence.shown import Shown, place_fits, place_loop
+from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.given import share_lattice
@@ -19,7 +19,6 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
 from exactsweep.procedures.made_once import made_once
-from exactsweep.procedures.solve import solve
 from exactsweep.words import write_pair
 
 

@@ -208,11 +208,10 @@ def _length(number: Fraction, unit: Fraction) -> str:
 
 
 def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    tags: list[tuple[int, object]] = []
-    for code, value in INSUNITS.items():
-        if value == unit:
-            tags += [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code), (0, "ENDSEC")]
-    tags += [(0, "SECTION"), (2, "ENTITIES")]
+    # Without a word, some readers take metres.
+    code = next((code for code, known in INSUNITS.items() if known == unit), 0)
+    tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
+    tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
     for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
         for row in rows:

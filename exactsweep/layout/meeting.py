@@ -8,7 +8,7 @@ outside of the window is looked at.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from enum import Enum
 
 from exactsweep.geometry.overlap import Places, find_points_between, touch
@@ -67,12 +67,18 @@ def meet(a: Solid, b: Solid) -> Relation:
         return Relation.APART
     on_a: Places = defaultdict(set)
     on_b: Places = defaultdict(set)
+    # The middle of a piece that both boundaries have, times two, is inside neither.
+    shared_pieces: set[Vertex] = set()
     for ours_at, theirs_at, shared in touching:
         on_a[ours_at].update(shared)
         on_b[theirs_at].update((px - x, py - y) for px, py in shared)
-    if _enters(a.form, b.form, on_a, (-2 * x, -2 * y), window):
+        if len(shared) == 2:
+            (px, py), (qx, qy) = shared
+            shared_pieces.add((px + qx, py + qy))
+    if _enters(a.form, b.form, on_a, (-2 * x, -2 * y), window, shared_pieces):
         return Relation.OVERLAP
-    if _enters(b.form, a.form, on_b, (2 * x, 2 * y), moved):
+    shared_pieces = {(px - 2 * x, py - 2 * y) for px, py in shared_pieces}
+    if _enters(b.form, a.form, on_b, (2 * x, 2 * y), moved, shared_pieces):
         return Relation.OVERLAP
     return Relation.CONTACT
 
@@ -105,15 +111,20 @@ def _find_touching(
 
 
 def _enters(
-    a: LatticeForm, b: LatticeForm, places: Places, shift: tuple[int, int], window: LatticeBox
+    a: LatticeForm,
+    b: LatticeForm,
+    places: Places,
+    shift: tuple[int, int],
+    window: LatticeBox,
+    shared: Container[Vertex],
 ) -> bool:
     """Decide whether a piece of a's boundary between places runs through the inside of b.
 
-    The shift leads from a's coordinates, times two, to b's.
+    The shift leads from a's coordinates, times two, to b's. Points that are shared are left out.
     """
     left, right, low, high = (2 * end for end in window)
     dx, dy = shift
     return any(
-        left <= x <= right and low <= y <= high and b.holds(x + dx, y + dy)
+        left <= x <= right and low <= y <= high and (x, y) not in shared and b.holds(x + dx, y + dy)
         for x, y in find_points_between(dict(enumerate(a.rings)), places)
     )

@@ -45,6 +45,7 @@ class PlacedElement:
         style: Style | None = None,
     ) -> None:
         self.element, self.parent, self.reading, self.used = element, parent, reading, used
+        self._inherited: dict[str, str] = {}
         self._style: Style | None = style or (parent._style if parent else None)
 
     def style(self, name: str) -> str | None:
@@ -52,13 +53,17 @@ class PlacedElement:
         return self._style.find(self.element, name) if self._style else None
 
     def inherited(self, name: str, initial: str) -> str:
-        """Find a property that is inherited."""
+        """Find a property that is inherited; each element is asked once."""
+        asked: list[PlacedElement] = []
         placed: PlacedElement | None = self
-        while placed is not None:
-            if (value := placed.style(name)) not in (None, "", "inherit"):
-                return str(value)
+        while placed is not None and name not in placed._inherited:
+            asked.append(placed)
             placed = placed.parent
-        return initial
+        value = placed._inherited[name] if placed else initial
+        for placed in reversed(asked):
+            own = placed.style(name)
+            value = placed._inherited[name] = own if own and own != "inherit" else value
+        return value
 
     @cached_property
     def place(self) -> str:
