@@ -6,7 +6,6 @@ of both polygons turned by half a turn.
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Callable
 from math import lcm
 
@@ -16,6 +15,7 @@ from exactsweep.geometry.frame import Frame
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.point import Fit, Point, Vertex
 from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.collector import pause_collector
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.lower_sweep import LowerSweep, split_polygon
 from exactsweep.procedures.made_once import made_once
@@ -108,19 +108,3 @@ class MonotoneSolution(Solution):
                 bottom, top = map(inverse, pocket) if turned else pocket
                 found.append([bottom, top[-2:0:-1]])
         return found
-
-
-class pause_collector:  # noqa: N801
-    """Keep the collector from running while many objects are made that refer to one another.
-
-    It looks for cycles among all objects each time that their number has grown by some share. The
-    kernel makes none, but 100,000 vertices make it look so often that this takes half of the time.
-    """
-
-    def __enter__(self) -> None:
-        self.runs = gc.isenabled()
-        gc.disable()
-
-    def __exit__(self, *error: object) -> None:
-        if self.runs:
-            gc.enable()
