@@ -61,8 +61,8 @@ def meet(a: Solid, b: Solid) -> Relation:
             (a.form, b.form, a.form.box, -2, window),
             (b.form, a.form, b.form.box, 2, moved),
         ):
-            px, py = form.rings[0][0]
-            if at == box and other.holds(2 * px + sense * x, 2 * py + sense * y):
+            u, v = form.rings[0][0]
+            if at == box and other.holds(2 * u + sense * x, 2 * v + sense * y):
                 return Relation.OVERLAP
         return Relation.APART
     on_a: Places = defaultdict(set)
