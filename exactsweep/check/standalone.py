@@ -251,6 +251,7 @@ def check_simple(points: Ring, work: Work) -> None:
 def loop(item: Any, work: Work) -> Ring:
     """Read a simple ring, counter-clockwise, without straight angles, its least point first."""
     points = ring(item)
+    need(len(points) == len(item), "a loop with a point that is repeated")
     check_simple(points, work)
     bent = all(side(line(p, q), points[k - 1]) for k, (p, q) in enumerate(edges(points)))
     canonical = bent and min(map(place, points)) == place(points[0]) and double_area(points) > 0
@@ -464,6 +465,8 @@ def check_kind(kind: Any, d: Ring, g: Ring, direction: list[Any]) -> None:
     convex = is_convex(g) + (is_convex(g) and is_convex(d))
     x, y = (number(str(n) if type(n) is int else n) for n in direction)
     need(kind == ("MM", "CM", "CC")[convex], "kind: another one")
+    primitive = x.denominator == 1 == y.denominator and gcd(x.numerator, y.numerator) == 1
+    need(primitive and (x, y) > (0, 0), "direction: not primitive")
     for points in (d, g):
         signs = [s > 0 for s in (x * u + y * v for u, v in ways(points)) if s]
         need(sum(signs[k - 1] != one for k, one in enumerate(signs)) == 2, "direction: not shared")

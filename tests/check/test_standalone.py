@@ -174,6 +174,8 @@ def test_loops_are_not_exchanged() -> None:
     assert not proves({**cc, "inner": cc["outer"], "outer": cc["inner"]})
     assert not proves({**cc, "kind": "CM"})
     assert not proves({**cc, "direction": [0, 0]})
+    assert not proves({**cc, "direction": [2, 0]})
+    assert not proves({**cc, "outer": cc["outer"][:1] + cc["outer"]})
     assert not proves({**CERTIFICATES["CM"], "direction": [0, 1]})
 
 
