@@ -10,11 +10,13 @@ import click
 from rich.console import Console
 
 from benchmarks import batches as batch_runs
+from benchmarks import fair as fair_runs
 from benchmarks import floors as floors_runs
 from benchmarks import layouts as layout_runs
 from benchmarks import scaling as scaling_runs
 from benchmarks import spent as spent_counts
 from benchmarks.clock import machine
+from benchmarks.peers.cgal import compile_program
 from benchmarks.peers.measured import Comparison
 from benchmarks.peers.run import compare
 from benchmarks.peers.tables import tables
@@ -114,6 +116,15 @@ def layouts(quick: bool, cgal: Path | None) -> None:
     console.print(machine())
     for table in layout_runs.tabulate(cgal, quick=quick):
         console.print(table)
+
+
+@main.command()
+@cgal_option
+def fair(cgal: Path | None) -> None:
+    """The trajectory by CGAL and by the kernel: made anew, kept, from text; memory; crashes."""
+    with TemporaryDirectory() as folder:
+        table = fair_runs.tabulate(cgal or compile_program(Path(folder)))
+    Console(width=max(WIDTH, Console().width)).print(table)
 
 
 @main.command()

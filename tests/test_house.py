@@ -1,4 +1,4 @@
-"""Who may import whom: arrows run downward, and the checking side stays apart.
+"""Rules of the house: imports run downward, the checking side stays apart, docstrings keep a form.
 
 Imports are read from the source, those inside functions and under TYPE_CHECKING counted.
 """
@@ -287,3 +287,30 @@ def test_docstrings_keep_one_order() -> None:
 )
 def test_a_docstring_out_of_order_is_found(docstring: str, line: str) -> None:
     assert misplaced(docstring) == line
+
+
+CLAUSE = re.compile(
+    r"(What|Whatever|Who|Whose|Where|How|Which|That|If|When|Why|Whether|Those)\b", re.ASCII
+)
+
+
+def opening_clauses(source: str) -> Iterator[str]:
+    """The first lines of docstrings that begin with a clause, not with a verb or a noun."""
+    module = ast.get_docstring(ast.parse(source)) or ""
+    for name, text in [("module", module), *docstrings(source)]:
+        if CLAUSE.match(text):
+            yield f"{name}: {text.splitlines()[0]}"
+
+
+def test_docstrings_begin_with_a_verb_or_a_noun() -> None:
+    found = [
+        f"{module}.{line}"
+        for module, path in modules().items()
+        for line in opening_clauses(path.read_text(encoding="utf-8"))
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_a_docstring_that_begins_with_a_clause_is_found() -> None:
+    source = '"""What is."""\ndef f():\n    """Whether so."""\nclass C:\n    """Whereabouts."""\n'
+    assert [*opening_clauses(source)] == ["module: What is.", "f: Whether so."]

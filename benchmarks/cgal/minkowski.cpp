@@ -1,6 +1,6 @@
 // Minkowski sums and erosions with CGAL, on exact numbers, timed around the computation alone.
 //
-//   minkowski OPERATION STRATEGY SECONDS < input
+//   minkowski OPERATION STRATEGY SECONDS [kept|text] < input
 //
 // OPERATION is `sum` (P + Q), `frame` or `halves` (the inside of P eroded by -Q, that is, what is
 // left of the plane by (complement of P) + Q): `frame` gives the complement to CGAL as a rectangle
@@ -10,7 +10,8 @@
 //
 // Repeats for about SECONDS, at most 100 times, and writes the processor times in
 // milliseconds on one line, then the outer boundary of the sum, or the one hole of the erosion, a vertex a line.  Each run
-// starts from new numbers and ends when all coordinates of the result are exact.
+// starts from new numbers and ends when all coordinates of the result are exact; with `kept` all runs
+// are on the same polygons, and with `text` each reads its numbers from text.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -26,6 +27,7 @@
 #include <ctime>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,12 +40,12 @@ using Polygon = CGAL::Polygon_2<Kernel>;
 using Region = CGAL::Polygon_with_holes_2<Kernel>;
 using Numbers = std::vector<std::pair<Exact, Exact>>;
 
-Numbers read_numbers() {
+Numbers read_numbers(std::istream& input) {
   std::size_t size;
-  std::cin >> size;
+  input >> size;
   Numbers numbers(size);
-  for (auto& [x, y] : numbers) std::cin >> x >> y;
-  if (!std::cin) throw std::runtime_error("the input is not two polygons");
+  for (auto& [x, y] : numbers) input >> x >> y;
+  if (!input) throw std::runtime_error("the input is not two polygons");
   return numbers;
 }
 
@@ -137,14 +139,29 @@ int main(int count, char** arguments) try {
     std::cout << CGAL_VERSION_STR << "\n";
     return 0;
   }
-  if (count != 4) throw std::runtime_error("minkowski OPERATION STRATEGY SECONDS");
+  if (count != 4 && count != 5)
+    throw std::runtime_error("minkowski OPERATION STRATEGY SECONDS [kept|text]");
   const std::string operation = arguments[1], strategy = arguments[2];
   const double seconds = std::atof(arguments[3]);
-  const Numbers first = read_numbers(), second = read_numbers();
+  const std::string mode = count == 5 ? arguments[4] : "";
+  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  const auto read = [&text] {
+    std::istringstream input(text);
+    Numbers one = read_numbers(input), other = read_numbers(input);
+    return std::pair(one, other);
+  };
+  const auto [first, second] = read();
+  const Polygon kept_p = make_polygon(first), kept_q = make_polygon(second);
   double total = 0;
   for (int repeat = 0; repeat < 100 && (repeat == 0 || total < seconds); ++repeat) {
-    const Polygon p = make_polygon(first), q = make_polygon(second);
+    Polygon p = mode == "kept" ? kept_p : make_polygon(first);
+    Polygon q = mode == "kept" ? kept_q : make_polygon(second);
     const std::clock_t start = std::clock();
+    if (mode == "text") {
+      const auto [one, other] = read();
+      p = make_polygon(one);
+      q = make_polygon(other);
+    }
     const Polygon result = operation == "sum" ? sum_by_name(strategy, p, q).outer_boundary()
                                               : erode(operation, strategy, p, q);
     for (const Point& point : result.vertices()) {

@@ -100,7 +100,7 @@ def _require_address(address: str) -> None:
 
 
 class _RecordsOfCluster:
-    """What a chunk gives, some time."""
+    """A result of a chunk that is still to come."""
 
     def __init__(self, future: Future[Sequence[bytes]], cluster: Cluster) -> None:
         self.future, self.cluster = future, cluster

@@ -1,4 +1,4 @@
-"""Which pairs a batch has, in order."""
+"""The pairs of a batch, in order."""
 
 from __future__ import annotations
 

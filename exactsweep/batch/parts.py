@@ -65,6 +65,7 @@ def rotate_parts(parts: Sequence[Part], degrees: Sequence[int | str]) -> list[Pa
         list of Part, one after another, named "part@90" where there is a turn.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> (part,) = rotate_parts([Part("a", Polygon([(0, 0), (2, 0), (0, 1)]))], [90])
         >>> print(part.name, part.polygon)
         a@90 (-1, 0) (0, 0) (0, 2)

@@ -24,7 +24,7 @@ MAX_WORKERS = 1024
 
 
 class Counts(NamedTuple):
-    """How a batch ended.
+    """Counts of how a batch ended.
 
     Attributes:
         pairs: how many pairs there are.
@@ -45,7 +45,7 @@ class PendingRecords(Protocol):
 
 
 class Processes(Protocol):
-    """Whatever computes chunks."""
+    """The interface of anything that computes chunks."""
 
     count: int
     lost: tuple[type[BaseException], ...]

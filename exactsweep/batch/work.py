@@ -1,4 +1,4 @@
-"""What a process needs to know of a batch, and how it computes a pair."""
+"""The computation of one pair in a process, and the data that it needs of the batch."""
 
 from __future__ import annotations
 

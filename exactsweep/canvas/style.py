@@ -1,4 +1,4 @@
-"""How things look: one style for all pictures, for print and for colour-blind readers.
+"""One style for all pictures, for print and for colour-blind readers.
 
 One colour, one meaning, in pictures, pages and sheets alike: LIGHT and DARK. Any two of a ground
 are apart for readers who confuse red and green, too, as a test computes. No two things differ by
@@ -121,7 +121,7 @@ def use_style() -> AbstractContextManager[None]:
 
 @dataclass(frozen=True)
 class Look:
-    """How one kind of thing looks.
+    """The look of one kind of thing.
 
     Attributes:
         color: of lines, markers and hatching.

@@ -73,7 +73,7 @@ class Window(NamedTuple):
 
     @property
     def is_true(self) -> bool:
-        """Whether both axes have one unit."""
+        """Decide whether both axes have one unit."""
         return (self.right - self.left) * self.height == (self.top - self.bottom) * self.width
 
     @property

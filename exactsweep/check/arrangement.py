@@ -32,7 +32,7 @@ class WalkedLoop(NamedTuple):
 
     @property
     def is_hole(self) -> bool:
-        """Whether what is free is inside: the loop is walked counter-clockwise."""
+        """Decide whether the free side is inside: the loop is walked counter-clockwise."""
         return find_doubled_area(self.points) > 0
 
 
@@ -124,7 +124,7 @@ def _find_cuts(
 
 
 def _find_common_point(one: LinePiece, other: LinePiece) -> Vertex | None:
-    """Where two pieces of different lines meet."""
+    """Find the point where two pieces of different lines meet."""
     (dx, dy, c), (ex, ey, e) = one.line, other.line
     turn = dx * ey - dy * ex
     if turn == 0:

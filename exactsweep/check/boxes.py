@@ -26,7 +26,7 @@ def find_box(points: Iterable[Vertex]) -> Rectangle:
 
 
 def meet(one: Rectangle, other: Rectangle) -> bool:
-    """Whether two boxes, with their borders, have a point in common."""
+    """Decide whether two boxes, with their borders, have a point in common."""
     return one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]
 
 

@@ -56,7 +56,7 @@ ListedDrawing = tuple[ListedFeature, ListedFeature]
 
 
 class Certificate(NamedTuple):
-    """What a certificate says; loops are tuples of Point, lists of evidence go with their edges."""
+    """The content of a certificate: loops as tuples of Point, evidence by their edges."""
 
     generatrix: Loop
     directrix: Loop

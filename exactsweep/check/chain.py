@@ -77,7 +77,7 @@ class LowerChain:
         return bisect_left(self.edges, 0, k, same, key=lambda edge: edge[1][0] * w - x * edge[1][2])
 
     def holds(self, node: Node) -> bool:
-        """Whether a point is on the chain or above it."""
+        """Decide whether a point is on the chain or above it."""
         x, y, w = node
         k = self.first_reaching(x, w)
         # At the x of a jump one edge ends and the next one begins; the lower one decides.

@@ -1,4 +1,4 @@
-"""Whether rings are a polygon with holes: simple, canonical, the interior in one piece."""
+"""Check that rings are a polygon with holes: simple, canonical, the interior in one piece."""
 
 from __future__ import annotations
 

@@ -26,17 +26,17 @@ class Cone(NamedTuple):
 
     @property
     def is_wide(self) -> bool:
-        """Whether it is more than half a turn."""
+        """Decide whether it is more than half a turn."""
         return cross(self.start, self.end) < 0
 
     def holds(self, d: Vertex) -> bool:
-        """Whether a direction is in the cone, its start included and its end not."""
+        """Decide whether a direction is in the cone, its start included and its end not."""
         if cross(self.start, d) == 0 and dot(self.start, d) > 0:
             return True
         return self.surrounds(d)
 
     def surrounds(self, d: Vertex) -> bool:
-        """Whether a direction is strictly inside the cone."""
+        """Decide whether a direction is strictly inside the cone."""
         if cross(self.start, self.end) > 0:
             return cross(self.start, d) > 0 and cross(d, self.end) > 0
         return cross(self.start, d) > 0 or cross(d, self.end) > 0
@@ -108,7 +108,7 @@ def reduce_way(way: Vertex) -> tuple[int, int]:
 
 
 def is_between(p: Vertex, a: Vertex, b: Vertex) -> bool:
-    """Whether p lies on the segment from a to b, the ends included."""
+    """Decide whether p lies on the segment from a to b, the ends included."""
     return min(a, b) <= p <= max(a, b) and cross(subtract(b, a), subtract(p, a)) == 0
 
 

@@ -172,7 +172,7 @@ def _find_first_wall(p: Vertex, ray: Vertex, walls: Iterable[_Wall]) -> Edge:
 def _rank_diagonals(
     p: Vertex, wide: Cone, ends: Iterable[Vertex], cones: dict[Vertex, list[Cone]]
 ) -> Iterator[tuple[int, Rational, Vertex]]:
-    """How many angles each leaves wide, here and there, and the square of its length."""
+    """Rank diagonals by the wide angles left at both ends, then by squared length."""
     for q in ends:
         way = subtract(q, p)
         if not wide.surrounds(way):  # nor any that is none, to p itself
@@ -185,7 +185,7 @@ def _rank_diagonals(
 
 
 def _is_blocked(p: Vertex, q: Vertex, walls: Sequence[_Wall]) -> bool:
-    """Whether a wall that does not end in p or q meets the segment between them.
+    """Decide whether a wall that does not end in p or q meets the segment between them.
 
     A wall along the segment does not count, as at its end there is another one that does not.
     """

@@ -20,7 +20,7 @@ LineInterval = tuple[Rational, Rational]
 
 
 def share_a_part(one: LineInterval, other: LineInterval) -> bool:
-    """Whether two segments on a line have a part of positive length in common."""
+    """Decide whether two segments on a line have a part of positive length in common."""
     return max(one[0], other[0]) < min(one[1], other[1])
 
 

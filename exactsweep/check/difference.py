@@ -112,7 +112,7 @@ class _Segments:
         return None
 
     def count_searches(self, parts: Iterable[LoopOrFit]) -> int:
-        """How many lines are looked at for the single points of parts that are not listed."""
+        """Count the lines that are searched for single points of parts that are not listed."""
         points = {a for part in parts for a, b in part.segments if a == b}
         return len(points - self._points) * len(self._spans)
 

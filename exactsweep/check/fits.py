@@ -21,7 +21,7 @@ from exactsweep.numbers.point import Fit, Rational
 
 
 class FitPlace(NamedTuple):
-    """Where there may be an exact fit: a sum of two falls and of two rises.
+    """A possible place of an exact fit: a sum of two falls and of two rises.
 
     Attributes:
         sign: 1 of the lower chains, -1 of the upper ones, which are turned.

@@ -1,4 +1,4 @@
-"""Where a point lies with regard to a polygon."""
+"""The location of a point relative to a polygon."""
 
 from __future__ import annotations
 

@@ -124,7 +124,7 @@ def reduce_line(a: int, b: int, c: int) -> Line:
 
 
 def _is_below(lower: LowerChain, turned_upper: LowerChain) -> bool:
-    """Whether a lower chain is below an upper one, except for a common first and last point."""
+    """Decide whether a lower chain is below an upper one, common ends excepted."""
     # Without jumps the limits from both sides are the same.
     for side in (-1, 1) if lower.jumps or turned_upper.jumps else (1,):
         first, *inside, last = (

@@ -1,4 +1,4 @@
-"""Where the boundaries of two shapes meet, and how their interiors lie there."""
+"""Meetings of the boundaries of two shapes, and the sides of their interiors there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether two polygons are monotone to a shared direction."""
+"""The search for a direction to which two polygons are monotone."""
 
 from __future__ import annotations
 
@@ -23,6 +23,6 @@ def has_shared_direction(rings: Sequence[LatticeRing]) -> bool:
 
 
 def _turns(ways: Iterable[Vertex], u: Vertex) -> int:
-    """How often a ring turns back in a direction; edges square to it do not count."""
+    """Count how often a ring turns back in a direction; edges square to it do not count."""
     signs = [along > 0 for way in ways if (along := dot(way, u))]
     return sum(a != b for a, b in zip(signs, signs[1:] + signs[:1], strict=True))

@@ -24,7 +24,9 @@ loops than one, and may touch itself: loops are cut where they would visit a poi
 
 The area swept along the exterior T is T + G. All of the above holds with the curve T in the place
 of D, except that T can pass along a cut between pieces of G. So the union of the open sets, one for
-each edge of T and piece of G, may lack some slits, but not its closure, nor any loop.
+each edge of T and piece of G, may lack some slits, but not its closure, nor any loop. Slits do not
+change what is asked beside an edge either: a slit holds points close to the edge, to one side of
+it, only where it ends there, at single points.
 """
 
 from __future__ import annotations

@@ -42,7 +42,7 @@ def find_common_scale(points: Collection[Point]) -> int:
 
 
 class Budget:
-    """What may still be done, in steps of about a microsecond.
+    """The work that may still be done, in steps of about a microsecond.
 
     Args:
         most: how many steps, or None for any number.
@@ -85,7 +85,7 @@ def check_size(loops: Collection[Sequence[Node]], steps: int, max_steps: int) ->
 
 
 def measure_size(loops: Collection[Sequence[Node]], steps: int) -> int:
-    """What so many steps on the numbers of loops come to, and the loops themselves."""
+    """Sum up so many steps on the numbers of loops, and on the loops themselves."""
     columns = [column for nodes in loops for column in zip(*nodes, strict=True)]
     bits = max(n.bit_length() for column in columns for n in (min(column), max(column)))
     work = (steps + sum(map(len, loops))) * _weight(bits)
@@ -99,7 +99,7 @@ def check_reading(certificate: Any, max_steps: int) -> None:
 
 
 def reading_steps(certificate: Any) -> int:
-    """What it takes to read all numbers, in steps of about a microsecond.
+    """Estimate the work of reading all numbers, in steps of about a microsecond.
 
     Most of it is to see that long numbers are in lowest terms.
     """

@@ -47,6 +47,9 @@ from exactsweep.check.chain import (
 )
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
 
+# A witness that would have to be nearer to a corner, by 2**14 bits, is not looked for.
+_MOST_DOUBLINGS = 16
+
 
 def check_sum_within(
     loop: MonotoneLoop,
@@ -119,7 +122,7 @@ def corners_with_common_slopes(
 
 
 def _is_below(one: Line, other: Line) -> bool:
-    """Whether the slope of an edge before a corner is less than that of an edge after one."""
+    """Compare slopes: is an edge before a corner flatter than an edge after one?"""
     return turn(one, other) > 0 or one[1] == other[1] == 0
 
 
@@ -140,9 +143,10 @@ def _corner_inside(chain: LowerChain, first: LowerChain, second: LowerChain) -> 
         if _passes_below(first, second, corner, side):
             # Below in the limit may mean touching at the corner itself, but not all along. How near
             # it is below can be told by a number of many bits; their number doubles.
-            node, bits = corner, 1
-            while not _passes_below(first, second, node, 0):
-                node, bits = _approach(corner, beside, bits), 2 * bits
+            for doublings in range(_MOST_DOUBLINGS):
+                node = _approach(corner, beside, 2 ** (doublings - 1)) if doublings else corner
+                if _passes_below(first, second, node, 0):
+                    break
             return node, (k,)
     return None
 

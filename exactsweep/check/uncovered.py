@@ -1,4 +1,4 @@
-"""What open convex sets leave of segments and points, decided on one line at a time."""
+"""The parts of segments and points that open convex sets leave, found on one line at a time."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class LatticeLine(NamedTuple):
 
     @property
     def axis(self) -> int:
-        """Which coordinate tells the points of the line apart."""
+        """The coordinate that tells the points of the line apart."""
         return 0 if self.dx else 1
 
     def at(self, along: Rational) -> Vertex:
@@ -72,7 +72,7 @@ class LinePiece(NamedTuple):
 
 
 class _Heights(NamedTuple):
-    """How far the vertices of a ring are to the left of a direction, on its lattice."""
+    """Distances of the vertices of a ring to the left of a direction, on its lattice."""
 
     low: int
     high: int
@@ -173,11 +173,11 @@ class OpenSets:
                 frame = _frame(line, spans)
 
     def holds(self, point: Vertex) -> bool:
-        """Whether a point is in the union."""
+        """Decide whether a point is in the union."""
         return self._holds_near(point, None)
 
     def is_beside(self, line: LatticeLine, along: Rational, side: int) -> bool:
-        """Whether points close to one of the line are in the union.
+        """Decide whether points close to one of the line are in the union.
 
         Args:
             line: a line.
@@ -187,7 +187,7 @@ class OpenSets:
         return self._holds_near(line.at(along), (-side * line.dy, side * line.dx))
 
     def _holds_near(self, point: Vertex, way: Vertex | None) -> bool:
-        """Whether the union has a point, or points close to it in a direction."""
+        """Decide whether the union has a point, or points close to it in a direction."""
         # Homogeneous: only ints below.
         (x, y), w = point, lcm(point[0].denominator, point[1].denominator)
         px, py = int(x * w), int(y * w)

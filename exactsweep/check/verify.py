@@ -25,6 +25,11 @@ in one piece. The checks below, in this order, prove them, and what goes with th
 5. The exact fits are those of the definition; the area is that between the loops.
 
 That the loops are nested follows: D is in E, for D + I(G) = P; E is in P + G, for p + I(G) in P.
+
+Two steps more. G sweeps P + G less the inside of E along the boundary T of P: a point p is in T + G
+if the connected set p + I(G) meets T, that is, if it meets P and is not inside P. Perpendiculars
+meet P, P + G and E in one interval each: sums have sums of intervals as sections, and E, which all
+P - g have in common for g in I(G), has intersections of intervals.
 """
 
 from __future__ import annotations
@@ -53,7 +58,7 @@ _PLAIN = (str, int, float, bool, type(None), dict, list)
 
 
 class Verification(NamedTuple):
-    """Whether a certificate is proved, else the first thing that is wrong with it.
+    """The verdict on a certificate: proved, or the first thing that is wrong with it.
 
     The witness, if there is one, is a point of the loop or edge that the reason speaks of, or in
     its way. For the trajectory, contacts and exact fits it is a translation of G, without regard to
@@ -160,10 +165,13 @@ def _check_types(certificate: Any) -> None:
 
 def _read_given(shape: Any) -> list[Ring]:
     rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
-    return [
-        [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
-        for points in rings
-    ]
+    try:
+        return [
+            [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
+            for points in rings
+        ]
+    except TypeError:
+        raise ExactSweepError(f"a {type(shape).__name__} is no polygon and no Region") from None
 
 
 def _prove(c: Certificate, max_steps: int) -> None:

@@ -1,4 +1,4 @@
-"""How far a command is, for a terminal: a bar with rate and remaining time, or words."""
+"""The progress of a command, for a terminal: a bar with rate and remaining time, or words."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -21,7 +21,7 @@ _PATIENCE = 1.0
 
 
 class _Rate(ProgressColumn):
-    """How many a second."""
+    """The rate of work, as so many a second."""
 
     def render(self, task: Task) -> Text:
         speed = task.finished_speed or task.speed

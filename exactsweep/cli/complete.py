@@ -1,4 +1,4 @@
-"""What a shell offers when Tab is pressed: names of cases, flags, families, claims and verdicts."""
+"""Completion by the shell: names of cases, flags, families, claims and verdicts."""
 
 from __future__ import annotations
 

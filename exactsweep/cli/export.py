@@ -141,7 +141,7 @@ def _is_safe(
 
 
 def _say(changes: Changes, moved: int, rounding: Rounding, is_safe: bool) -> str:
-    """What rounding did, in one line; nothing if it did nothing."""
+    """Report in one line what rounding changed; print nothing if it changed nothing."""
     if not changes.changed and not moved:
         return ""
     parts = [f"rounded: {count(changes.changed, 'polygon')}"]

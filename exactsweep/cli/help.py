@@ -24,8 +24,11 @@ EXAMPLES = {
         "nests 'more/*.svg' --workers 4",
     ],
     "explain": ["house.json block.wkt"],
-    "draw": ["house.json block.wkt --position 13/5 13/5 -o block.svg"],
-    "view": ["house.json block.wkt -o sweep.html"],
+    "draw": [
+        "house.json block.wkt --position 13/5 13/5 -o block.svg",
+        "--of nfp block.wkt house.json -o nfp.svg",
+    ],
+    "view": ["house.json block.wkt -o sweep.html", "--of ifp sheet.json part.wkt -o fit.html"],
     "verify": ["proof.json"],
     "convert": [
         "drawing.dxf --flatten 1/100 --join 1e-6 --unit mm -o parts.json",

@@ -1,4 +1,4 @@
-"""How large files and how long numbers a command reads."""
+"""Limits of a command on the size of files and the length of numbers."""
 
 import click
 

@@ -1,4 +1,4 @@
-"""Where the answer of a command goes: a file, a pipe or a terminal."""
+"""The output of a command: a file, a pipe or a terminal."""
 
 import os
 import sys

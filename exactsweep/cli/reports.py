@@ -32,7 +32,7 @@ def require_own_files(paths: Sequence[str | None]) -> None:
 
 
 class Reports:
-    """Where a run is reported to, and what it is measured by."""
+    """The files that a run is reported to, and its acceptance."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""What a command is doing, said on a terminal if that takes longer than a second."""
+"""A line on a terminal about a command that takes longer than a second."""
 
 import sys
 from collections.abc import Callable, Iterator

@@ -51,7 +51,7 @@ def find_facts(
 
 
 def is_clockwise(ring: Sequence[Point]) -> bool:
-    """Whether a ring runs clockwise."""
+    """Decide whether a ring runs clockwise."""
     return sum(p.x * q.y - q.x * p.y for p, q in _edges(ring)) < 0
 
 
@@ -202,7 +202,7 @@ def _slope(vector: Vector) -> tuple[int, Fraction]:
 
 
 def _near(u: Vector, v: Vector) -> bool:
-    """Whether two directions differ by less than one part in 10**14, and do differ."""
+    """Decide whether two directions differ by less than one part in 10**14, and do differ."""
     cross = u[0] * v[1] - u[1] * v[0]
     return 0 < cross * cross < NEAR**2 * (u[0] ** 2 + u[1] ** 2) * (v[0] ** 2 + v[1] ** 2)
 

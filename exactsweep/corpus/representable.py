@@ -1,4 +1,4 @@
-"""Which number types hold given numbers without rounding."""
+"""The number types that hold given numbers without rounding."""
 
 from collections.abc import Collection
 from fractions import Fraction
@@ -41,7 +41,7 @@ def find_types(values: Collection[Fraction], scale: int) -> frozenset[str]:
 
 
 def is_in_range(value: Fraction | int, bits: int) -> bool:
-    """Whether a number lies between the least and the greatest integer of so many bits.
+    """Decide whether a number lies between the least and the greatest integer of so many bits.
 
     >>> is_in_range(-(2**31), 32), is_in_range(2**31 - 1, 32), is_in_range(2**31, 32)
     (True, True, False)

@@ -172,7 +172,7 @@ def find_case(id: str) -> Case:
 
 
 class Note(NamedTuple):
-    """What a flag says about a case, and which kind of bug such cases catch."""
+    """The meaning of a flag of a case, and the kind of bug that such cases catch."""
 
     meaning: str
     catches: str

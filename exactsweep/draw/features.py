@@ -61,7 +61,7 @@ class Features:
         return low, high
 
     def _move(self, point: Point, position: Point) -> Point:
-        """Where a point of G is when the reference point is at a position."""
+        """Move a point of G with the reference point to a position."""
         return Point(
             point.x + position.x - self._reference.x, point.y + position.y - self._reference.y
         )

@@ -46,7 +46,7 @@ class Detail(NamedTuple):
         return Point(left, bottom), Point(left + side, bottom + side)
 
     def is_near(self, other: Detail) -> bool:
-        """Whether it shows nearly the same."""
+        """Decide whether it shows nearly the same."""
         reach = self.side / 2
         return abs(self.left - other.left) < reach and abs(self.bottom - other.bottom) < reach
 
@@ -73,6 +73,7 @@ def find_details(
     Cost: linear in the number of points.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> big, small = (Polygon([(0, 0), (n, 0), (0, n)]) for n in (1000, 1))
         >>> for detail in find_details(big.vertices, big, [small], []):
         ...     print(*detail)

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class Positions(NamedTuple):
-    """What is drawn of a no-fit polygon or of an inner fit.
+    """The parts of a no-fit polygon or of an inner fit that are drawn.
 
     Attributes:
         directrix: the shape that stays, a Region.

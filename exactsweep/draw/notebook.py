@@ -1,4 +1,4 @@
-"""What a notebook shows of a sweep, a no-fit polygon or an inner fit: a picture and a table."""
+"""The view of a sweep, a no-fit polygon or an inner fit in a notebook: a picture and a table."""
 
 from __future__ import annotations
 

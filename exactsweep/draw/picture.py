@@ -143,7 +143,7 @@ class Picture:
 
     @property
     def aspect(self) -> float:
-        """How many times as high as wide it is."""
+        """The ratio of height to width."""
         if not self.scale.is_true:
             return _STRETCHED_ASPECT
         left, right = self.axes.get_xlim()

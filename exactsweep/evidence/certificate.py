@@ -24,7 +24,7 @@ _DIGITS_OF_AN_INT = 4300
 
 
 class Statement(NamedTuple):
-    """What a certificate says of a sweep, and its reasons, features numbered in canonical order.
+    """The content of a certificate of a sweep, features numbered in canonical order.
 
     Attributes:
         generatrix: G, a Polygon.

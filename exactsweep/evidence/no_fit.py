@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from exactsweep.evidence.shape_certificate import claim_inner_fit, claim_no_fit
-from exactsweep.evidence.shown import Shown, place_fits, place_loop
+from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.given import share_lattice
@@ -19,12 +19,11 @@ from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures import ss
 from exactsweep.procedures.made_once import made_once
-from exactsweep.procedures.solve import solve
 from exactsweep.words import write_pair
 
 
 class NoFitPolygon(Shown):
-    """Where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
+    """The positions where an orbiting polygon overlaps a stationary one; made by `no_fit_polygon`.
 
     Each part is computed when it is first read.
 
@@ -227,7 +226,7 @@ class InnerFit(Shown):
 
 
 def _is_on(t: Point, loops: Iterable[Polygon], fits: Iterable[Fit]) -> bool:
-    """Whether a position is on some loop, or in an exact fit."""
+    """Decide whether a position is on some loop, or in an exact fit."""
     return any(is_on(t, ends) for ends in (*(loop.vertices for loop in loops), *fits))
 
 

@@ -187,7 +187,9 @@ class _Finder:
         return standalone.grid_box(points, self._work.scale)
 
     def _list_strips(self, box: standalone.Grid) -> range:
-        return range((box[0] - self._left) // self._width, (box[1] - self._left) // self._width + 1)
+        first, last = ((end - self._left) // self._width for end in box[:2])
+        # All that is left or right of the sums is in the first or the last strip.
+        return range(min(max(first, 0), _STRIPS), min(max(last, 0), _STRIPS) + 1)
 
     def _list_edges(self, first: int) -> None:
         for k in range(first, len(self._known)):

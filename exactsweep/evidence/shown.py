@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
+from exactsweep.geometry.direction import Vector
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.region import AnyPolygon, Region
 from exactsweep.numbers.point import ORIGIN, Fit, Point
+from exactsweep.procedures.any_shape import ShapeSolution
+from exactsweep.procedures.monotone import MonotoneSolution
+from exactsweep.procedures.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,6 +70,22 @@ class Shown:
 
     def _repr_html_(self) -> str:
         return type(self)._display().show(self)
+
+
+def solve(generatrix: AnyPolygon, directrix: AnyPolygon, direction: Vector | None) -> Solution:
+    """Choose what computes a pair.
+
+    Args:
+        generatrix: G.
+        directrix: D.
+        direction: a direction to which both are monotone; None, if there is none.
+
+    Returns:
+        The Solution; nothing of it is computed yet.
+    """
+    if direction is None:
+        return ShapeSolution(Region(generatrix), Region(directrix))
+    return MonotoneSolution(generatrix.exterior, directrix.exterior, direction)
 
 
 def place_loop(loop: Sequence[Point], reference: Point = ORIGIN) -> Polygon:

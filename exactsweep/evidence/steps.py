@@ -109,7 +109,7 @@ def explain(s: Sweep) -> tuple[Step, ...]:
 
 
 class _Guide:
-    """What is needed to tell a sweep; coordinates are those of its frame, the lattice turned."""
+    """The data of a narrated sweep; coordinates are those of its frame, the lattice turned."""
 
     def __init__(self, s: Sweep) -> None:
         self.sweep = s
@@ -214,12 +214,12 @@ class _Guide:
         return found
 
     def _is_passed(self, position: Point) -> bool:
-        """Whether a position is on the trajectory."""
+        """Decide whether a position is on the trajectory."""
         point = self.sweep.solution.frame.enter_point(position, self.sweep.reference)
         return point in self.path.numbers or any(True for _ in self.path.edges_through(point))
 
     def _place(self, position: Point) -> tuple[int, Rational]:
-        """Where a position lies on the trajectory, from its first vertex in the frame.
+        """Find the place of a position on the trajectory, from its first vertex in the frame.
 
         Counted from there, so that no undercut, of the lower or the upper sweep, spans the start.
         """
@@ -256,7 +256,7 @@ def _direction(start: Point, end: Point) -> Vector:
 
 
 def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outline) -> bool:
-    """Whether G overlaps D at a contact after any short enough move.
+    """Decide whether G overlaps D at a contact after any short enough move.
 
     Args:
         contact: of G, where it is now, with D; they do not overlap.
@@ -299,7 +299,7 @@ def blocks(contact: Contact, step: Vertex, generatrix: Outline, directrix: Outli
 
 
 def _is_held(free: tuple[Vertex, Vertex], rays: Sequence[Vertex], step: Vertex) -> bool:
-    """Whether a step leads out of a convex free cone that some rays are in."""
+    """Decide whether a step leads out of a convex free cone that some rays are in."""
     first, last = free
 
     def is_out(ray: Vertex) -> bool:

@@ -18,7 +18,7 @@ from exactsweep.evidence.contact import (
     number_as_given,
 )
 from exactsweep.evidence.shape_certificate import claim_no_fit, write_points
-from exactsweep.evidence.shown import Shown, place_fits, place_loop
+from exactsweep.evidence.shown import Shown, place_fits, place_loop, solve
 from exactsweep.evidence.trace import Trace, Tracer
 from exactsweep.evidence.undercut import Undercut, find_closing_positions
 from exactsweep.geometry.direction import Vector
@@ -31,7 +31,6 @@ from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Fit, Point, Vertex
 from exactsweep.procedures.made_once import made_once
-from exactsweep.procedures.solve import solve
 from exactsweep.words import write_vector
 
 
@@ -275,7 +274,7 @@ class Sweep(Shown):
         }
 
     def _trace(self, loop: Sequence[Point]) -> list[list[Trace]]:
-        """What draws the edges of a loop."""
+        """Find the features that draw the edges of a loop."""
         return list(map(self._tracer.trace, list_edges(self._enter(loop))))
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""What draws the loops: the features of G that trace their edges, and the positions of G.
+"""Search for what draws the loops: the features of G that trace edges, and the positions of G.
 
 Both loops are drawn by G moving along the trajectory T. An edge of a loop is a piece of an edge
 of G at a vertex of T, of the path of a vertex of G along an edge of T, or of the path of an edge
@@ -122,7 +122,7 @@ class Tracer:
         return [self._path.vertices[k]]
 
     def closing_range(self, edge: Edge) -> tuple[Vertex, Vertex] | None:
-        """Where one edge of G covers a straight bottom chain, G being on an edge of the trajectory.
+        """Find where on an edge of the trajectory an edge of G covers a straight bottom chain.
 
         Returns the two ends of that piece, which are equal only if there is no longer one; None if
         there is none.
@@ -165,7 +165,7 @@ class Tracer:
         return None
 
     def _follows(self, i: int, chain: Sequence[Vertex]) -> bool:
-        """Whether the corners of a chain follow each other as vertices of G do from vertex i on."""
+        """Compare the corners of a chain with the vertices of G from vertex i on."""
         (first_x, first_y), *others = chain[1:-1]
         (x, d), (y, e) = first_x.as_integer_ratio(), first_y.as_integer_ratio()
         vertices = self._generatrix.vertices

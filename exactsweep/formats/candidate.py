@@ -242,7 +242,7 @@ def select(candidates: Sequence[Candidate], choice: str) -> list[Candidate]:
 
 
 def _shortest(candidates: Sequence[Candidate], index: int) -> str:
-    """What tells a candidate from the others: its name or its layer, or else its index."""
+    """Tell a candidate from the others by its name or its layer, or else by its index."""
     one = candidates[index]
     for word in (one.name, one.layer):
         if word and [c for c in candidates if word in (c.name, c.layer) and not c.fault] == [one]:

@@ -20,7 +20,7 @@ ENDINGS = (".json", ".jsonl", ".geojson", ".wkt", ".csv", ".svg", ".dxf")
 
 
 class ListedPart(NamedTuple):
-    """What may be a polygon, among others.
+    """A possible polygon, among others.
 
     Attributes:
         name: what it is called among all of them; another may have the same.
@@ -34,7 +34,7 @@ class ListedPart(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """What files hold.
+    """The contents of files.
 
     Attributes:
         files: how many there are.

@@ -1,4 +1,4 @@
-"""Which rings lie inside which others, and which of them bound a filled area."""
+"""Nesting of rings: those inside others, and those that bound a filled area."""
 
 from __future__ import annotations
 
@@ -201,7 +201,7 @@ def _simple(ring: Sequence[Point], name: str) -> Polygon:
 
 
 def _is_around(outer: Polygon, inner: Polygon, names: tuple[str, str]) -> bool:
-    """Whether one of two rings lies in the other, not outside of it."""
+    """Decide whether one of two rings lies in the other, not outside of it."""
     _, (around, within) = common_lattice([outer, inner])
     if not Overlap([around], [within]).at(ORIGIN):
         return False

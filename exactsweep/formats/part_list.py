@@ -1,4 +1,4 @@
-"""What a file holds: its polygons, which way Y points, its unit, and all that is left out."""
+"""The contents of a file: polygons, direction of Y, unit, and all that is left out."""
 
 from __future__ import annotations
 

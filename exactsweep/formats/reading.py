@@ -1,4 +1,4 @@
-"""How files are read: what a caller asks for, and how many lines curves may become."""
+"""Settings of reading: the options of a caller, and the most lines that curves may become."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ INSUNITS = dict(enumerate(map(Fraction, _INSUNITS.split()), 1))
 
 
 class Options(TypedDict, total=False):
-    """What a reader of files may be asked for, besides the tolerance for curves.
+    """The options of a reader of files, besides the tolerance for curves.
 
     Attributes:
         nested: whether closed outlines of one layer that lie inside others are their holes, and
@@ -62,7 +62,7 @@ class Options(TypedDict, total=False):
 
 
 class Reading:
-    """How one text is read.
+    """The state of reading one text.
 
     Args:
         tolerance: how far lines may be from the curves that they replace, a positive number as

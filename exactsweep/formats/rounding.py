@@ -44,7 +44,7 @@ MAX_PLACES = 4000
 
 
 class Rounding(NamedTuple):
-    """How results are rounded.
+    """The way in which results are rounded.
 
     Attributes:
         places: how many decimal places.
@@ -56,7 +56,7 @@ class Rounding(NamedTuple):
 
 
 class Rounded(NamedTuple):
-    """What rounding made of a region.
+    """The result of rounding a region.
 
     Attributes:
         region: None if nothing is left of it.
@@ -70,7 +70,7 @@ class Rounded(NamedTuple):
 
 
 class Changes(NamedTuple):
-    """What rounding changed.
+    """The changes that rounding made.
 
     Attributes:
         changed: how many regions are no longer what they were.
@@ -324,7 +324,7 @@ def _hull(points: Sequence[Point]) -> list[Point]:
 def _distance(
     points: Sequence[Point], alive: Sequence[int], chains: Sequence[Sequence[Point]]
 ) -> Fraction:
-    """How far old and new ring are apart, at most.
+    """Bound the distance of the old and the new ring.
 
     Along an edge the distance is largest at an end; what was left out lies along one new edge.
     """

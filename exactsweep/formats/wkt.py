@@ -1,10 +1,11 @@
 """WKT in (OGC 06-103r4, 7.2): POLYGONs, MULTIPOLYGONs, collections of them, and PostGIS's SRID."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
-from typing import NamedTuple, NoReturn
+from itertools import chain
+from typing import NamedTuple, NoReturn, TypeVar
 
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.decimals import DECIMAL, read_decimal
@@ -23,6 +24,7 @@ _TOKEN = re.compile(
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
+_Listed = TypeVar("_Listed")
 
 
 class _Token(NamedTuple):
@@ -92,55 +94,42 @@ class _Reader:
             yield Candidate.refused(f"{self._place()}: the polygon is empty")
             self._advance()
         elif kind in _OTHERS:
-            self._skip()
+            self._list(self._loose_point)
             yield Candidate.refused(f"{place}: {kind} is neither POLYGON nor MULTIPOLYGON")
         elif kind == "POLYGON":
             yield self._polygon()
+        elif kind == "MULTIPOLYGON":
+            yield from self._list(self._polygon)
         else:
-            self._expect("(")
-            while True:
-                if kind == "MULTIPOLYGON":
-                    yield self._polygon()
-                else:
-                    yield from self._geometry(depth + 1)
-                if self.token.text != ",":
-                    break
-                self._advance()
-            self._expect(")")
+            yield from chain(*self._list(lambda: [*self._geometry(depth + 1)]))
 
-    def _skip(self) -> None:
-        """Pass over the points of a geometry that has no rings."""
+    def _list(self, read: Callable[[], _Listed]) -> list[_Listed]:
+        """Read a list in parentheses."""
         self._expect("(")
-        while self.token.text != ")":
-            self._point()
-            if self.token.text == ",":
-                self._advance()
+        found = [read()]
+        while self.token.text == ",":
+            self._advance()
+            found.append(read())
         self._expect(")")
+        return found
 
     def _polygon(self) -> Candidate:
         self.height = None
-        self._expect("(")
-        exterior = self._ring(self._place())
-        holes = []
-        while self.token.text == ",":
-            place = self._place()
-            self._advance()
-            holes.append(self._ring(place))
-        self._expect(")")
+        exterior, *holes = self._list(self._ring)
         return exterior._replace(holes=partial(tuple, holes))
 
-    def _ring(self, place: str) -> Candidate:
-        self._expect("(")
-        ring = [self._point()]
-        while self.token.text == ",":
-            self._advance()
-            ring.append(self._point())
-        self._expect(")")
+    def _ring(self) -> Candidate:
+        place = self._place()
+        ring = self._list(self._point)
         if ring[0] != ring[-1]:
             raise FormatError(
                 f"{place}: the ring is not closed: its last vertex must repeat the first"
             )
         return Candidate(place, partial(list, ring))
+
+    def _loose_point(self) -> Point:
+        self.height = None
+        return self._point()
 
     def _point(self) -> Point:
         point = Point(self._number(), self._number())

@@ -58,6 +58,7 @@ def format_polygons(
     Cost: linear in the length of the result, times that of a division of numbers so long.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> print(format_polygons([Polygon([(0, 0), ("1/2", 0), (0, 1)])], "wkt"), end="")
         POLYGON ((0 0, 0.5 0, 0 1, 0 0))
         >>> plate = Region([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
@@ -124,6 +125,7 @@ def write_wkt_polygon(rings: Mapping[str, Sequence[Point]]) -> str:
         FormatError: a coordinate that is not a finite decimal.
 
     Example:
+        >>> from exactsweep import Polygon
         >>> write_wkt_polygon({"ring": Polygon([(0, 0), ("1/2", 0), (0, 1)]).vertices})
         'POLYGON ((0 0, 0.5 0, 0 1, 0 0))\n'
     """
@@ -206,11 +208,10 @@ def _length(number: Fraction, unit: Fraction) -> str:
 
 
 def _dxf(regions: Sequence[NamedRegion], fits: Sequence[Fit], unit: Fraction | None) -> str:
-    tags: list[tuple[int, object]] = []
-    for code, value in INSUNITS.items():
-        if value == unit:
-            tags += [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code), (0, "ENDSEC")]
-    tags += [(0, "SECTION"), (2, "ENTITIES")]
+    # Without a word, some readers take metres.
+    code = next((code for code, known in INSUNITS.items() if known == unit), 0)
+    tags: list[tuple[int, object]] = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, code)]
+    tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
     for rows, (_, name, layer) in zip(_rows(regions, "DXF"), regions, strict=True):
         on = (8, _printable(layer or name or "0", "DXF"))
         for row in rows:

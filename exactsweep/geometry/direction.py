@@ -61,12 +61,12 @@ class Directions:
     after: tuple[bool, ...]
 
     def __contains__(self, direction: Vector) -> bool:
-        """Whether monotone, at least weakly. Cost: O(log n)."""
+        """Decide whether monotone, at least weakly. Cost: O(log n)."""
         k = self._last_up_to(direction)
         return self.at[k] if self.critical[k] == reduce_direction(direction) else self.after[k]
 
     def strict(self, direction: Vector) -> bool:
-        """Whether strictly monotone. Cost: O(log n)."""
+        """Decide whether strictly monotone. Cost: O(log n)."""
         k = self._last_up_to(direction)
         return self.critical[k] != reduce_direction(direction) and self.after[k]
 
@@ -236,7 +236,7 @@ def _turn_through(edges: Sequence[Vertex]) -> Directions:
 
 
 def is_monotone(polygon: Polygon, direction: Vector, *, strict: bool = False) -> bool:
-    """Whether a polygon is monotone to one direction, at least weakly. Cost: O(n)."""
+    """Decide whether a polygon is monotone to one direction, at least weakly. Cost: O(n)."""
     p, q = direction
     along = [p * x + q * y for x, y in polygon.lattice()[1]]
     steps = list(map(sub, along, along[-1:] + along))

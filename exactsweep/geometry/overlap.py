@@ -1,4 +1,4 @@
-"""Whether two shapes overlap when one of them is moved: decided exactly, touching or not.
+"""The exact decision whether two shapes overlap when one of them is moved.
 
 Let A and B be closed shapes, interiors connected. Their interiors meet exactly if
 
@@ -96,7 +96,7 @@ class _EdgesByColumn:
         ]
 
     def holds(self, x: Rational, y: Rational, factor: int) -> bool:
-        """Whether a point, given times a factor, is inside and not on the boundary."""
+        """Decide whether a point, given times a factor, is inside and not on the boundary."""
         # It lies in the column of its floor, or in the next one.
         k = self._column(x // factor)
         edges = [
@@ -109,7 +109,7 @@ class _EdgesByColumn:
 
 
 class Overlap:
-    """Whether a shape overlaps another one when it is moved by t; prepared at the first question.
+    """The question whether a shape overlaps another, moved by t; prepared when first asked.
 
     Args:
         stationary: the rings of D, the interior on the left. D may have several pieces, and may be
@@ -132,7 +132,7 @@ class Overlap:
         return _EdgesByColumn(self._shapes[1])
 
     def at(self, t: Point) -> bool:
-        """Whether the interiors of D and G + t meet.
+        """Decide whether the interiors of D and G + t meet.
 
         Cost: O(m n) at worst, for the edges whose bounds meet, and O(m + n) for each place at which
         the boundaries touch; far less where G + t is near few edges of D.
@@ -182,7 +182,7 @@ class Overlap:
         scale: int,
         shift: tuple[int, int],
     ) -> tuple[Places, Places] | None:
-        """Where the boundaries touch, on edges of G and of D; None if they cross.
+        """Find where the boundaries touch, on edges of G and of D; None if they cross.
 
         G is moved by at least (left, low) and at most (right, high).
         """
@@ -302,7 +302,7 @@ def find_points_between(
 
 
 def is_inside(doubled: Vertex, rings: Rings) -> bool:
-    """Whether a point, given times two, is inside a shape, not on its boundary. Cost: O(n).
+    """Decide whether a point, given times two, is inside a shape, not on its boundary. Cost: O(n).
 
     >>> square = [[(0, 0), (2, 0), (2, 2), (0, 2)]]
     >>> is_inside((1, 1), square), is_inside((4, 1), square)
@@ -312,7 +312,7 @@ def is_inside(doubled: Vertex, rings: Rings) -> bool:
 
 
 def is_inside_edges(doubled: Vertex, edges: Iterable[Edge]) -> bool:
-    """Whether a point, given times two, is inside the shape that edges bound, not on an edge.
+    """Decide whether a point, given times two, is inside the edges of a shape.
 
     Edges that no vertical line through the point meets may be left out. Cost: O(n).
 
@@ -323,7 +323,7 @@ def is_inside_edges(doubled: Vertex, edges: Iterable[Edge]) -> bool:
 
 
 def _is_between(edges: Iterable[Edge], x: Rational, y: Rational, factor: int, inside: bool) -> bool:
-    """Whether an odd number of edges is above a point, given times a factor, and it is on none.
+    """Decide whether an odd number of edges is above a point that is on none.
 
     If not `inside`, which is what it is above all edges; else an even number.
     """

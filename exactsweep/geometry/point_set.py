@@ -1,4 +1,4 @@
-"""What Polygons and Regions have in common as sets of points: asked, moved, turned, shown.
+"""The methods that Polygons and Regions share as sets of points: locate, move, turn, show.
 
 All maps here are affine with rational coefficients, so that nothing is rounded. A turn is rational
 exactly if it is by the angle of a vector of rational coordinates *and* rational length: quarter
@@ -190,7 +190,7 @@ class PointSet:
         return self._image(AffineMap(cosine, sine, sine, -cosine).about(center))
 
     def contains(self, point: Iterable[object], *, strictly: bool = False) -> bool:
-        """Whether a point is in the shape, decided exactly; `point in shape` asks the same.
+        """Decide whether a point is in the shape, decided exactly; `point in shape` asks the same.
 
         Args:
             point: a pair of numbers.
@@ -242,7 +242,7 @@ class PointSet:
 
 
 def is_on(point: Point, ring: tuple[Point, ...]) -> bool:
-    """Whether a point is on a ring. Cost: O(n).
+    """Decide whether a point is on a ring. Cost: O(n).
 
     >>> square = tuple(Point(*p) for p in [(0, 0), (1, 0), (1, 1), (0, 1)])
     >>> is_on(Point(1, 0), square), is_on(Point(2, 0), square)

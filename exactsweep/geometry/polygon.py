@@ -179,7 +179,7 @@ class Polygon(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Whether all turns are to the left."""
+        """Decide whether all turns are to the left."""
         if self._convex is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
             self._convex = min(find_turns(points)) > 0
@@ -187,7 +187,7 @@ class Polygon(PointSet):
 
     @property
     def is_x_monotone(self) -> bool:
-        """Whether every vertical line that meets it does so in one piece."""
+        """Decide whether every vertical line that meets it does so in one piece."""
         if self._monotone is None:
             points: Sequence[Any] = self.vertices if self._lattice is None else self._lattice[1]
             self._monotone = are_chains_monotone(points)

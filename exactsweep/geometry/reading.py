@@ -24,7 +24,7 @@ def read_point(pair: Iterable[object], name: str) -> Point:
 
 
 def refuse_number(k: object, what: str, count: int) -> PolygonError:
-    """What to raise where k is not the number of one of so many vertices or edges."""
+    """Make the error for a k that is not the number of one of so many vertices or edges."""
     return PolygonError(f"there is no {what} {quote(k)}: they are numbered 0 to {count - 1}")
 
 

@@ -129,7 +129,7 @@ class Region(PointSet):
 
     @property
     def is_convex(self) -> bool:
-        """Whether it is convex, which it is not with a hole."""
+        """Decide whether it is convex, which it is not with a hole."""
         return not self.holes and self.exterior.is_convex
 
     @property
@@ -163,7 +163,7 @@ class Region(PointSet):
         return first + ring.edge_index(k)
 
     def _ring_of(self, k: int, what: str) -> tuple[int, Polygon, int]:
-        """Where the ring of a feature begins in the caller's input, the ring, the number in it."""
+        """Find the ring of a feature, where it starts, and the number in the ring."""
         try:
             k = range(len(self))[k]
         except (TypeError, IndexError):
@@ -220,7 +220,7 @@ def _restore(rings: Sequence[Polygon], firsts: Sequence[int]) -> Region:
 
 
 def _count_given(ring: Polygon) -> int:
-    """How many vertices of a ring the caller gave."""
+    """Count the vertices of a ring as the caller gave it."""
     return 1 + max(map(ring.edge_index, range(len(ring))))
 
 

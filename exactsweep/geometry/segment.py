@@ -35,7 +35,7 @@ class Segment(NamedTuple):
         )
 
     def shares_piece(self, other: Segment) -> bool:
-        """Whether two segments of one line overlap in positive length."""
+        """Decide whether two segments of one line overlap in positive length."""
         return self.low < other.high and other.low < self.high
 
 

@@ -1,4 +1,4 @@
-"""Whether a closed polygonal line meets itself: a Shamos-Hoey sweep on integer points.
+"""The test for closed polygonal lines that meet themselves: a Shamos-Hoey sweep on ints.
 
 M. I. Shamos and D. Hoey, "Geometric intersection problems", 17th FOCS (1976).
 """
@@ -105,7 +105,7 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
 
 
 def are_chains_monotone(ring: Sequence[Vertex]) -> bool:
-    """Whether x does not decrease from the least vertex of a ring, its first, to the greatest one.
+    """Decide whether x never decreases from the first, least vertex to the greatest.
 
     Nor increase on the way back. Cost: O(n).
     """

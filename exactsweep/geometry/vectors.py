@@ -14,7 +14,7 @@ def cross(u: Vertex, v: Vertex) -> Rational:
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Whether a point is on a segment, its ends included.
+    """Decide whether a point is on a segment, its ends included.
 
     >>> [is_on_segment(point, (2, 2), (0, 0)) for point in [(0, 0), (1, 1), (3, 3), (1, 0)]]
     [True, True, False, False]
@@ -24,7 +24,7 @@ def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Whether a point is inside a segment, its ends left out.
+    """Decide whether a point is inside a segment, its ends left out.
 
     >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)]
     [False, True, False]

@@ -168,7 +168,7 @@ class Board:
         )
 
     def is_clear(self, k: int) -> bool:
-        """Whether a box alone shows that a placed part is inside the container, by the margin."""
+        """Decide from a box alone whether a placed part is inside the container by the margin."""
         solid = self.solid(k)
         if self._room is None or solid.slack:
             return False

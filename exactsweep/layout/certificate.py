@@ -132,7 +132,7 @@ def _shift(ring: Sequence[IntVertex], by: Solid) -> list[IntVertex]:
 
 
 def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
-    """Whether two boxes are a distance apart in x or in y."""
+    """Decide whether two boxes are a distance apart in x or in y."""
     left, right, low, high = one
     west, east, south, north = other
     return (

@@ -77,7 +77,7 @@ def _apply(layout: Layout, change: Convention) -> Layout:
 
 
 def _list_conventions(layout: Layout) -> Iterator[tuple[str, Convention]]:
-    """What may be meant by a placement instead, the likeliest first."""
+    """List other readings of a placement, the likeliest first."""
     low, high = layout.container.bounding_box
 
     def turn(by: Callable[[Fraction], Fraction], *, all_of_them: bool = True) -> Convention:

@@ -62,7 +62,7 @@ class Judgement:
 
     @property
     def valid(self) -> bool:
-        """Whether there is no fault, and nothing undecided."""
+        """Decide whether there is no fault, and nothing undecided."""
         return not self.faults
 
     @cached_property

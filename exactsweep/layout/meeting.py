@@ -1,4 +1,4 @@
-"""Whether two solids overlap or touch, decided exactly among the edges that are near both.
+"""The exact decision whether two solids overlap or touch, among the edges that are near both.
 
 By (1) and (2) of `geometry.overlap`. Edges that cross, and places where boundaries touch, lie in
 the common part of the two boxes, the *window*; so does each point of both interiors. Nothing
@@ -20,7 +20,7 @@ _EdgePlace = tuple[int, int]
 
 
 class Relation(Enum):
-    """How two solids lie."""
+    """The relation of two solids."""
 
     APART = "apart"
     CONTACT = "contact"
@@ -61,8 +61,8 @@ def meet(a: Solid, b: Solid) -> Relation:
             (a.form, b.form, a.form.box, -2, window),
             (b.form, a.form, b.form.box, 2, moved),
         ):
-            px, py = form.rings[0][0]
-            if at == box and other.holds(2 * px + sense * x, 2 * py + sense * y):
+            u, v = form.rings[0][0]
+            if at == box and other.holds(2 * u + sense * x, 2 * v + sense * y):
                 return Relation.OVERLAP
         return Relation.APART
     on_a: Places = defaultdict(set)
@@ -118,7 +118,7 @@ def _enters(
     window: LatticeBox,
     shared: Container[Vertex],
 ) -> bool:
-    """Whether a piece of a's boundary between places runs through the inside of b.
+    """Decide whether a piece of a's boundary between places runs through the inside of b.
 
     The shift leads from a's coordinates, times two, to b's. Points that are shared are left out.
     """

@@ -95,7 +95,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
 
 
 def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
-    """Whether the squared distance of an edge from the line of another one is at least n / d."""
+    """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
     (ax, ay), (bx, by) = line
     (px, py), (qx, qy) = edge
     dx, dy = bx - ax, by - ay

@@ -112,7 +112,7 @@ def _list_diagonals(
 
 
 def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool:
-    """Whether a wall that does not end in p or q meets the segment between them."""
+    """Decide whether a wall that does not end in p or q meets the segment between them."""
     first, last, bottom, top, _, _ = _box(p, q)
     for left, right, low, high, a, b in walls:
         if left > last or right < first or low > top or high < bottom:
@@ -150,7 +150,7 @@ def _is_wide(cone: _Corner) -> bool:
 
 
 def _surrounds(cone: _Corner, way: IntVertex) -> bool:
-    """Whether a direction is strictly inside a cone."""
+    """Decide whether a direction is strictly inside a cone."""
     (ax, ay), (bx, by), (x, y) = *cone, way
     after, before = ax * y > ay * x, x * by > y * bx
     turn = ax * by - ay * bx

@@ -118,7 +118,7 @@ class LatticeForm:
         ]
 
     def holds(self, x: Rational, y: Rational) -> bool:
-        """Whether a point, given times two, is inside and not on the boundary.
+        """Decide whether a point, given times two, is inside and not on the boundary.
 
         Cost: as for `near`.
         """

@@ -1,4 +1,4 @@
-"""How two solids lie, decided for the true turns: as rational turns get nearer, until it is proved.
+"""The relation of two solids at their true turns, proved by rational turns that get nearer.
 
 Let d be the sum of the slacks of two solids, s the distance that they should have.
 
@@ -26,7 +26,7 @@ MOST_BITS = 256
 
 
 class PairVerdict(NamedTuple):
-    """How two solids lie.
+    """The relation of two solids.
 
     Attributes:
         meeting: a Relation, None if it is undecided.
@@ -117,7 +117,7 @@ def find_witness(a: Solid, b: Solid) -> CommonPoint | None:
 
 
 def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
-    """Whether a point inside a piece is farther from its sides than the slack."""
+    """Decide whether a point inside a piece is farther from its sides than the slack."""
     if not slack:
         return True
     sides = zip(piece, [*piece[1:], piece[0]], strict=True)

@@ -115,7 +115,7 @@ def _run(source: str, names: dict[str, Any], number: int) -> Iterator[dict[str, 
 
 
 def _show(value: object) -> dict[str, str]:
-    """What a notebook shows of a value, by media type."""
+    """Collect what a notebook shows of a value, by media type."""
     from matplotlib.figure import Figure
 
     if isinstance(value, Figure):

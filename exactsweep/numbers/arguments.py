@@ -113,7 +113,7 @@ class _ModuleNames(dict[str, object]):
 
 
 def _resolve(annotation: object, function: Callable[..., object]) -> object:
-    """What an annotation means."""
+    """Resolve an annotation to the types that it allows."""
     if not isinstance(annotation, str):
         return annotation
     return eval(annotation, {}, _ModuleNames(inspect.unwrap(function).__globals__))

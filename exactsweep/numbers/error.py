@@ -5,7 +5,7 @@ from contextlib import contextmanager
 
 
 class ExactSweepError(ValueError):
-    """Whatever this package refuses; the message says what, where and why."""
+    """A refusal by this package; the message says what is wrong, and where."""
 
 
 class name_refusals:  # noqa: N801

@@ -1,4 +1,4 @@
-"""How much is read that strangers wrote: how long numbers may be, and how large texts.
+"""Limits on untrusted input: digits per number, bytes per text.
 
 There is one limit on numbers, for those in texts and Decimals: some characters, `1e999999999`, must
 not ask for gigabytes, and what is answered must be readable again.

@@ -20,7 +20,7 @@ Corners = Sequence[tuple[int, int]]
 
 
 class ClaimVerdict(Enum):
-    """What became of a claim."""
+    """The verdict on a claim."""
 
     REPRODUCED = "reproduced"
     CONDITION = "reproduced with a condition"
@@ -32,7 +32,7 @@ class ClaimVerdict(Enum):
 
     @property
     def objects(self) -> bool:
-        """Whether it says that the statement does not hold as printed."""
+        """Decide whether it says that the statement does not hold as printed."""
         return self not in (ClaimVerdict.REPRODUCED, ClaimVerdict.SHARPENED, ClaimVerdict.ADDED)
 
 
@@ -74,7 +74,7 @@ class Table(NamedTuple):
 
 @dataclass(frozen=True)
 class Evidence:
-    """What a check finds.
+    """The findings of a check.
 
     Attributes:
         tried: what was looked at, and how much of it.
@@ -151,7 +151,7 @@ class Finding(NamedTuple):
 
     @property
     def disagreement(self) -> str:
-        """Why the evidence does not bear out the verdict; empty if it does."""
+        """The reason why the evidence does not bear out the verdict; empty if it does."""
         evidence, objected = self.evidence, self.claim.verdict.objects
         if evidence.failure:
             return evidence.failure

@@ -1,4 +1,4 @@
-"""What the paper claims each procedure to cost, and what is counted and measured beside it.
+"""The costs that the paper claims for each procedure, and the counts and measurements beside them.
 
 Operations and bytes are counted at small sizes, the same on every run; seconds are measured at
 larger ones, and only where a run is not to be quick. Each bound is tried with m and n doubled
@@ -88,7 +88,7 @@ class Cost:
         ]
 
     def _doublings(self, effort: Effort, quick: int) -> int:
-        """How often to double; what is linear is never too slow for all sizes."""
+        """Count the doublings; a linear procedure is never too slow for all sizes."""
         return quick if effort.quick and self.bound is not M_PLUS_N else DOUBLINGS
 
     def count(self, effort: Effort) -> Growth:

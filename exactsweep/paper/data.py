@@ -1,4 +1,4 @@
-"""What a run finds, as data: ledger.json, tables as CSV, counterexamples as files.
+"""The findings of a run as data: ledger.json, tables as CSV, counterexamples as files.
 
 The files go beside the report. ledger.schema.json says what ledger.json holds; a file of
 `counterexamples` has the polygons G and D by name, so that

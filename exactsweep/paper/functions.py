@@ -39,12 +39,12 @@ def sample_between(*chains: Sequence[Vertex]) -> Iterator[Fraction]:
 
 
 def reaches(chain: Sequence[Vertex], x: Fraction) -> bool:
-    """Whether x is strictly inside the range of a chain."""
+    """Decide whether x is strictly inside the range of a chain."""
     return chain[0][0] < x < chain[-1][0]
 
 
 def find_common_points(first: Sequence[Vertex], second: Sequence[Vertex]) -> list[Fraction]:
-    """Where two chains from left to right are equally high, of the x of vertices and of ends."""
+    """Find where two chains are equally high, among the x of vertices and ends."""
     left, right = max(first[0][0], second[0][0]), min(first[-1][0], second[-1][0])
     xs = {Fraction(x) for x, _ in (*first, *second) if left <= x <= right}
     xs |= {Fraction(left), Fraction(right)}

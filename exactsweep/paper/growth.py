@@ -72,13 +72,13 @@ class Growth:
 
     @property
     def varied(self) -> str:
-        """Which size is doubled: "m", "n" or "m and n"."""
+        """The size that is doubled: "m", "n" or "m and n"."""
         first, last = self.points[0], self.points[-1]
         return " and ".join(x for x in "mn" if getattr(first, x) != getattr(last, x))
 
     @property
     def unit(self) -> str:
-        """What is counted, without the procedure."""
+        """The unit of the count, without the procedure."""
         return self.what.partition(" ")[0]
 
     @property
@@ -112,7 +112,7 @@ class Growth:
 
     @property
     def is_flat(self) -> bool:
-        """Whether the count is in proportion to the bound, or below.
+        """Decide whether the count is in proportion to the bound, or below.
 
         Over a doubling a factor log n too little in the bound shows as 1.1 or more.
         """
@@ -127,12 +127,12 @@ class Growth:
 
     @property
     def is_attained(self) -> bool:
-        """Whether the count keeps up with the bound over the three largest sizes."""
+        """Decide whether the count keeps up with the bound over the three largest sizes."""
         return self.exponent(3) >= self.claimed(3) - FALL
 
     @property
     def verdict(self) -> str:
-        """What was found: "rising", "in proportion" or "below"."""
+        """The finding: "rising", "in proportion" or "below"."""
         if not self.is_flat:
             return "rising"
         return "in proportion" if self.is_attained else "below"

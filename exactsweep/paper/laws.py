@@ -33,7 +33,7 @@ def break_law(law: Law, pairs: Iterable[SweepPair]) -> str:
 
 
 def find_wrong(law: Law, pair: SweepPair) -> str:
-    """What a law says of a pair; an exception is wrong too."""
+    """Ask a law about a pair; an exception is wrong too."""
     try:
         return law(pair)
     except Exception as error:
@@ -60,7 +60,7 @@ def _smaller(pair: SweepPair) -> Iterator[SweepPair]:
 
 
 def is_x_monotone(ring: Ring) -> bool:
-    """Whether a canonical ring falls apart into two X-monotone chains.
+    """Decide whether a canonical ring falls apart into two X-monotone chains.
 
     >>> is_x_monotone([(0, 0), (2, 1), (3, 3)]), is_x_monotone([(0, 0), (4, 1), (1, 2), (3, 3)])
     (True, False)
@@ -119,7 +119,7 @@ class Trial:
 
     @property
     def tried(self) -> str:
-        """What was tried, for the evidence."""
+        """Describe what was tried, for the evidence."""
         return " ".join(
             f"{text} Pairs: {', '.join(counts)}." for text, counts in self._tried.items()
         )

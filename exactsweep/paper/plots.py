@@ -30,7 +30,7 @@ SETTINGS: dict[str, Any] = {
 
 
 def available() -> bool:
-    """Whether matplotlib is installed."""
+    """Decide whether matplotlib is installed."""
     return find_spec("matplotlib") is not None
 
 

@@ -120,7 +120,7 @@ def _list_contents(sections: Iterable[str], *, bounds: bool) -> list[tuple[str, 
 
 
 def count_verdicts(rows: Sequence[Finding]) -> str:
-    """How many rows have which verdict, how many fail, and how long all took."""
+    """Count the rows of each verdict and the failures, and report the time of all."""
     verdicts = Counter(row.claim.verdict for row in rows)
     counts = ", ".join(f"{verdicts[v]} {v.value}" for v in ClaimVerdict if verdicts[v])
     failing = [row.claim.name for row in rows if row.disagreement]
@@ -198,7 +198,7 @@ def _set_minus(found: re.Match[str]) -> str:
 
 
 def split_proof(text: str) -> tuple[str, list[str]]:
-    """What comes before step (1) of a proof, and its steps without their numbers.
+    """Split a proof into the text before step (1) and its steps without their numbers.
 
     >>> split_proof("Let x = 1. (1) Then x > 0, by f(2). (2) So x > -1.")
     ('Let x = 1.', ['Then x > 0, by f(2).', 'So x > -1.'])
@@ -251,7 +251,7 @@ def _span(first: str, last: str) -> str:
 
 
 def miss(sampled: int) -> str:
-    """What a sample says: three in n is the least share that is missed once in twenty times.
+    """Report what a sample proves: a share of three in n is missed once in twenty times.
 
     >>> miss(300)
     '300 pairs a law: a fault of more than one pair in 100 is missed with a chance below 5%.'

@@ -52,17 +52,17 @@ def _size(ring: Sequence[tuple[int, int]]) -> tuple[int, Sequence[tuple[int, int
 
 
 def is_any(ring: Ring) -> bool:
-    """Whether a polygon is one."""
+    """Decide whether a polygon is one."""
     return True
 
 
 def is_convex(ring: Ring) -> bool:
-    """Whether a polygon is convex."""
+    """Decide whether a polygon is convex."""
     return Polygon(ring).is_convex
 
 
 def is_bent(ring: Ring) -> bool:
-    """Whether a polygon is not convex."""
+    """Decide whether a polygon is not convex."""
     return not Polygon(ring).is_convex
 
 

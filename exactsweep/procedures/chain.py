@@ -254,7 +254,7 @@ def take_corners(chain: Sequence[Vertex], suspects: Container[int] | None = None
 
 
 def _straight(p: Vertex, q: Vertex, r: Vertex) -> bool:
-    """Whether three points lie on one line: a difference of Fractions would first be reduced."""
+    """Decide whether three points lie on one line, without differences of Fractions."""
     if all(type(c) is int for c in (*p, *q, *r)):
         return (q[0] - p[0]) * (r[1] - q[1]) == (q[1] - p[1]) * (r[0] - q[0])
     (px, pd), (qx, qd), (rx, rd) = (x.as_integer_ratio() for x, _ in (p, q, r))

@@ -148,7 +148,7 @@ def sweep_inner_cm(
 def _find_contact(
     moving: Sequence[Vertex], points: Sequence[Vertex], piece: Piece, at: Break
 ) -> tuple[int, Break, bool]:
-    """Where G touches a convex part of D_b when it stands at a break on a piece of the trajectory.
+    """Find where G touches a convex part of D_b, standing at a break on a piece of the trajectory.
 
     In order of slope, the piece follows all flatter edges of D_i and of reversed G_t: VE if D_i has
     an edge of its slope, EV if G_t has one, EE if both; of an EE contact, a segment, the right end.

@@ -218,7 +218,7 @@ def _find_what_matters(
     chain_flattest: Slope,
     chain_steepest: Slope,
 ) -> tuple[int, int, int, int]:
-    """Which edges of a part and of a part of reversed G_t matter, by what their attributes say.
+    """Find the edges of a part and of a part of reversed G_t that matter, by their attributes.
 
     Returns (first of the part, first that does not matter after it, the same two of the other).
     """
@@ -235,7 +235,7 @@ def _find_what_matters(
 
 
 def count_flatter(points: Sequence[Vertex], dx: Rational, dy: Rational) -> int:
-    """How many edges of a convex chain are flatter than the slope dy / dx. Cost: O(log n)."""
+    """Count the edges of a convex chain flatter than the slope dy / dx. Cost: O(log n)."""
     low, high = 0, len(points) - 1
     while low < high:
         middle = (low + high) // 2

@@ -1,4 +1,4 @@
-"""Where stretches of contact lines cross, and on which sides of each other they go on."""
+"""Crossings of stretches of contact lines, and the sides on which they go on."""
 
 from __future__ import annotations
 

@@ -146,7 +146,7 @@ class Envelope:
         return last
 
     def keep(self, spans: Sequence[Span]) -> Envelope | None:
-        """What it has over some x-ranges, given from left to right, and gaps between them.
+        """Keep the parts over some x-ranges, given from left to right, and gaps between them.
 
         Returns None if it reaches none of them.
         Cost: O(log k) for k x-ranges, O(log n) for each that it reaches, and O(pieces kept).
@@ -254,7 +254,7 @@ def height(first: Piece, second: Piece, at: Break) -> Rational:
 
 
 def find_crossing(u: Rational, v: Rational) -> Break:
-    """Where lines cross whose difference has the sign of u * n + v * d at n / d, u not zero."""
+    """Find where lines with the difference u * n + v * d at n / d cross, u not zero."""
     return (-v, u) if u > 0 else (v, -u)
 
 
@@ -264,5 +264,5 @@ def value(at: Break) -> Fraction:
 
 
 def precedes(first: Break, second: Break) -> bool:
-    """Whether a break lies left of another."""
+    """Decide whether a break lies left of another."""
     return first[0] * second[1] < second[0] * first[1]

@@ -62,7 +62,7 @@ def find_exact_fits(
 
 
 def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
-    """Where a chain, as a function of x, jumps or ends."""
+    """Find where a chain, as a function of x, jumps or ends."""
     ends = {chain[0][0], chain[-1][0]}
     return ends | {p[0] for p, q in pairwise(chain) if p[0] == q[0]}
 

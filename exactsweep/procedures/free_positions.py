@@ -194,7 +194,7 @@ def _find_next(pieces: Sequence[_FreeEdge], piece: _FreeEdge, leaving: Sequence[
     x, y = -piece[2], -piece[3]
 
     def turned(k: int) -> tuple[bool, int]:
-        """Whether a piece is more than half a turn on."""
+        """Decide whether a piece is more than half a turn on."""
         _, _, dx, dy = pieces[k]
         turn = x * dy - y * dx
         return turn < 0 or (turn == 0 and x * dx + y * dy > 0), k

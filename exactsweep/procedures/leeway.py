@@ -25,7 +25,7 @@ class Leeway(NamedTuple):
 
     @property
     def is_empty(self) -> bool:
-        """Whether the part is too long or too high."""
+        """Decide whether the part is too long or too high."""
         return self.right < self.left or self.high < self.low
 
 

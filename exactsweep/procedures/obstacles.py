@@ -49,7 +49,7 @@ class Obstacles:
         self._last = 0
 
     def at(self, t: Point) -> bool:
-        """Whether the part overlaps any of them at a position.
+        """Decide whether the part overlaps any of them at a position.
 
         Cost: O(k) for k placed shapes, and a question of `Overlap` for each one that is near.
         """

@@ -87,7 +87,7 @@ def _list_longest(rings: Rings, side: Rational, work: int) -> list[_SpanningEdge
 
 
 def _is_covered(columns: list[int], corners: list[_SpannedCorner]) -> bool:
-    """Whether the middle of a parallelogram and places near its corners are covered."""
+    """Decide whether the middle of a parallelogram and places near its corners are covered."""
     (ax, ay), _, (bx, by), _ = corners
     x, y = (ax + bx) / 2, (ay + by) / 2
     near = [(x + 0.9 * (u - x), y + 0.9 * (v - y)) for u, v in corners]

@@ -1,4 +1,4 @@
-"""Which pairs of convex parts need not be swept: boxes of parts, and a ceiling over a trajectory.
+"""The pairs of convex parts that need not be swept, by boxes and a ceiling over a trajectory.
 
 Two parts without a slope in common give nothing that matters (see `convex_part`); along the inside
 of a trajectory nothing matters but what lies over gaps. If many pairs are left, most of them never
@@ -106,7 +106,7 @@ class Ceiling:
         return [(n // d - start) // width for n, d in breaks]
 
     def find_reaching(self, part: Box, boxes: Boxes, numbers: Sequence[int]) -> list[int]:
-        """Which boxes give a sum with that of a part that comes below the ceiling.
+        """Find the boxes whose sum with that of a part comes below the ceiling.
 
         Args:
             part: a box of a part of G_t.

@@ -75,7 +75,7 @@ def _close(chain: list[Vertex]) -> list[Vertex]:
 
 
 def _contact_height(below: Vertex, above: Vertex, outside: Vertex | None) -> Rational:
-    """Where at the end of a pocket the bottom chain meets D.
+    """Find where at the end of a pocket the bottom chain meets D.
 
     Between the two chains there may be a wall: of the inner loop, up to the height at which D
     arrives from outside the pocket, and of D from there on.

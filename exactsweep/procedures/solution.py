@@ -1,4 +1,4 @@
-"""What the procedures find about a pair (G, D): one record, whatever the shapes."""
+"""The record of what the procedures find about a pair (G, D), whatever the shapes."""
 
 from __future__ import annotations
 

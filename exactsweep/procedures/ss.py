@@ -17,6 +17,7 @@ from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.geometry.overlap import Overlap, Rings
 from exactsweep.numbers.point import ORIGIN, Fit, Point
 from exactsweep.procedures.chain import inverse
+from exactsweep.procedures.collector import pause_collector
 from exactsweep.procedures.contact_lines import Stretch, find_contact_stretches
 from exactsweep.procedures.cover import leave_out_covered
 from exactsweep.procedures.crossings import cut_at_crossings
@@ -57,10 +58,10 @@ def no_fit_ss(directrix: Rings, generatrix: Rings, scale: int = 1) -> Free:
     >>> [(int(x), int(y)) for x, y in no_fit_ss(square, square).around[0]]
     [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     """
-    moving = _turn(generatrix)
-    stretches = find_contact_stretches(directrix, moving)
-    overlap = Overlap(directrix, generatrix).at
-    free = _find_free(stretches, directrix, moving, overlap, scale, is_bounded=True)
+    moving, overlap = _turn(generatrix), Overlap(directrix, generatrix).at
+    with pause_collector():
+        stretches = find_contact_stretches(directrix, moving)
+        free = _find_free(stretches, directrix, moving, overlap, scale, is_bounded=True)
     (_,) = free.around
     return free._replace(within=sorted(free.within))
 
@@ -91,10 +92,11 @@ def inner_fit_ss(
         return FreeRegions([], [])
     outside, moving = [ring[::-1] for ring in container], _turn(part)
     others = list(chain.from_iterable(placed))
-    near = find_contact_stretches([*outside, *others], moving, leeway)
-    stretches = [piece for stretch in near if (piece := stretch.within(leeway))]
     solid = [*frame_outside(container), *others]
-    free = _find_free(stretches, solid, moving, Obstacles(outside, placed, part).at, scale)
+    with pause_collector():
+        near = find_contact_stretches([*outside, *others], moving, leeway)
+        stretches = [piece for stretch in near if (piece := stretch.within(leeway))]
+        free = _find_free(stretches, solid, moving, Obstacles(outside, placed, part).at, scale)
     inside: list[list[list[Point]]] = [[] for _ in free.within]
     for loop in free.around:
         inside[_find_holder(loop, free.within)].append(loop)

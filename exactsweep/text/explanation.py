@@ -61,7 +61,7 @@ def tell(s: Sweep) -> Iterator[str]:
 
 
 class _FeatureNames:
-    """How the features of a polygon are called, by index."""
+    """The names of the features of a polygon, by index."""
 
     def __init__(self, shape: AnyPolygon, letter: str) -> None:
         self.vertices: dict[int, str] = {}

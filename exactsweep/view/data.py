@@ -1,4 +1,4 @@
-"""What the page is given: places as floats, scaled exactly, and the exact coordinates as text.
+"""The data of the page: places as floats, scaled exactly, and the exact coordinates as text.
 
 A stop is a vertex of the trajectory, or a point of an edge where a contact begins or ends, where
 two vertices meet or where an undercut is closed; from each stop to the next the same features

@@ -1,4 +1,4 @@
-"""Where two vertices meet for an instant: positions that lasting contacts do not show.
+"""Meetings of two vertices for an instant: positions that lasting contacts do not show.
 
 Nothing else touches inside an edge of a loop for an instant only: two features that touch at
 positions on a segment, which does not cross the loop, touch it inside an edge with an end only.

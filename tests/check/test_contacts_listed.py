@@ -48,6 +48,15 @@ def test_a_contact_left_out_is_seen_where_it_touches(generatrix: Any, directrix:
             assert result.witness == _find_middle(s, k, event, i, j)
 
 
+def test_contacts_of_an_edge_have_one_order() -> None:
+    notched = [(0, 0), (2, 0), (2, 1), (1, "1/2"), (0, 1)]
+    certificate = sweep(notched, SLOT, direction=(1, 0)).certificate()
+    several = [k for k, found in enumerate(certificate["contacts"]) if len(found) > 1]
+    listed = [found[::-1] for found in certificate["contacts"]]
+    result = verify({**certificate, "contacts": listed})
+    assert result.reason == f"contacts[{several[0]}]: not in increasing order"
+
+
 def test_without_a_lattice_parallel_edges_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     """2 x + 2 y = 3 is a line of coprime numbers, and so is x + y = 1."""
     for name in ("_SHORT", "_FEW"):

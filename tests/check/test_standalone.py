@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from exactsweep import Region, inner_fit_polygon, no_fit_polygon, sweep
 from exactsweep.check import standalone, verify
@@ -262,3 +263,17 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
     for name in ("claim", "twice", "nan", "bad"):
         code, said = run(at[name])
         assert (code, said[:12]) == (1, "not proved: ")
+
+
+def test_the_schema_takes_certificates_and_the_page_names_all_keys() -> None:
+    folder = Path(standalone.__file__).parent
+    schema = json.loads((folder / "certificate.schema.json").read_text(encoding="utf-8"))
+    validator = Draft202012Validator(schema)
+    page = (folder / "CERTIFICATES.md").read_text(encoding="utf-8")
+    for certificate in CERTIFICATES.values():
+        assert validator.is_valid(certificate)
+        assert not validator.is_valid({**certificate, "version": 1})
+        assert not validator.is_valid({**certificate, "exact_fits": [["0", "0"]]})
+        assert not validator.is_valid({**certificate, "comment": ""})
+        for key in (*certificate, *certificate["proof"]):
+            assert f"`{key}`" in page or f'"{key}"' in page, key

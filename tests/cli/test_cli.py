@@ -264,7 +264,7 @@ def test_the_module_is_the_command() -> None:
         [sys.executable, "-m", "exactsweep", "verify"], capture_output=True, text=True, check=False
     )
     assert done.returncode == 2
-    assert done.stderr.startswith("Usage: exactsweep verify [OPTIONS] FILE\n")
+    assert done.stderr.startswith("Usage: exactsweep verify [OPTIONS] FILE [G D]\n")
 
 
 def test_versions_agree() -> None:

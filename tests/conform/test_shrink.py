@@ -8,9 +8,9 @@ import pytest
 
 from exactsweep import Polygon
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.shrink import ShrinkError, shrink
 from exactsweep.conform.judge.verdict import Verdict
 from exactsweep.conform.run.runner import conform
+from exactsweep.conform.run.shrink import ShrinkError, shrink
 from exactsweep.corpus import Case, find_case
 from exactsweep.numbers.point import ORIGIN
 

@@ -244,7 +244,7 @@ REFUSED = {
         "line 1, column 10: the ring is not closed: its last vertex must repeat the first"
     ),
     "POLYGON ((0 0, 9 0, 0 9, 0 0),\n(1 1, 2 1, 1 2, 1 1))": (
-        "line 1, column 30: an inner ring: with it, this is a Region, no Polygon"
+        "line 2, column 1: an inner ring: with it, this is a Region, no Polygon"
     ),
     "POLYGON ((0 0, 1 0, 0 1, 0 0)) 7": "line 1, column 32: '7' after the end of the polygon",
     "POLYGON ((0 0, 1e5000 0, 0 1, 0 0))": (

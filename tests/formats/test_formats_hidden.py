@@ -208,3 +208,12 @@ def test_dust_at_a_corner_is_no_outline() -> None:
     dust = "<path d='M0 0h9'/><path d='M9 0v9'/><path d='M9 9h.001'/><path d='M9 9L0 0'/>"
     parts = parse_regions(f"<svg>{dust}</svg>", join="1/100", nested=True)
     assert [part.region.area for part in parts] == [Fraction(81, 2)]
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    ["{" * 9999, "}" * 9999, "/*" * 9999, "@" * 9999 + "{", "@a{" * 9999, "rect{}rect{fill:red"],
+)
+def test_broken_style_sheets_hide_nothing(sheet: str) -> None:
+    text = f"<svg><style>{sheet}</style><rect width='2' height='2'/></svg>"
+    assert parse_polygon(text).area == 4

@@ -46,8 +46,8 @@ TEXTS = {
 }  # fmt: skip
 PLACES = {
     "json": "$.holes[0]",
-    "wkt": "line 1, column 35",
-    "multi": "line 1, column 41",
+    "wkt": "line 1, column 37",
+    "multi": "line 1, column 43",
     "geojson": "$.coordinates[1]",
     "geojson multi": "$.coordinates[0][1]",
     "svg hole first": "line 1: path: subpath 0",

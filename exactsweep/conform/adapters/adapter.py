@@ -1,4 +1,4 @@
-"""What an adapter is, and what all of them need."""
+"""The adapter of a program, and the functions that all adapters share."""
 
 from __future__ import annotations
 

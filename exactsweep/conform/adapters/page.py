@@ -1,4 +1,4 @@
-"""Who is exact on what: a page with a row for each program and a column for each kind of case."""
+"""A page on exactness with a row for each program and a column for each kind of case."""
 
 from __future__ import annotations
 

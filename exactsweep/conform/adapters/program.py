@@ -15,7 +15,7 @@ from exactsweep.numbers.number import format_fraction, to_fraction
 
 
 class ProgramError(Exception):
-    """What went wrong in the program."""
+    """A failure of the program."""
 
 
 class Program:

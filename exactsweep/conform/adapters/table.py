@@ -1,4 +1,4 @@
-"""What came of judging programs: how many cases got which verdict, as tables in Markdown.
+"""Tables in Markdown of the verdicts that programs got.
 
 In brackets is how far loops are off at most, in units of the program's numbers or, of floats, in
 parts of the largest coordinate.

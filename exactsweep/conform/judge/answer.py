@@ -34,7 +34,7 @@ class AnsweredLoop(NamedTuple):
 
     @property
     def is_integer(self) -> bool:
-        """Whether all coordinates are integers, and none was a float."""
+        """Decide whether all coordinates are integers, and none was a float."""
         return not self.has_floats and all(
             c.denominator == 1 for ring in self.rings for point in ring for c in point
         )

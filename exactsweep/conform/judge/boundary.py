@@ -130,19 +130,19 @@ def subtract_fits(segments: Iterable[Fit], fits: Iterable[Fit]) -> tuple[list[Fi
 
 
 def are_collinear(points: Sequence[Point]) -> bool:
-    """Whether points lie on one line."""
+    """Decide whether points lie on one line."""
     (ax, ay), (bx, by) = min(points), max(points)
     return all((bx - ax) * (y - ay) == (by - ay) * (x - ax) for x, y in points)
 
 
 def is_on(point: Point, segment: Fit) -> bool:
-    """Whether a point is on a segment, ends included."""
+    """Decide whether a point is on a segment, ends included."""
     low, high = sorted(segment)
     return low <= point <= high and are_collinear((low, point, high))
 
 
 def are_bridges(segments: Sequence[Fit], solid: Sequence[Fit]) -> bool:
-    """Whether segments lead from place to place of a boundary, with no end that hangs free.
+    """Decide whether segments lead from place to place of a boundary, with no end that hangs free.
 
     Args:
         segments: what is doubled, and on no exact fit.

@@ -1,4 +1,4 @@
-"""What a wrong trajectory is the right answer to: the mistake behind it, where there is one.
+"""Diagnosis of a wrong trajectory: the mistake that gives it, if one does.
 
 P are the positions of G's origin in which it overlaps D, the sum of D and -G. The usual mistakes
 give another exact set instead: P about another reference point; -P, for exchanged roles; D + G, for
@@ -274,7 +274,7 @@ def _is_near(p: Point, q: Point, rounding: Fraction) -> bool:
 
 
 def _is_same(exact: PointRings, theirs: _Answered, rounding: Fraction) -> bool:
-    """Whether some rings are others, except for rounding; the boxes tell most that are not."""
+    """Decide whether rings are others but for rounding; boxes tell most that are not."""
     if not (exact and len(exact) == len(theirs.rings)):
         return False
     low, high = _box(exact)

@@ -179,7 +179,7 @@ def _name_ways(missing: Sequence[Fit], others: Sequence[Fit]) -> dict[str, int]:
 
 
 def _unite_to_one(one: Fit, other: Fit) -> bool:
-    """Whether two segments are on one line, and have more than an end of one in common."""
+    """Decide whether two segments are on one line, and have more than an end of one in common."""
     low, high = max(min(one), min(other)), min(max(one), max(other))
     return are_collinear((*one, *other)) and (
         low < high or (low == high and (one[0] == one[1] or other[0] == other[1]))

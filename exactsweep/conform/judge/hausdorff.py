@@ -27,6 +27,7 @@ from fractions import Fraction
 from heapq import heappop, heappush
 from itertools import count
 from math import isqrt, lcm
+from typing import NamedTuple
 
 from exactsweep.numbers.point import PointRings
 
@@ -150,7 +151,7 @@ class Edges:
         self._ends = {frozenset((segment.a, segment.b)) for segment in self._segments}
 
     def has(self, edge: LoopEdge) -> bool:
-        """Whether there is an edge with the same ends."""
+        """Decide whether there is an edge with the same ends."""
         return frozenset((edge.a, edge.b)) in self._ends
 
     def nearest(self, place: Place) -> tuple[Fraction, LoopEdge]:
@@ -233,7 +234,29 @@ def _round(value: Fraction) -> Fraction:
     return Fraction((p << shift) // q, 1 << shift)
 
 
-_End = tuple[Fraction, LoopEdge]  # of a piece: the share of its edge, and an edge nearest to it
+class _PieceEnd(NamedTuple):
+    """An end of a piece of an edge: its share of the edge, and an edge that is nearest to it."""
+
+    share: Fraction
+    near: LoopEdge
+
+
+class _EdgePiece(NamedTuple):
+    """A piece of an edge; the least one of a heap has the greatest bound.
+
+    Attributes:
+        bound: of the squared distance on the piece, from above, negative.
+        number: tells pieces of equal bounds apart.
+        edge: of which it is a piece.
+        start: one end.
+        end: the other one.
+    """
+
+    bound: Fraction
+    number: int
+    edge: LoopEdge
+    start: _PieceEnd
+    end: _PieceEnd
 
 
 def bound_distance(first: PointRings, second: PointRings) -> Squares:
@@ -271,13 +294,13 @@ def bound_distance(first: PointRings, second: PointRings) -> Squares:
 def _one_way(rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPair]]) -> Squares:
     """Bounds of the greatest squared distance of a point of some rings to others."""
     edges = Edges(target)
-    pieces: list[tuple[Fraction, int, LoopEdge, _End, _End]] = []
+    pieces: list[_EdgePiece] = []
     number = count()
 
-    def add(edge: LoopEdge, start: _End, end: _End) -> None:
-        # The heap gives the least first.
-        bound = edges.upper_bound(edge.at(start[0]), edge.at(end[0]), (start[1], end[1]))
-        heappush(pieces, (-bound, next(number), edge, start, end))
+    def add(edge: LoopEdge, start: _PieceEnd, end: _PieceEnd) -> None:
+        ends = edge.at(start.share), edge.at(end.share)
+        bound = edges.upper_bound(*ends, (start.near, end.near))
+        heappush(pieces, _EdgePiece(-bound, next(number), edge, start, end))
 
     low = Fraction(0)
     for ring in rings:
@@ -286,16 +309,17 @@ def _one_way(rings: Sequence[Sequence[IntPair]], target: Sequence[Sequence[IntPa
         for k, b in enumerate(ring):
             edge = LoopEdge(ring[k - 1], b)
             if edge.length and not edges.has(edge):
-                add(edge, (Fraction(0), found[k - 1][1]), (Fraction(1), found[k][1]))
+                start = _PieceEnd(Fraction(0), found[k - 1][1])
+                add(edge, start, _PieceEnd(Fraction(1), found[k][1]))
     # A cut looks for one nearest edge and for two bounds, among all.
     cuts = min(_CUTS, _MOST_LOOKED_AT // (3 * sum(map(len, target))))
     for _ in range(cuts):
-        if not pieces or -pieces[0][0] <= low * _CLOSE:
+        if not pieces or -pieces[0].bound <= low * _CLOSE:
             break
         _, _, edge, start, end = heappop(pieces)
-        t = find_equally_near(edge, start[0], end[0], start[1], end[1])
+        t = find_equally_near(edge, start.share, end.share, start.near, end.near)
         distance, near = edges.nearest(edge.at(t))
         low = max(low, distance)
-        add(edge, start, (t, near))
-        add(edge, (t, near), end)
-    return low, max(low, -pieces[0][0]) if pieces else low
+        add(edge, start, _PieceEnd(t, near))
+        add(edge, _PieceEnd(t, near), end)
+    return low, max(low, -pieces[0].bound) if pieces else low

@@ -39,7 +39,7 @@ _MOST_SHOWN = 100
 
 
 class JudgedLoop(NamedTuple):
-    """What became of a loop.
+    """The judgement of one loop.
 
     Attributes:
         part: the comparison.
@@ -239,7 +239,7 @@ def _same(name: str, verdict: Verdict, reason: str = "", kind: str = "") -> Part
 
 
 def _have_same_vertices(rings: Sequence[Loop], exact: Sequence[Loop]) -> bool:
-    """Whether rings are the exact ones, the first one counter-clockwise, from any vertex on."""
+    """Decide whether rings are the exact ones, from any vertex on."""
     if len(rings) != len(exact):
         return False
     if not exact:

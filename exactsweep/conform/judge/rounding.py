@@ -1,4 +1,4 @@
-"""What a program's numbers do to an answer: how far off it may be, and what spoilt it."""
+"""The effect of a program's numbers on an answer: the error granted, and the error made."""
 
 from __future__ import annotations
 

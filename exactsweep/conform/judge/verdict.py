@@ -13,7 +13,7 @@ from exactsweep.numbers.point import Point
 
 
 class Verdict(StrEnum):
-    """What an answer is worth, from best to worst. The worst part of an answer decides.
+    """The verdicts on an answer, from best to worst. The worst part of an answer decides.
 
     E is the closed region inside the exact loop, T the one inside theirs: what an odd number of
     windings of their rings enclose. One loop gets the first of these that holds, malformed before

@@ -101,7 +101,7 @@ def find_witness(case: Case, name: str, theirs: PointRings, cells: Iterable[Trap
 
 
 def is_inside(point: Point, rings: PointRings) -> bool:
-    """Whether an odd number of rings' windings are around a point on none of their edges."""
+    """Decide whether an odd number of rings' windings are around a point on none of their edges."""
     return sum(locate(point, ring) > 0 for ring in rings) % 2 == 1
 
 
@@ -117,7 +117,7 @@ def at_position(case: Case, position: Point, *, inside: bool = False) -> Witness
 
 
 def _obstacles(case: Case, t: Point) -> list[AnyPolygon]:
-    """What is around D, as far as G + t reaches and farther, and the holes of D."""
+    """List the shapes around D: a frame beyond the reach of G + t, and the holes of D."""
     exterior, *holes = Region(case.directrix).rings
     corners = [*exterior, *(add(p, t) for p in case.generatrix_ring)]
     (left, right), (low, high) = ((min(c) - 1, max(c) + 1) for c in zip(*corners, strict=True))
@@ -202,7 +202,7 @@ _SHOW = {
 
 
 def _is_in(point: Point, shape: AnyPolygon) -> bool:
-    """Whether a point is in a closed shape."""
+    """Decide whether a point is in a closed shape."""
     exterior, *holes = shape.rings
     return locate(point, exterior) >= 0 and all(locate(point, hole) <= 0 for hole in holes)
 

@@ -193,7 +193,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class _Scene:
-    """What is to be seen, in the coordinates of the case: layers by name, closed or not."""
+    """The layers of a picture by name, closed or not, in the coordinates of the case."""
 
     layers: tuple[Layer, ...]
     witness: Point | None

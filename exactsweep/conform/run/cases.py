@@ -1,4 +1,4 @@
-"""Which cases are put to an implementation: of the corpus, or of a stream."""
+"""Selection of the cases that are put to an implementation, from the corpus or a stream."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class SelectionError(ExactSweepError):
 
 @dataclass(frozen=True)
 class Selection:
-    """What a case must be like; the default is any case.
+    """Conditions that a case must meet; the default is any case.
 
     Attributes:
         prefix: how its id starts.

@@ -1,4 +1,4 @@
-"""Which fault is behind a failure, so that different ones are told apart and counted.
+"""Classification of failures by the fault behind them, so that faults are counted apart.
 
 Two failures have the same fault if they have the same verdict on the same part, the same kinds of
 witness, and the same reason except for numbers; or, of crashes, the same exit code or signal, the
@@ -67,7 +67,7 @@ def name_fault(
 
 
 def _name_difference(part: Mapping[str, Any]) -> str:
-    """What is wrong with a part, and what its witnesses show."""
+    """Describe the fault of a part, and what its witnesses show."""
     named = next(iter(part["diagnosis"]), "") or part["kind"] or part["reason"]
     shown = (part[side] and part[side]["classified"] for side in ("unsound", "conservative"))
     place = part["name"].replace("_", " ")

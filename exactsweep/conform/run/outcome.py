@@ -13,11 +13,11 @@ from fractions import Fraction
 from typing import Any, NoReturn
 
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.shrink import shrink
 from exactsweep.conform.judge.verdict import Comparison, Verdict
 from exactsweep.conform.run.fault import name_fault, write_cause
 from exactsweep.conform.run.peer import Answer, Peer
 from exactsweep.conform.run.protocol import UnsupportedError, adapt
+from exactsweep.conform.run.shrink import shrink
 from exactsweep.corpus import Case, case_from_json, case_to_json
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.number import NumberError, format_fraction, quote, to_fraction
@@ -32,7 +32,7 @@ _MAX_RESULT = 65536
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one case.
+    """The outcome of one case.
 
     Attributes:
         id: of the case.

@@ -76,7 +76,7 @@ def _read(
 
 
 def _is_pair(line: bytes) -> bool:
-    """Whether a line looks like a pair, whatever else may be wrong with it."""
+    """Decide whether a line looks like a pair, whatever else may be wrong with it."""
     try:
         document = json.loads(line)
     except (ValueError, RecursionError):

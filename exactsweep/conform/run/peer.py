@@ -1,4 +1,4 @@
-"""What an implementation is to the runner: something that can be asked."""
+"""The runner's view of an implementation: something that can be asked."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Function = Callable[[list[Any], list[Any], Any], Mapping[str, Any]]
 
 
 class Answer(NamedTuple):
-    """What came of asking: a result to be compared, or a verdict and its reason.
+    """The reply to a question: a result to be compared, or a verdict and its reason.
 
     Attributes:
         result: plain data, or None.

@@ -25,7 +25,7 @@ _Call = tuple[str, Callable[..., Outcome], tuple[object, ...]]
 
 
 class JudgeError(ExactSweepError):
-    """What could not be judged, by no fault of the implementation; the message says why."""
+    """A failure of judging, not of the implementation; the message says why."""
 
 
 class Judges:

@@ -64,7 +64,7 @@ class ProtocolError(ExactSweepError):
 
 @dataclass(frozen=True)
 class Hello:
-    """What an implementation says of itself.
+    """The self-description of an implementation.
 
     Attributes:
         name: its name and version, for the report.
@@ -145,7 +145,7 @@ class Hello:
 
     @property
     def is_old(self) -> bool:
-        """Whether it says no more than a hello without "questions" and "shapes"."""
+        """Decide whether it says no more than a hello without "questions" and "shapes"."""
         return (self.questions, self.shapes) == (("sweep",), "monotone")
 
 

@@ -6,7 +6,7 @@ from bisect import insort
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from exactsweep import __version__
 from exactsweep.conform.judge.verdict import Verdict
@@ -23,6 +23,14 @@ MOST_FAULTS = 40
 """More faults than that are not told apart; the rest of them are, by verdict."""
 
 
+class _KeptOutcome(NamedTuple):
+    """An outcome, the size of its case, and which one of its fault it is, counted from 0."""
+
+    size: int
+    number: int
+    outcome: Outcome
+
+
 class NamedFault:
     """Failures that show the same fault.
 
@@ -36,11 +44,11 @@ class NamedFault:
 
     def __init__(self, verdict: Verdict, name: str) -> None:
         self.verdict, self.name, self.count = verdict, name, 0
-        self._kept: list[tuple[int, int, Outcome]] = []
+        self._kept: list[_KeptOutcome] = []
 
     def add(self, outcome: Outcome) -> None:
         """Count an outcome, and keep it if it is among the smallest."""
-        insort(self._kept, (_measure(outcome), self.count, outcome))
+        insort(self._kept, _KeptOutcome(_measure(outcome), self.count, outcome))
         del self._kept[SHOWN:]
         self.count += 1
 
@@ -51,14 +59,16 @@ class NamedFault:
     def take(self, other: NamedFault, cause: str | None) -> None:
         """Take in the failures of another one, as it is called if a cause comes first."""
         self.name = other.lead_with(cause)
-        merged = [(size, k + self.count, o.lead_with(cause)) for size, k, o in other._kept]
-        self._kept = sorted([*self._kept, *merged], key=lambda kept: kept[:2])[:SHOWN]
+        for kept in other._kept:
+            outcome = kept.outcome.lead_with(cause)
+            insort(self._kept, _KeptOutcome(kept.size, kept.number + self.count, outcome))
+        del self._kept[SHOWN:]
         self.count += other.count
 
     @property
     def kept(self) -> list[Outcome]:
         """The smallest ones, whole, the smallest first."""
-        return [outcome for _, _, outcome in self._kept]
+        return [kept.outcome for kept in self._kept]
 
 
 class Run:
@@ -161,7 +171,7 @@ class Run:
 
     @property
     def passed(self) -> bool:
-        """Whether enough was judged, nothing failed, and nothing else was wrong."""
+        """Decide whether enough was judged, nothing failed, and nothing else was wrong."""
         return not self.summary.failures(self.accepted) and not self.find_objections()
 
     def to_json(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What grows with a run, on disk once there is much: outcomes in order, and names once seen."""
+"""Storage that moves to disk as a run grows: outcomes in order, and names once seen."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ _MOST_COMPLAINTS = 20
 
 
 class Stream:
-    """What an implementation wrote: a hello, then answers, a line each.
+    """The output of an implementation: a hello, then answers, a line each.
 
     Args:
         file: where it is read from.

@@ -109,7 +109,7 @@ class Tally:
 
     @property
     def judged(self) -> int:
-        """How many cases the implementation could do and we could judge."""
+        """Count the cases that the implementation could do and that could be judged."""
         return self.total() - self.total(Verdict.UNSUPPORTED) - self.total(Verdict.UNDECIDED)
 
     def failures(self, accepted: Verdict) -> int:
@@ -128,7 +128,7 @@ class Tally:
 
 
 def fails(verdict: Verdict, accepted: Verdict) -> bool:
-    """Whether a verdict is worse than an accepted one; what was not judged is no failure.
+    """Decide whether a verdict is worse than an accepted one; what was not judged is no failure.
 
     >>> fails(Verdict.WITHIN, Verdict.EQUIVALENT), fails(Verdict.UNSUPPORTED, Verdict.EXACT)
     (True, False)

@@ -41,12 +41,12 @@ class Family(NamedTuple):
 
     @property
     def description(self) -> str:
-        """What its pairs are."""
+        """The description of its pairs."""
         return cleandoc(self.make.__doc__ or "")
 
     @property
     def summary(self) -> str:
-        """What its pairs are, in one line."""
+        """The description of its pairs, in one line."""
         return self.description.partition("\n")[0]
 
 

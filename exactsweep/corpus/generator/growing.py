@@ -113,7 +113,7 @@ def needles(m: int, n: int) -> tuple[Ring, Ring]:
 
 
 def inner_peaks(n: int) -> int:
-    """How many peaks the G of `needles` has."""
+    """Count the peaks of the G of `needles`."""
     return max(2, (n - 2) // 2)
 
 

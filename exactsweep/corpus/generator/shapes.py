@@ -14,7 +14,7 @@ Ring = list[IntegerPoint]
 
 
 class Grid(NamedTuple):
-    """How a monotone ring is drawn: number of cells, their widths, heights, and walls.
+    """Parameters of a random monotone ring: number of cells, their widths, heights, and walls.
 
     Attributes:
         cells: the least and the greatest number of cells of each chain.

@@ -37,7 +37,7 @@ _PointReader = Callable[[], Sequence[Point]]
 
 
 class _Drawn(NamedTuple):
-    """What an entity draws: its points, and the ends and the shape of an OpenLine if it is open."""
+    """The drawing of an entity: its points, and the ends and shape of an OpenLine if it is open."""
 
     points: _PointReader
     ends: Sequence[Point] = ()

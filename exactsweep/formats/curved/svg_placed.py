@@ -45,6 +45,7 @@ class PlacedElement:
         style: Style | None = None,
     ) -> None:
         self.element, self.parent, self.reading, self.used = element, parent, reading, used
+        self._inherited: dict[str, str] = {}
         self._style: Style | None = style or (parent._style if parent else None)
 
     def style(self, name: str) -> str | None:
@@ -52,23 +53,27 @@ class PlacedElement:
         return self._style.find(self.element, name) if self._style else None
 
     def inherited(self, name: str, initial: str) -> str:
-        """Find a property that is inherited."""
+        """Find a property that is inherited; each element is asked once."""
+        asked: list[PlacedElement] = []
         placed: PlacedElement | None = self
-        while placed is not None:
-            if (value := placed.style(name)) not in (None, "", "inherit"):
-                return str(value)
+        while placed is not None and name not in placed._inherited:
+            asked.append(placed)
             placed = placed.parent
-        return initial
+        value = placed._inherited[name] if placed else initial
+        for placed in reversed(asked):
+            own = placed.style(name)
+            value = placed._inherited[name] = own if own and own != "inherit" else value
+        return value
 
     @cached_property
     def place(self) -> str:
-        """What and where it is, for messages."""
+        """The name and the place of the element, for messages."""
         name = f" {quote(self.element.attrib['id'])}" if "id" in self.element.attrib else ""
         return f"line {line(self.element)}: {name_kind(self.element)}{name}"
 
     @cached_property
     def matrix(self) -> Affine:
-        """What maps the element's coordinates to those of the drawing."""
+        """The map of the element's coordinates to those of the drawing."""
         outer = IDENTITY if self.parent is None else self.parent.matrix
         attributes = self.element.attrib
         try:
@@ -97,7 +102,7 @@ class PlacedElement:
 
     @property
     def is_even_odd(self) -> bool:
-        """Whether the fill rule of a path is evenodd; it is inherited, and nonzero if not given."""
+        """Read whether the inherited fill rule of a path is evenodd, not nonzero."""
         rule = self.inherited("fill-rule", "nonzero")
         if rule not in ("evenodd", "nonzero"):
             raise FormatError(f"the fill rule {quote(rule)} is neither nonzero nor evenodd")
@@ -168,7 +173,7 @@ class PlacedElement:
         return box
 
     def _view(self) -> Affine:
-        """What maps the inside of a nested svg, or of a symbol, to the outside."""
+        """Compute the map of the inside of a nested svg, or of a symbol, to the outside."""
         attributes = self.element.attrib
         x, y = (self.length(axis) if name_kind(self.element) == "svg" else 0 for axis in "xy")
         at = make_affine(1, 0, 0, 1, x, y)

@@ -14,9 +14,8 @@ SPACE = "{http://www.w3.org/2000/svg}"
 
 # A comment, or a rule of its own kind, such as @media, with the rules in it; possessive throughout.
 _PASSED = re.compile(
-    r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\Z)", re.DOTALL
+    r"/\*.*?(?:\*/|\Z)|<!--|-->|@[^{};]*+(?:;|\{(?:[^{}]*+\{[^{}]*+\})*+[^{}]*+\}|\{?)", re.DOTALL
 )
-_RULE = re.compile(r"([^{}]*+)\{([^{}]*+)\}")
 
 
 class Style:
@@ -30,7 +29,8 @@ class Style:
         self.rules: dict[str, dict[str, str]] = {}
         for sheet in root.iter():
             if name_kind(sheet) == "style":
-                for selectors, body in _RULE.findall(_PASSED.sub("", "".join(sheet.itertext()))):
+                for rule in _PASSED.sub("", "".join(sheet.itertext())).split("}"):
+                    selectors, _, body = rule.partition("{")
                     declared = dict(_declarations(body))
                     for selector in selectors.split(","):
                         self.rules.setdefault(selector.strip(), {}).update(declared)
@@ -38,6 +38,8 @@ class Style:
     def find(self, element: Element, name: str) -> str | None:
         """Find a property of an element; None if it is not given."""
         attributes = element.attrib
+        if not self.rules and "style" not in attributes:
+            return attributes.get(name)
         for own, value in _declarations(attributes.get("style", "")):
             if own == name:
                 return value

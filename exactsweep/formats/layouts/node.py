@@ -21,7 +21,7 @@ class JsonNode(NamedTuple):
     path: str = "$"
 
     def has(self, name: str) -> bool:
-        """Whether this is an object with such a member; null counts as none."""
+        """Decide whether this is an object with such a member; null counts as none."""
         return isinstance(self.value, Mapping) and self.value.get(name) is not None
 
     def __truediv__(self, name: str) -> JsonNode:
@@ -83,7 +83,7 @@ class JsonNode(NamedTuple):
 
     @property
     def is_true(self) -> bool:
-        """Whether this is true, which it may be or not."""
+        """Decide whether this is true, which it may be or not."""
         if not isinstance(self.value, bool):
             self.refuse(f"{describe_kind(self.value)}, not true or false")
         return self.value

@@ -54,7 +54,7 @@ def rank_faults(
 
 
 def _rank(one: WorstFirst) -> tuple[bool, Fraction]:
-    """Where a fault comes among those of its kind."""
+    """Rank a fault among those of its kind."""
     if one.fault.distance_squared is not None:
         return False, one.fault.distance_squared
     # A part that fits nowhere is worse than any that does.

@@ -109,7 +109,7 @@ def _parallel_edges(pair: SweepPair) -> str:
 
 
 def places_of_contact(s: Sweep, t: Point, chain: Sequence[Vertex]) -> list[Fraction]:
-    """Where G, standing at t, touches D_b: all x of vertices there, and the first and the last.
+    """Find where G at t touches D_b: all x of vertices there, and the first and the last.
 
     G_t and D_b are compared as functions of x, without the procedures.
     """
@@ -152,7 +152,7 @@ def find_contact_moving_left(effort: Effort) -> Evidence:
 
 
 def meetings(first: Sequence[Vertex], second: Sequence[Vertex]) -> tuple[str, bool]:
-    """How two chains meet over their common x-range: "" if in a point or one segment.
+    """Describe how two chains meet over their common x-range: "" if in a point or one segment.
 
     Returns also whether they meet at all.
     """
@@ -254,7 +254,7 @@ def _note_chains_apart(*, outer: bool) -> Evidence:
 
 
 def meet_at_all(pair: SweepPair, *, outer: bool) -> bool:
-    """Whether the chains of all neighbouring convex parts of D_b meet."""
+    """Decide whether the chains of all neighbouring convex parts of D_b meet."""
     top, bottom, directrix = pair.chains
     chains = [
         sweep_outer_cc(top, bottom, part) if outer else trajectory_cc(top, part)

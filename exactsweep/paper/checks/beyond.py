@@ -126,7 +126,7 @@ def boundary_is_contact(pair: SweepPair) -> str:
 
 
 def _lies_on(edge: tuple[Point, Point], known: Sequence[Segment]) -> bool:
-    """Whether segments of its line cover an edge."""
+    """Decide whether segments of its line cover an edge."""
     whole = make_segment(edge)
     reached = whole.low
     for piece in sorted(s for s in known if s[:2] == whole[:2]):
@@ -200,7 +200,7 @@ def inner_fit_is_in_a_frame(pair: SweepPair) -> str:
         return "the holes of the frame's no-fit polygon are not the regions of the inner fit"
 
     def is_inside(t: Point) -> bool:
-        """Whether the part stands inside the frame, and not around one of its corners."""
+        """Decide whether the part stands inside the frame, and not around one of its corners."""
         (a, b), (c, d) = part.translated(t).bounding_box
         return left < a and low < b and c < right and d < high
 
@@ -262,7 +262,7 @@ def swept_area_is_the_definition(pair: SweepPair) -> str:
 
 
 def swept_area_leaves_its_loops(pair: SweepPair) -> str:
-    """What G passes over leaves as many parts of the plane free as there are loops."""
+    """Check that the swept area leaves as many parts of the plane free as there are loops."""
     s = sweep(*pair)
     corners = s.trajectory.vertices
     parts = count_free_parts(

@@ -153,7 +153,7 @@ class Groups(Generic[T]):
 
     @property
     def count(self) -> int:
-        """How many sets there are."""
+        """Count the sets."""
         return sum(item == parent for item, parent in self._parents.items())
 
 
@@ -220,7 +220,7 @@ def _order(p: Point, q: Point) -> SegmentPiece:
 
 
 def _common(one: SegmentPiece, other: SegmentPiece) -> Iterator[Point]:
-    """Where two segments meet: a point, or the ends of what they share."""
+    """Find where two segments meet: a point, or the ends of what they share."""
     (p, q), (r, s) = one, other
     if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):
         return

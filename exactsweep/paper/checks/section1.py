@@ -114,7 +114,7 @@ def fits_are_whole(pair: SweepPair) -> str:
 
 
 def swept_by_contact(s: Sweep, p: Point) -> bool:
-    """Whether some position on the trajectory puts G over a point, by `classify` alone.
+    """Decide whether some position on the trajectory puts G over a point, by `classify` alone.
 
     That is so when the inverse of G, placed at the point, meets the trajectory: it neither lies
     outside of it nor wholly inside, which is outside of the two halves of the complement.

@@ -97,7 +97,7 @@ def sweep_pieces(s: Sweep) -> list[tuple[Point, Point]]:
 
 
 def is_annulus(pair: SweepPair) -> str:
-    """What G passes over leaves two parts of the plane free, D's and the outside."""
+    """Check that the swept area leaves two parts of the plane free, D's and the outside."""
     parts = count_free_parts(list_swept_polygons(pair.generatrix, sweep_pieces(sweep(*pair))))
     return "" if parts == 2 else f"the swept area leaves {parts} parts of the plane free"
 
@@ -247,7 +247,7 @@ def starts_and_stops_at_the_ends(pair: SweepPair) -> str:
 
 
 def _shares(s: Sweep, vertices: Contact, other: Contact) -> bool:
-    """Whether a contact of two vertices is an end of a lasting contact."""
+    """Decide whether a contact of two vertices is an end of a lasting contact."""
     return _has(s.generatrix.exterior, vertices[1], other.event[0], other[1]) and _has(
         s.directrix.exterior, vertices[2], other.event[1], other[2]
     )

@@ -37,7 +37,7 @@ def lay_by_slope(start: Vertex, edges: Sequence[Edge], sign: int = 1) -> list[Ve
 
 
 def start_of(top: Sequence[Vertex], directrix: Sequence[Vertex]) -> Vertex:
-    """Where the trajectory starts: the right end of G_t on the left end of D_b."""
+    """Find the start of the trajectory: the right end of G_t on the left end of D_b."""
     return directrix[0][0] - top[0][0], directrix[0][1] - top[0][1]
 
 

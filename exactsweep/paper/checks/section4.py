@@ -115,7 +115,7 @@ def few_undercuts(pair: SweepPair) -> str:
 
 
 def bottom_chains_have_two_forms(pair: SweepPair) -> str:
-    """Whether all undercuts have the form that goes with what closes them."""
+    """Decide whether all undercuts have the form that goes with what closes them."""
     s = sweep(*pair)
     if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
@@ -164,7 +164,7 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
     bottom, positions = undercut.bottom, undercut.positions
 
     def rests(t: Point) -> bool:
-        """Whether both ends of the bottom chain are on the boundary of G at a position."""
+        """Decide whether both ends of the bottom chain are on the boundary of G at a position."""
         placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
         return all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
 

@@ -97,7 +97,7 @@ def loops_are_retraced(pair: SweepPair) -> str:
 
 
 def inner_to_the_letter(pair: SweepPair) -> str:
-    """What Trajectory_MM returns along the inside is not the inner boundary."""
+    """Show that the output of Trajectory_MM along the inside is not the inner boundary."""
     inner = keep_corners(literal.sweep_mm(*pair.chains)[0])
     expected = take_bottom(look_up(pair).inner)
     if inner == expected:

@@ -234,7 +234,7 @@ def gaps_give_the_same(pair: SweepPair) -> str:
 
 
 def _outgrows(slow: Growth, fast: Growth) -> bool:
-    """Whether one count becomes larger than another by a factor that grows with each doubling."""
+    """Decide whether one count outgrows another with each doubling."""
     factors = [p.count / q.count for p, q in zip(slow.points, fast.points, strict=False)]
     return all(after > 1.4 * before for before, after in pairwise(factors))
 

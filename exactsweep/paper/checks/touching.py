@@ -60,7 +60,7 @@ def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]
 
 
 def is_on_segment(point: Point, p: Point, q: Point) -> bool:
-    """Whether a point is on a segment."""
+    """Decide whether a point is on a segment."""
     return turn(p, q, point) == 0 and min(p, q) <= point <= max(p, q)
 
 

@@ -70,7 +70,7 @@ def run_inner(chains: Chains) -> list[tuple[object, object]]:
 
 
 def proved_case(family: PairFamily, m: int, n: int) -> str:
-    """What is wrong with one pair of a family, by the definition and by its certificate."""
+    """Compare one pair of a family with the definition, and prove its certificate."""
     pair = SweepPair(*family(m, n))
     s = sweep(*pair)
     if s.inner.vertices != look_up(pair).inner:
@@ -111,7 +111,7 @@ def _list_drawn(s: Sweep, positions: Sequence[Point]) -> list[tuple[Point, Point
 
 
 def _is_covered(start: Point, end: Point, drawn: Iterable[tuple[Point, Point]]) -> bool:
-    """Whether segments on the line of another one cover all of it."""
+    """Decide whether segments on the line of another one cover all of it."""
     first, last = min(start, end), max(start, end)
     reached = first
     for p, q in sorted((min(p, q), max(p, q)) for p, q in drawn):
@@ -121,7 +121,7 @@ def _is_covered(start: Point, end: Point, drawn: Iterable[tuple[Point, Point]]) 
 
 
 def lower_undercuts(s: Sweep) -> int:
-    """How many undercuts the lower sweep has."""
+    """Count the undercuts of the lower sweep."""
     return sum(u.bottom[0].x < u.bottom[-1].x for u in s.undercuts)
 
 

@@ -48,14 +48,14 @@ def _top_chain(half: LowerSweep) -> list[Vertex]:
 
 
 def _stations(half: LowerSweep) -> list[Point]:
-    """Where the reference point is when the sweep starts and when it stops."""
+    """Find the positions of the reference point at the start and at the stop of the sweep."""
     x, y = sweep_example().reference
     path = list(half.trajectory)
     return [Point(px + x, py + y) for px, py in (path[0], path[-1])]
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     half = _sweep_half()
     start, stop = _stations(half)
     return [
@@ -66,7 +66,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     s, half = sweep_example(), _sweep_half()
     yield from loops_differ(s)
     yield from overlaps(s, _stations(half))

@@ -44,12 +44,12 @@ def _chains() -> dict[str, list[Vertex]]:
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     return [(f"edges of {name}", str(len(chain) - 1)) for name, chain in _chains().items()]
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     chains = _chains()
     for letter, ring in POLYGONS.items():
         corners = Polygon(ring).vertices

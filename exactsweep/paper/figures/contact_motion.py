@@ -69,7 +69,7 @@ def freeze() -> Frozen:
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     found = freeze()
     path = motion()
     return [
@@ -85,7 +85,7 @@ def _text(p: Point) -> str:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     s = sweep_examples()[1]
     yield from loops_differ(s)
     path = motion()

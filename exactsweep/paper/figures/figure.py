@@ -18,10 +18,10 @@ Facts = Sequence[tuple[str, str]]
 
 
 class PaperFigure(Protocol):
-    """What a module of a figure has."""
+    """The interface of the module of a figure."""
 
     def list_facts(self) -> Facts:
-        """What the figure states: pairs of a name and a computed value."""
+        """List what the figure states: pairs of a name and a computed value."""
 
     def find_failures(self) -> Iterator[str]:
         """Texts, empty where a fact is borne out by the definition or by another way."""

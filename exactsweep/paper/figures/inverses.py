@@ -40,19 +40,19 @@ def place_inverse(place: Vertex) -> list[Vertex]:
 
 
 def _inside() -> list[Point]:
-    """Where I(G) is drawn inside the trajectory: vertices of the inner loop."""
+    """Choose where I(G) is drawn inside the trajectory: vertices of the inner loop."""
     corners = sweep_example().inner.vertices
     return [corners[0], corners[2], corners[4], corners[7]]
 
 
 def _outside() -> list[Point]:
-    """Where it is drawn outside: vertices of the outer loop."""
+    """Choose where it is drawn outside: vertices of the outer loop."""
     corners = sweep_example().outer.vertices
     return [corners[0], corners[4], corners[12], corners[20]]
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     s = sweep_example()
     return [
         ("edges of the trajectory", str(len(s.trajectory))),
@@ -62,7 +62,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     s = sweep_example()
     yield from loops_differ(s)
     outside = no_fit_polygon(s.trajectory, invert_generatrix(s)).exterior

@@ -102,7 +102,7 @@ def _length(p: Point, q: Point) -> Fraction | None:
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     return [
         (f"({letter}) {name}", str(value))
         for letter, found in (("a", measure_widths()), ("b", narrow_widths()))
@@ -111,7 +111,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     yield differ(
         "(a) d' + d''", measure_widths().inner + measure_widths().outer, measure_widths().width
     )
@@ -226,6 +226,6 @@ def _across(found: Widths, point: Vertex, distance: Fraction) -> Vertex:
 
 
 def _ahead(found: Widths, point: Vertex) -> Fraction:
-    """How far along e a point is, from where I(G) touches."""
+    """Measure how far along e a point is, from where I(G) touches."""
     (x, y), (dx, dy) = found.at, _direction(found.edge)
     return Fraction((point[0] - x) * dx + (point[1] - y) * dy)

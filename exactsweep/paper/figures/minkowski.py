@@ -78,7 +78,7 @@ def draw_sweep(picture: Picture, s: Sweep) -> None:
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     s = sweep_example()
     _, holes = sum_boundary()
     met = [classify(s.directrix, place_generatrix(s, t), (0, 0)).verdict for t in ALONG]
@@ -93,7 +93,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, _positions(s))

@@ -95,7 +95,7 @@ ROOM = 6
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     return [
         ("(a) procedures, calls", f"{len(PLACES)}, {len(PRINTED)}"),
         ("(b) functions, calls", f"{len(KERNEL)}, {len(MADE)}"),
@@ -103,7 +103,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     called = {name for call in PRINTED for name in call}
     expected = set(PRINTED) - {("SweepI_CM", "Trajectory_CM")}
     yield differ("calls to the letter", watch_literal(), expected)
@@ -142,7 +142,7 @@ def _draw_call(places: Mapping[str, Vertex], one: str, other: str) -> tuple[Vert
 
 
 def watch_calls(words: Mapping[CodeType, str], run: Callable[[], object]) -> set[tuple[str, str]]:
-    """Which of some functions runs inside which, others between them left out."""
+    """Record which of some functions runs inside which, others between them left out."""
     inside: list[str] = []
     found: set[tuple[str, str]] = set()
 
@@ -225,7 +225,7 @@ def _rim(name: str, place: Vertex) -> list[Vertex]:
 
 
 def _leave(middle: Vertex, rim: list[Vertex], towards: Vertex) -> Vertex:
-    """Where the line to another middle leaves a box."""
+    """Find where the line to another middle leaves a box."""
     (x, y), (dx, dy) = middle, (towards[0] - middle[0], towards[1] - middle[1])
     wide, high = rim[2][0] - x, rim[2][1] - y
     share = min(abs(Fraction(size) / step) for size, step in ((wide, dx), (high, dy)) if step)

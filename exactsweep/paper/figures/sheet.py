@@ -55,7 +55,7 @@ class Margins(NamedTuple):
 
 
 class Extent(NamedTuple):
-    """What a panel shows: an exact rectangle, with room around it and a title below.
+    """The frame of a panel: an exact rectangle, with room around it and a title below.
 
     What reaches beyond is drawn, too, unless `is_cut`.
     """

@@ -106,7 +106,7 @@ def write_slope(value: Rational) -> str:
 
 
 def list_facts() -> Facts:
-    """What the figure states."""
+    """List what the figure states."""
     rows = []
     for step in range(STEPS):
         ours, theirs = _find_upcoming(step)
@@ -121,7 +121,7 @@ def list_facts() -> Facts:
 
 
 def find_failures() -> Iterator[str]:
-    """What is not borne out."""
+    """List what is not borne out."""
     s = sweep_example()
     yield from loops_differ(s)
     yield from overlaps(s, [Point(Fraction(x), Fraction(y)) for x, y in find_stations()])

@@ -37,7 +37,7 @@ class _GivenPair(NamedTuple):
     reference: Point
 
     def size(self) -> tuple[int, int, Fraction]:
-        """What is to become smaller: vertices, then digits, then numbers."""
+        """Measure a case for shrinking: vertices, then digits, then numbers."""
         numbers = [c for point in self.points() for c in point]
         digits = sum(c.numerator.bit_length() + c.denominator.bit_length() for c in numbers)
         vertices = sum(map(len, (*self.directrix, *self.generatrix)))
@@ -130,7 +130,7 @@ class _Search:
 
     @property
     def is_over(self) -> bool:
-        """Whether no more may be asked."""
+        """Decide whether no more may be asked."""
         return self._tries <= 0 or time.monotonic() >= self._deadline
 
     def improve(self) -> bool:

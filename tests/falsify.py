@@ -1,0 +1,304 @@
+"""Falsify certificates, and see that the checker refuses them: `python -m tests.falsify`.
+
+Changes of one place, mixtures of two certificates about related pairs, and an adversary who moves
+loops and has the finder fill in a proof for them. With --prove, certificates of random pairs and of
+the corpus are proved by the file alone, in processes that cannot see the package. With --weaken,
+single lines of the checker are weakened, and a test has to notice each.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+import json
+import os
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from random import Random
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import click
+
+from exactsweep import Polygon, Region, inner_fit_polygon, no_fit_polygon, sweep
+from exactsweep.check import standalone
+from exactsweep.check.standalone import Refused, prove
+from exactsweep.corpus import cases
+from exactsweep.evidence.proof import add_proof
+
+# The tests import one another by bare names, as pytest sets them up.
+sys.path.insert(0, str(Path(__file__).parent / "support"))
+from families import random_pair
+
+Certificate = dict[str, Any]
+Place = tuple[Any, ...]
+
+# Reasons for people, which the checker does not read; and what has no order or no meaning.
+UNREAD = ("contacts", "inner_drawn", "outer_drawn")
+TESTS = ("tests/check/test_standalone.py", "tests/check/test_standalone_layouts.py")
+ANSWERS = ("exterior", "holes", "exact_fits", "inner", "outer", "unswept", "area", "trajectory")
+
+
+def draw(rng: Random) -> Iterator[Certificate]:
+    """Draw certificates of related pairs: of one polygon that moves and two that stay."""
+    pair, other = random_pair(rng), random_pair(rng)
+    g = pair.generatrix
+    for d in (pair.directrix, other.directrix):
+        shapes = [
+            lambda d=d: sweep(g, d).certificate(),
+            lambda d=d: no_fit_polygon(d, g).certificate(),
+            lambda d=d: inner_fit_polygon(d, g).certificate(),
+        ]
+        yield json.loads(json.dumps(rng.choice(shapes)()))
+
+
+def list_places(item: Any, path: Place = ()) -> list[Place]:
+    """List all places of a certificate that are read."""
+    entries = item.items() if type(item) is dict else enumerate(item) if type(item) is list else ()
+    below = [found for key, value in entries for found in list_places(value, (*path, key))]
+    return [path, *below] if path[:1] not in [(key,) for key in UNREAD] else []
+
+
+def get(item: Any, path: Place) -> Any:
+    for key in path:
+        item = item[key]
+    return item
+
+
+def put(certificate: Certificate, path: Place, value: Any) -> Certificate:
+    changed = copy.deepcopy(certificate)
+    get(changed, path[:-1])[path[-1]] = value
+    return changed
+
+
+def change(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
+    """Change one place, which is drawn."""
+    path = rng.choice(list_places(certificate)[1:])
+    item = get(certificate, path)
+    where = f"{path[0]} {path[1] if path[0] == 'proof' else ''}".strip()
+    if type(item) is str:
+        number = item if item[-1:].isdigit() else "0"
+        by = rng.choice([Fraction(1, 10**9), Fraction(-1, 3), Fraction(1), -2 * Fraction(number)])
+        return f"{where}: number", put(certificate, path, str(Fraction(number) + by))
+    if type(item) is int:
+        return f"{where}: index", put(certificate, path, item + rng.choice([-2, -1, 1, 2, 7]))
+    if type(item) is list and len(item) > 1:
+        k, j = rng.sample(range(len(item)), 2)
+        swapped = list(item)
+        swapped[k], swapped[j] = swapped[j], swapped[k]
+        shorter, longer = item[:k] + item[k + 1 :], [*item[:k], item[j], *item[k:]]
+        return f"{where}: list", put(certificate, path, rng.choice([swapped, shorter, longer]))
+    return f"{where}: left out", put(certificate, path, None)
+
+
+def mix(one: Certificate, other: Certificate, rng: Random) -> tuple[str, Certificate]:
+    """Take some entries from another certificate."""
+    keys = [key for key in one if key in other and one[key] != other[key] and key not in UNREAD]
+    taken = {key: other[key] for key in keys if rng.random() < 0.4}
+    proof = {key: rng.choice([one, other])["proof"].get(key, []) for key in one["proof"]}
+    return "mixture", {**one, **taken, "proof": rng.choice([one["proof"], proof])}
+
+
+def reroute(certificate: Certificate, rng: Random) -> tuple[str, Certificate]:
+    """Move, leave out or add vertices of an answer through true sums, and find a proof anew."""
+    places = [p for p in list_places(certificate) if p and p[0] in (*ANSWERS, "regions")]
+    loops = [p for p in places if is_loop(get(certificate, p))]
+    points = [point for p in loops for point in get(certificate, p)]
+    if not loops:
+        return "no loop", {}
+    path = rng.choice(loops)
+    loop = list(get(certificate, path))
+    k = rng.randrange(len(loop))
+    kind = rng.choice(["left out", "through another", "added", "exchanged"])
+    if kind == "left out":
+        del loop[k]
+    elif kind == "through another":
+        loop[k] = rng.choice(points)
+    elif kind == "added":
+        loop.insert(k, rng.choice(points))
+    else:
+        loop = list(get(certificate, rng.choice(loops)))
+    least = min(range(len(loop)), key=lambda n: [Fraction(c) for c in loop[n]])
+    changed = put(certificate, path, loop[least:] + loop[:least])
+    if "area" in changed:
+        loops = [changed["outer"], changed["inner"], *changed.get("unswept", [])]
+        areas = [standalone.double_area(standalone.ring(e)) for e in loops if len(e) > 2]
+        changed["area"] = str((areas[0] - sum(areas[1:])) / 2)
+    return f"rerouted: {kind}", add_proof({k: v for k, v in changed.items() if k != "proof"})
+
+
+def is_loop(item: Any) -> bool:
+    """Whether an entry is a list of at least three points."""
+    return (
+        type(item) is list
+        and len(item) > 2
+        and all(type(p) is list and len(p) == 2 and type(p[0]) is str for p in item)
+    )
+
+
+def is_same_claim(one: Certificate, other: Certificate) -> bool:
+    """Whether two certificates claim the same sets, whatever their proofs."""
+
+    def normal(item: Any, key: Any = "") -> Any:
+        if type(item) is dict:
+            kept = {k: v for k, v in item.items() if k not in (*UNREAD, "proof")}
+            return {k: normal([] if v is None else v, k) for k, v in kept.items()}
+        if type(item) is list and (key in ("holes", "unswept", "regions", "exact_fits")):
+            ordered = [sorted(map(str, e)) if key == "exact_fits" else normal(e) for e in item]
+            return sorted(ordered, key=str)
+        if key in ("directrix", "generatrix", "container", "part", "exterior") and is_loop(item):
+            return sorted(map(str, standalone.outline(standalone.ring(item))))
+        return item
+
+    return bool(normal(one) == normal(other))
+
+
+def falsify(rng: Random, pairs: int, changes: int) -> tuple[Counter[str], list[Any]]:
+    """Count what was tried, and list what was proved though it claims something else."""
+    tried: Counter[str] = Counter()
+    missed = []
+    for _ in range(pairs):
+        claims = list(draw(rng))
+        known = [add_proof(claim) for claim in claims]
+        for n in range(changes):
+            one = known[n % len(known)]
+            same = [c for c in known if c.get("claim") == one.get("claim") and c is not one]
+            share = rng.random()
+            try:
+                if share < 0.2:
+                    name, changed = reroute(one, rng)
+                elif share < 0.4 and same:
+                    name, changed = mix(one, same[0], rng)
+                else:
+                    name, changed = change(one, rng)
+            except Exception:  # whatever keeps the finder from ending with a proof
+                tried["nothing to be proved"] += 1
+                continue
+            tried[name] += 1
+            try:
+                prove(changed)
+            except Refused:
+                continue
+            if not any(is_same_claim(changed, c) for c in known) and not is_true(changed):
+                missed.append((name, changed))
+    return tried, missed
+
+
+def is_true(certificate: Certificate) -> bool:
+    """Whether the kernel gives the same answer for the polygons of a changed certificate."""
+    names = ("part", "container") if "part" in certificate else ("generatrix", "directrix")
+    g, d = (read_region(certificate[name]) for name in names)
+    claim = certificate.get("claim")
+    if claim == "inner_fit":
+        true = inner_fit_polygon(d, g).certificate()
+    elif claim == "no_fit":
+        true = no_fit_polygon(d, g).certificate()
+    else:
+        options = {
+            key: certificate[key] for key in ("reference", "direction") if key in certificate
+        }
+        true = sweep(g, d, **options).certificate()
+    return is_same_claim(certificate, json.loads(json.dumps(true)))
+
+
+def read_region(item: Any) -> Any:
+    return Polygon(item) if type(item) is list else Region(item["exterior"], item["holes"] or ())
+
+
+def prove_alone(certificates: list[Certificate], folder: Path) -> int:
+    """Prove certificates by the file alone; return how many it does not prove."""
+    failed = 0
+    for certificate in certificates:
+        path = folder / "certificate.json"
+        path.write_text(json.dumps(certificate), encoding="utf-8")
+        done = subprocess.run([sys.executable, "-I", standalone.__file__, str(path)], check=False)
+        failed += done.returncode != 0
+    return failed
+
+
+def list_corpus() -> Iterator[Certificate]:
+    """List the certificates of the corpus: sweeps, no-fit polygons and inner fits."""
+    for case in cases():
+        d = Region(case.directrix_ring, case.directrix_holes)
+        g = Region(case.generatrix_ring, case.generatrix_holes)
+        yield sweep(g, d, reference=case.reference).certificate()
+        yield no_fit_polygon(d, g).certificate()
+        if case.inner_regions is not None:
+            yield inner_fit_polygon(d, g).certificate()
+
+
+def list_weakened(source: str) -> Iterator[tuple[int, str]]:
+    """List the sources in which one condition of the checker always holds, with the line."""
+    tree = ast.parse(source)
+    for call in ast.walk(tree):
+        if isinstance(call, ast.Call) and ast.unparse(call.func) == "need":
+            lines = source.splitlines()
+            first, last = call.lineno - 1, (call.end_lineno or call.lineno) - 1
+            indent = lines[first][: call.col_offset]
+            yield call.lineno, "\n".join([*lines[:first], f"{indent}pass", *lines[last + 1 :], ""])
+
+
+def weaken(tests: tuple[str, ...], every: int) -> tuple[int, list[str]]:
+    """Count the conditions of the checker that are dropped, and list those that no test misses."""
+    root = Path(standalone.__file__).parents[2]
+    source = Path(standalone.__file__).read_text(encoding="utf-8")
+    weakened, unnoticed = list(list_weakened(source))[::every], []
+    with TemporaryDirectory() as folder:
+        for name in ("exactsweep", "tests", "pyproject.toml", "README.md"):
+            subprocess.run(["cp", "-r", str(root / name), folder], check=True)
+        for line, weaker in weakened:
+            target = Path(folder) / "exactsweep" / "check" / "standalone.py"
+            target.write_text(weaker, encoding="utf-8")
+            done = subprocess.run(
+                [sys.executable, "-m", "pytest", "-n0", "-qx", "-p", "no:cacheprovider", *tests],
+                cwd=folder,
+                env={**os.environ, "PYTHONPATH": folder},
+                stdout=subprocess.DEVNULL,
+                check=False,
+            )
+            if done.returncode == 0:
+                unnoticed.append(f"{line}: {source.splitlines()[line - 1].strip()}")
+    return len(weakened), unnoticed
+
+
+@click.command()
+@click.option("--pairs", default=20, show_default=True, help="How many pairs of certificates.")
+@click.option("--changes", default=100, show_default=True, help="How many changes of each pair.")
+@click.option("--seed", default=1, show_default=True)
+@click.option("--prove", "proved", is_flag=True, help="Prove certificates, unchanged, instead.")
+@click.option("--corpus", is_flag=True, help="Those of the corpus, with --prove.")
+@click.option("--weaken", "weakened", is_flag=True, help="Weaken lines of the checker instead.")
+@click.option("--every", default=1, show_default=True, help="With --weaken: each one of so many.")
+def main(
+    pairs: int, changes: int, seed: int, proved: bool, corpus: bool, weakened: bool, every: int
+) -> None:
+    """Falsify certificates, and count what the checker refuses."""
+    if weakened:
+        number, unnoticed = weaken(TESTS, every)
+        click.echo("\n".join([*unnoticed, f"{number} lines weakened, {len(unnoticed)} unnoticed"]))
+        sys.exit(bool(unnoticed))
+    rng = Random(seed)
+    if proved:
+        drawn = list_corpus() if corpus else (c for _ in range(pairs) for c in draw(rng))
+        count = failed = 0
+        with TemporaryDirectory() as folder:
+            for certificate in drawn:
+                found = add_proof(json.loads(json.dumps(certificate)))
+                count, failed = count + 1, failed + prove_alone([found], Path(folder))
+        click.echo(f"{count - failed} of {count} proved")
+        sys.exit(bool(failed))
+    tried, missed = falsify(rng, pairs, changes)
+    for name, number in sorted(tried.items()):
+        click.echo(f"{number:7}  {name}")
+    click.echo(f"{tried.total()} tried, {len(missed)} false ones proved")
+    for name, certificate in missed:
+        click.echo(f"{name}: {json.dumps(certificate)}")
+    sys.exit(bool(missed))
+
+
+if __name__ == "__main__":
+    main()
