@@ -42,7 +42,7 @@ def make():
     return [Polygon([(x, y) for x, y in ring]) for ring in rings]
 kept = make()
 texts = [[(str(x), str(y)) for x, y in ring] for ring in rings]
-fresh = iter([make() for _ in range(101)])
+fresh = iter([make() for _ in range(103)])
 def run():
     if mode == "text":
         g, d = (Polygon(ring) for ring in texts)

@@ -165,10 +165,13 @@ def _check_types(certificate: Any) -> None:
 
 def _read_given(shape: Any) -> list[Ring]:
     rings = (shape.exterior, *shape.holes) if hasattr(shape, "holes") else (shape,)
-    return [
-        [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
-        for points in rings
-    ]
+    try:
+        return [
+            [node(*map(to_fraction, p)) for p in getattr(points, "vertices", points)]
+            for points in rings
+        ]
+    except TypeError:
+        raise ExactSweepError(f"a {type(shape).__name__} is no polygon and no Region") from None
 
 
 def _prove(c: Certificate, max_steps: int) -> None:

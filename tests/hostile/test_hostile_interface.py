@@ -297,8 +297,8 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> str | None:
 def test_an_argument_is_named_with_what_it_should_be() -> None:
     with pytest.raises(ArgumentError, match=r"^polygons is None, not Iterable\[Polygon \| Region"):
         format_polygons(None, "wkt")  # type: ignore[arg-type]
-    with pytest.raises(ArgumentError, match=r"^max_steps is 'a', not int$"):
-        PUBLIC["check.verify"](EXAMPLE.certificate(), max_steps="a")
+    with pytest.raises(ArgumentError, match=r"^tries is 'a', not int$"):
+        PUBLIC["conform.shrink"](CASE, lambda case: "x", tries="a")
 
 
 def test_faults_of_the_program_are_not_those_of_its_caller() -> None:

@@ -227,6 +227,7 @@ def test_light_and_dark_differ_and_follow_the_system(show: Open, s: Sweep) -> No
     assert dark.colors().tobytes() == light.colors().tobytes()
 
 
+@pytest.mark.long
 def test_a_loop_of_10000_vertices_works(show: Open) -> None:
     teeth = [(x, -(x % 2) * 3) for x in range(5001)]
     s = sweep([(0, 0), ("1/4", 0), ("1/8", "1/4")], [*teeth, (5000, 9), (0, 9)])
@@ -282,6 +283,7 @@ def test_long_numbers_are_told_in_short_too(show: Open) -> None:
         assert shown.tab.evaluate("n => exactsweep.about(n)", number) == told
 
 
+@pytest.mark.long
 def test_keys_scroll_in_the_panel(show: Open) -> None:
     shown = show(EXAMPLE)
     shown.tab.focus("summary")

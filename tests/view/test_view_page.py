@@ -152,6 +152,7 @@ def test_more_than_a_thousand_fits_are_visited_in_turn(show: Open) -> None:
     assert shown.position == s.exact_fits[1][0]
 
 
+@pytest.mark.long
 def test_the_page_runs_in_the_frame_of_a_notebook(browser: Any, tmp_path: Path) -> None:
     file = tmp_path / "notebook.html"
     file.write_text(f"<!doctype html><p>A cell</p>{EXAMPLE.view()._repr_html_()}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import pytest
 from contacts import between, without_parts
 from hypothesis import given
 from shown import Open, Shown
@@ -177,6 +178,7 @@ def test_a_pair_of_one_track_has_no_choice_of_it(show: Open) -> None:
     assert shown.position == points((-2, -2))[0]
 
 
+@pytest.mark.long
 def test_size_does_not_matter() -> None:
     big = 10**30
     exterior, *holes = ([(x * big, y * big) for x, y in ring] for ring in PLATE.rings)
