@@ -466,7 +466,7 @@ def check_kind(kind: Any, d: Ring, g: Ring, direction: list[Any]) -> None:
     x, y = (number(str(n) if type(n) is int else n) for n in direction)
     need(kind == ("MM", "CM", "CC")[convex], "kind: another one")
     primitive = x.denominator == 1 == y.denominator and gcd(x.numerator, y.numerator) == 1
-    need(primitive and (x, y) > (0, 0), "direction: not primitive")
+    need(primitive and (x > 0 or (x == 0 and y > 0)), "direction: not primitive")
     for points in (d, g):
         signs = [s > 0 for s in (x * u + y * v for u, v in ways(points)) if s]
         need(sum(signs[k - 1] != one for k, one in enumerate(signs)) == 2, "direction: not shared")
