@@ -164,6 +164,11 @@ def test_a_hole_does_not_pass_as_a_ring_of_fits_or_a_fit_as_a_hole() -> None:
     (hole,) = cave["holes"]
     ring = [[p, hole[k - 1]] for k, p in enumerate(hole)]
     assert not proves({**cave, "holes": [], "exact_fits": cave["exact_fits"] + ring})
+    # With a proof that fits the false claim, what lies beside the edges gives it away.
+    claim = {key: item for key, item in cave.items() if key != "proof"}
+    false = {**claim, "holes": [], "exact_fits": cave["exact_fits"] + ring}
+    with pytest.raises(Refused, match="does not part"):
+        prove(add_proof(false))
     assert not proves({**cave, "holes": []})
     assert not proves({**cave, "holes": [hole, hole]})
     assert not proves({**cave, "exact_fits": []})
