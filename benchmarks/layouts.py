@@ -29,6 +29,7 @@ from exactsweep.layout import Layout, judge_layout
 
 SOURCE = Path(__file__).parent / "cgal" / "layouts.cpp"
 
+GAP, TOUCHING = "a gap", "touching borders"
 CELL = 10**9
 RECORDS = ((24, 8), (28, 8), (30, 12), (48, 20), (99, 8), (64, 12), (50, 116), (80, 212))
 """Placements and vertices of a part, as published records have them."""
@@ -201,8 +202,7 @@ def compare_all(cgal: Path | None, *, quick: bool) -> Iterator[Beside]:
     """Tilings as large as published records are, with a gap and without."""
     for number, vertices in RECORDS[:2] if quick else RECORDS:
         for gap in (True, False):
-            name = "a gap" if gap else "touching"
-            yield measure(name, tile(number, vertices, gap=gap), cgal)
+            yield measure(GAP if gap else TOUCHING, tile(number, vertices, gap=gap), cgal)
 
 
 class Grown(NamedTuple):
@@ -261,13 +261,15 @@ def tabulate(cgal: Path | None, *, quick: bool) -> Iterator[Table | str]:
             "yes" if row.same else "no",
         )
     yield beside
-    slower = median(row.ours / row.shapely for row in found)
-    yield f"ours / shapely: median {slower:.1f}, at most {SHAPELY_BAR:g} asked for"
-    if cgal is not None:
-        faster = median(row.cgal / row.ours for row in found if row.cgal is not None)
-        meeting = median(row.cgal_meet / row.ours for row in found if row.cgal_meet is not None)
-        yield f"CGAL / ours: median {faster:.1f}, at least {CGAL_BAR:g} asked for"
-        yield f"CGAL meet / ours: median {meeting:.1f}"
+    for name in (GAP, TOUCHING):
+        rows = [row for row in found if row.name == name]
+        slower = median(row.ours / row.shapely for row in rows)
+        yield f"{name}: ours / shapely: median {slower:.1f}, at most {SHAPELY_BAR:g} asked for"
+        if cgal is not None:
+            faster = median(row.cgal / row.ours for row in rows if row.cgal is not None)
+            meeting = median(row.cgal_meet / row.ours for row in rows if row.cgal_meet is not None)
+            yield f"{name}: CGAL / ours: median {faster:.1f}, at least {CGAL_BAR:g} asked for"
+            yield f"{name}: CGAL meet / ours: median {meeting:.1f}"
     growth = Table(title=f"Tilings by parts of {GROWING} vertices, seconds, and MB at most")
     for name in ("placements", "verdict", "least distance", "memory"):
         growth.add_column(name, justify="right")

@@ -24,7 +24,7 @@ _TOKEN = re.compile(
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
-_Listed = TypeVar("_Listed")
+_Enclosed = TypeVar("_Enclosed")
 
 
 class _Token(NamedTuple):
@@ -103,7 +103,7 @@ class _Reader:
         else:
             yield from chain(*self._list(lambda: [*self._geometry(depth + 1)]))
 
-    def _list(self, read: Callable[[], _Listed]) -> list[_Listed]:
+    def _list(self, read: Callable[[], _Enclosed]) -> list[_Enclosed]:
         """Read a list in parentheses."""
         self._expect("(")
         found = [read()]

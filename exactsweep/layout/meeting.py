@@ -73,8 +73,8 @@ def meet(a: Solid, b: Solid) -> Relation:
         on_a[ours_at].update(shared)
         on_b[theirs_at].update((px - x, py - y) for px, py in shared)
         if len(shared) == 2:
-            (px, py), (qx, qy) = shared
-            shared_pieces.add((px + qx, py + qy))
+            start, end = shared
+            shared_pieces.add((start[0] + end[0], start[1] + end[1]))
     if _enters(a.form, b.form, on_a, (-2 * x, -2 * y), window, shared_pieces):
         return Relation.OVERLAP
     shared_pieces = {(px - 2 * x, py - 2 * y) for px, py in shared_pieces}

@@ -11,10 +11,12 @@ from benchmarks.__main__ import main
 from benchmarks.batches import BatchCost, tabulate_model
 from benchmarks.families import FAMILIES
 from benchmarks.floors import comb
+from benchmarks.layouts import judge_ours, make_shapely, place_all, tile, write_shapes
 from benchmarks.outlines import OUTLINES, part_pairs
 from benchmarks.spent import COUNTED, count
-from exactsweep import Polygon, sweep
+from exactsweep import Point, Polygon, sweep
 from exactsweep.corpus.generator.growing import bumps
+from exactsweep.layout import judge_layout
 from exactsweep.paper.claim import Effort
 from exactsweep.paper.costs import COSTS, DOUBLINGS, Cost, tabulate
 from exactsweep.paper.counting import Counted, make_counted, watch_operations
@@ -180,3 +182,31 @@ def test_a_large_batch_is_as_its_model_says() -> None:
     first, last = ([[*column.cells][row] for column in columns] for row in (0, 1))
     assert first == ["9,001", "10", "9.2 s", "20.0 s", "2,700,300"]
     assert last == ["1,000,000,000", "512", "5.4 h", "556 h", "300,000,000,000"]
+
+
+@pytest.mark.parametrize("gap", [True, False])
+@pytest.mark.parametrize(("number", "vertices"), [(6, 8), (9, 20)])
+def test_tilings_are_valid_layouts(number: int, vertices: int, gap: bool) -> None:
+    layout = tile(number, vertices, gap=gap)
+    judgement = judge_layout(layout)
+    assert judgement.valid
+    assert bool(judgement.contacts) is not gap
+    assert {len(part.exterior) for part in layout.parts} == {vertices}
+    assert len(layout.placements) == number
+    assert tile(number, vertices, gap=gap) == layout
+
+
+def test_programs_are_asked_the_same_of_layouts() -> None:
+    layout = tile(4, 8, gap=True)
+    first, second, *others = layout.placements
+    moved = replace(second, move=Point(first.move.x + 10**8, first.move.y))
+    away = replace(others[1], move=Point(others[1].move.x + 10**9, others[1].move.y))
+    wrong = replace(layout, placements=(first, moved, others[0], away))
+    shapes = place_all(wrong)
+    assert (0, 1) in judge_ours(wrong)
+    assert (3, 4) in judge_ours(wrong)
+    assert judge_ours(wrong) == make_shapely(shapes)()
+    lines = write_shapes(shapes).splitlines()
+    assert lines[0] == "5"
+    # The number of shapes; of each its rings; of each ring its vertices, and these.
+    assert len(lines) == 1 + 4 * (2 + 8) + 1 + 2 * (1 + 4)

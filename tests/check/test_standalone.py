@@ -249,6 +249,7 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
         "twice": '{"format": 1, "format": 1}',
         "nan": '{"format": NaN}',
         "bad": "{",
+        "huge": "[[0, 0], [1, 0], [0, 1e999999999]]",
     }
     for name, text in files.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
@@ -259,6 +260,10 @@ def test_the_file_proves_certificates_by_itself(tmp_path: Path) -> None:
     assert run(at["proof"], at["d"], at["g"]) == (
         1,
         "not proved: generatrix: not the polygon that is given\n",
+    )
+    assert run(at["proof"], at["huge"]) == (
+        1,
+        "not proved: a number with too large an exponent\n",
     )
     for name in ("claim", "twice", "nan", "bad"):
         code, said = run(at[name])

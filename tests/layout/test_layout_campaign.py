@@ -16,7 +16,7 @@ from exactsweep.layout import Fault, judge_layout
 from exactsweep.numbers.number import to_fraction
 
 
-@pytest.mark.parametrize("first", range(0, 12, 3))
+@pytest.mark.parametrize("first", range(0, 9, 3))
 def test_random_layouts_are_judged_as_by_the_definition(first: int) -> None:
     for number in range(first, first + 3):
         assert try_layout(7, number).failure == ""

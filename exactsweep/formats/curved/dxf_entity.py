@@ -78,11 +78,7 @@ class Entity:
 
     def number(self, code: int, default: int | None = None) -> Fraction:
         """Return the number with a group code; refuse where there is none, and no default."""
-        text = self._text(code, None if default is None else str(default))
-        try:
-            return read_decimal(text)
-        except ValueError as error:
-            raise FormatError(f"group {code}: {error}") from None
+        return _read_group(code, self._text(code, None if default is None else str(default)))
 
     def point(self, code: int) -> Point:
         """Return the point whose x has a group code, and its y that code plus ten."""
@@ -129,9 +125,19 @@ class Entity:
 
     def corners(self) -> list[tuple[Point, Fraction]]:
         """Return the vertices of an LWPOLYLINE, each with the bulge of the edge that follows."""
-        starts = [k for k, tag in enumerate(self.tags) if tag.code == 10]
-        parts = [self.tags[i:j] for i, j in zip(starts, [*starts[1:], None], strict=True)]
-        return [_corner(Entity([self.tags[0], *part])) for part in parts]
+        parts: list[dict[int, str]] = []
+        for tag in self.tags:
+            if tag.code == 10:
+                parts.append({})
+            if parts:
+                parts[-1].setdefault(tag.code, str(tag.value).strip())
+        return [
+            (
+                Point(_read_group(10, part[10]), _read_group(20, part.get(20))),
+                _read_group(42, part.get(42, "0")),
+            )
+            for part in parts
+        ]
 
     def vertex_corners(self, reading: Reading) -> list[tuple[Point, Fraction]]:
         """Return the same of a POLYLINE, from the VERTEX entities that follow it."""
@@ -276,6 +282,15 @@ def _tags(text: str) -> Iterator[DXFTag]:
             seen = True
         opens_section = (tag.code, value) == (0, "SECTION")
         yield DXFTag(tag.code, value)
+
+
+def _read_group(code: int, text: str | None) -> Fraction:
+    if text is None:
+        raise FormatError(f"group {code} is missing")
+    try:
+        return read_decimal(text)
+    except ValueError as error:
+        raise FormatError(f"group {code}: {error}") from None
 
 
 def _corner(vertex: Entity) -> tuple[Point, Fraction]:
