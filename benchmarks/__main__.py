@@ -121,7 +121,7 @@ def layouts(quick: bool, cgal: Path | None) -> None:
 @main.command()
 @cgal_option
 def fair(cgal: Path | None) -> None:
-    """The trajectory by CGAL and by the kernel: made anew, kept, from text; memory; crashes."""
+    """The trajectory by CGAL and by the kernel: made anew, kept, from text; crashes."""
     with TemporaryDirectory() as folder:
         table = fair_runs.tabulate(cgal or compile_program(Path(folder)))
     Console(width=max(WIDTH, Console().width)).print(table)

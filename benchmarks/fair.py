@@ -2,16 +2,14 @@
 
 CGAL's time is that of its fastest strategy for the pair; a strategy that crashes or gives another
 answer is counted. Both sides are measured in turn, on processor time, each as its least of some
-runs; memory is the most that a process of its own held.
+runs.
 """
 
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
-import tempfile
 from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
@@ -56,37 +54,36 @@ json.dump([min(times), [[str(x), str(y)] for x, y in run()]], sys.stdout)
 
 
 class Answer(NamedTuple):
-    """The least time in milliseconds, the memory in MB, and the loop."""
+    """The least time in milliseconds, and the loop."""
 
     time: float
-    memory: float
     loop: Polygon
 
 
-def run_apart(command: list[str], given: str) -> tuple[str, float] | None:
-    """Run a program: its output and the most memory that it held in MB, or None if it fails."""
-    with tempfile.TemporaryFile("w+") as read, tempfile.TemporaryFile("w+") as written:
-        read.write(given)
-        read.seek(0)
-        process = subprocess.Popen(
-            ["timeout", str(LIMIT), *command],
-            stdin=read,
-            stdout=written,
+def run_apart(command: list[str], given: str) -> str:
+    """Run a program and return its output; nothing if it fails or takes too long."""
+    try:
+        done = subprocess.run(
+            command,
+            input=given,
+            stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
+            text=True,
             cwd=Path(__file__).parent.parent,
+            timeout=LIMIT,
+            check=False,
         )
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        written.seek(0)
-        return None if process.returncode else (written.read(), used.ru_maxrss / 1000)
+    except subprocess.TimeoutExpired:
+        return ""
+    return "" if done.returncode else done.stdout
 
 
 def ask_ours(pair: tuple[Ring, Ring], mode: str) -> Answer | None:
     said = run_apart([sys.executable, "-c", OURS], json.dumps([pair, mode, SECONDS]))
-    if said is None:
+    if not said:
         return None
-    time, loop = json.loads(said[0])
-    return Answer(time, said[1], Polygon(loop))
+    time, loop = json.loads(said)
+    return Answer(time, Polygon(loop))
 
 
 def ask_cgal(
@@ -102,16 +99,16 @@ def ask_cgal(
     for way in ways:
         said = run_apart([str(program), "sum", way, str(SECONDS), *([mode] if mode else [])], given)
         try:
-            times, *lines = said[0].splitlines() if said else ("",)
+            times, *lines = said.splitlines() or [""]
             loop = Polygon([(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)])
-            found[way] = Answer(min(map(float, times.split())), said[1] if said else 0.0, loop)
+            found[way] = Answer(min(map(float, times.split())), loop)
         except (PolygonError, ValueError):
             found[way] = None
     return found
 
 
 def measure(program: Path, name: str, m: int, n: int) -> list[str]:
-    """The row of one pair: times in each mode, the ratios, memory, and strategies that failed."""
+    """The row of one pair: times in each mode, the ratios, and strategies that failed."""
     pair = (FAMILIES | ANY_SHAPE)[name](m, n, 0)
     row = [f"{name} {m}, {n}"]
     ours = [ask_ours(pair, "kept")]
@@ -120,7 +117,6 @@ def measure(program: Path, name: str, m: int, n: int) -> list[str]:
     tried = ask_cgal(program, pair, "", [*STRATEGIES])
     good = [way for way, found in tried.items() if found and found.loop == right]
     good.sort(key=lambda way: tried[way].time)  # type: ignore[union-attr]
-    memory: list[float] = []
     for name_of, mode in MODES.items():
         mine, theirs = [], []
         for _ in range(TURNS):
@@ -130,10 +126,9 @@ def measure(program: Path, name: str, m: int, n: int) -> list[str]:
             theirs += [found for found in others.values() if found]
         one, other = min(a.time for a in mine), min((a.time for a in theirs), default=0.0)
         row += [f"{one:.3f}", f"{other:.3f}", f"{other / one:.1f}"]
-        memory = [max(a.memory for a in mine), max((a.memory for a in theirs), default=0.0)]
     crashed = sum(found is None for found in tried.values())
     wrong = len(tried) - len(good) - crashed
-    return [*row, *(f"{size:.0f}" for size in memory), str(crashed), str(wrong)]
+    return [*row, str(crashed), str(wrong)]
 
 
 def tabulate(program: Path) -> Table:
@@ -143,7 +138,7 @@ def tabulate(program: Path) -> Table:
     for mode in MODES:
         for column in (mode, "CGAL", "times"):
             table.add_column(column, justify="right")
-    for column in ("MB", "CGAL", "crashes", "other answers"):
+    for column in ("crashes", "other answers"):
         table.add_column(column, justify="right")
     for name, m, n in PAIRS:
         table.add_row(*measure(program, name, m, n))

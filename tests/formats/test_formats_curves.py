@@ -19,6 +19,7 @@ from exactsweep import limits
 from exactsweep.formats import FormatError, parse_polygon, parse_polygons
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.curves import (
+    _bend,
     bound_root,
     find_arc_center,
     flatten_arc,
@@ -237,3 +238,28 @@ def test_too_many_lines_are_refused_before_they_are_made() -> None:
 def test_a_tolerance_is_a_positive_number(tolerance: object) -> None:
     with pytest.raises(FormatError, match=r"^the tolerance"):
         parse_polygon("<svg/>", tolerance=tolerance)
+
+
+weights_of = st.lists(st.fractions(Fraction(1, 20), 3, max_denominator=20), min_size=3, max_size=3)
+
+
+@given(st.lists(points, min_size=3, max_size=3), weights_of, st.integers(1, 15))
+@fewer
+def test_the_bend_of_a_curve_with_weights_is_bounded(
+    corners: list[Point], weights: list[Fraction], place: int
+) -> None:
+    """Second differences are values of the second derivative, coordinate by coordinate."""
+    at, step = Fraction(place, 16), Fraction(1, 64)
+    before, here, after = (rational_point(corners, weights, t) for t in (at - step, at, at + step))
+    bound = _bend(corners, weights)
+    assert abs(before.x - 2 * here.x + after.x) <= bound * step**2
+    assert abs(before.y - 2 * here.y + after.y) <= bound * step**2
+
+
+def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -> Point:
+    shares = [w * b for w, b in zip(weights, ((1 - t) ** 2, 2 * t * (1 - t), t**2), strict=True)]
+    pairs = list(zip(shares, corners, strict=True))
+    whole = sum(shares, Fraction(0))
+    x = sum((share * p.x for share, p in pairs), Fraction(0))
+    y = sum((share * p.y for share, p in pairs), Fraction(0))
+    return Point(x / whole, y / whole)

@@ -263,3 +263,16 @@ def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
     assert isinstance(entity, Polyline)
     assert entity.is_closed
     assert [tuple(v.dxf.location)[:2] for v in entity.vertices] == list(whole.vertices)
+
+
+def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
+    """The refusal is told, and the polygon after it is read."""
+
+    def draw(space: Modelspace) -> None:
+        assert space.doc
+        block = space.doc.blocks.new("part")
+        block.add_text("label")
+        block.add_lwpolyline(CORNERS, close=True)
+        space.add_blockref("part", (0, 0))
+
+    assert parse_polygon(written(draw)) == SQUARE

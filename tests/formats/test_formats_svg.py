@@ -213,3 +213,8 @@ def test_any_path_is_read_or_refused(data: str) -> None:
     except ValueError as error:
         message = str(error)
     assert message.isprintable()
+
+
+def test_a_view_box_of_one_unit_is_one() -> None:
+    inner = '<svg viewBox="0 0 1 1" width="2" height="2"><path d="M0 0h1v1z"/></svg>'
+    assert parse_polygon(f"<svg>{inner}</svg>") == Polygon([(0, 0), (2, 0), (2, 2)])

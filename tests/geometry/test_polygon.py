@@ -325,3 +325,9 @@ def test_vertices_inside_straight_edges_are_left_out(factor: Fraction, kind: Any
     assert polygon.vertices == tuple(
         Point(factor * x, factor * y) for x, y in ring[::2][:1] + ring[2:4]
     )
+
+
+def test_whole_turns_change_nothing() -> None:
+    triangle = Polygon([(0, 0), (3, 0), (0, 1)])
+    assert triangle.rotated(450) == triangle.rotated(90) == triangle.rotated(-270)
+    assert triangle.rotated(360) == triangle
