@@ -6,6 +6,7 @@ coordinates as always, and the counts are the same on every run and every machin
 
 from __future__ import annotations
 
+import gc
 import tracemalloc
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -215,6 +216,8 @@ def grow_bytes(
     """Measure the peak of the memory that a procedure takes beside its input."""
 
     def peak(chains: Chains) -> float:
+        # A full collection empties the lists of free objects, which are not traced when reused.
+        gc.collect()
         tracemalloc.start()
         try:
             before = tracemalloc.get_traced_memory()[0]
