@@ -29,26 +29,30 @@ class _Rate(ProgressColumn):
 
 
 @contextmanager
-def show_bar(total: int) -> Iterator[Callable[[int], None]]:
+def show_bar(
+    total: int, console: Console | None = None, clock: Callable[[], float] = monotonic
+) -> Iterator[Callable[[int], None]]:
     """Show a bar on standard error, if that is a terminal, from the second second on.
 
     Args:
         total: the number at its end.
+        console: where it is shown.
+        clock: tells the time, in seconds.
 
     Yields:
         A function to be told how far it is; where it starts does not count for the rate.
     """
-    console, begun = Console(stderr=True), monotonic()
+    console, begun = console or Console(stderr=True), clock()
     if not console.is_terminal:
         yield lambda done: None
         return
     columns = BarColumn(), MofNCompleteColumn(), _Rate(), TimeRemainingColumn()
-    with Progress(*columns, console=console) as progress:
+    with Progress(*columns, console=console, get_time=clock) as progress:
         task: TaskID | None = None
 
         def show(done: int) -> None:
             nonlocal task
-            if task is None and monotonic() - begun < _PATIENCE:
+            if task is None and clock() - begun < _PATIENCE:
                 return
             if task is None:
                 task = progress.add_task("", total=total, completed=done)

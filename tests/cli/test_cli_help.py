@@ -6,14 +6,17 @@ import re
 import shlex
 import subprocess
 from collections.abc import Iterator
+from io import StringIO
 from pathlib import Path
 
 import click
 import pytest
-from command import EXACTSWEEP, NOTCH, PATIENCE, run, shell
+from command import EXACTSWEEP, NOTCH, run, shell
 from partlist import part_list
+from rich.console import Console
 
 from exactsweep.cli import main
+from exactsweep.cli.bar import show_bar
 from exactsweep.cli.help import EXAMPLES
 from exactsweep.formats import format_polygons
 
@@ -104,15 +107,24 @@ def test_colours_are_for_terminals() -> None:
     assert "\x1b" not in run("sweep").output
 
 
-@pytest.mark.long
-def test_a_bar_with_rate_and_time_is_for_terminals(tmp_path: Path) -> None:
+def test_a_bar_with_rate_and_time_begins_after_a_second() -> None:
+    written, now = StringIO(), [0.0]
+    console = Console(file=written, force_terminal=True, width=100)
+    with show_bar(256, console, lambda: now[0]) as show:
+        now[0] = 0.9
+        show(64)
+        assert "256" not in written.getvalue()
+        for now[0], done in ((1.1, 128), (2.0, 192), (3.0, 256)):
+            show(done)
+    assert "256/256" in written.getvalue()
+    assert re.search(r"\d+/s", written.getvalue())
+    assert re.search(r"\d:\d\d:\d\d", written.getvalue())
+
+
+def test_there_is_no_bar_where_there_is_no_terminal(tmp_path: Path) -> None:
     parts = tmp_path / "parts.json"
-    parts.write_text(format_polygons(part_list(16), "json"))
-    command = [EXACTSWEEP, "batch", "--all", str(parts), str(parts)]
-    command += ["--workers", "1", "-o", str(tmp_path / "out")]
-    shown = on_terminal(command)
-    assert "256/256" in shown
-    assert re.search(r"\d+/s", shown)
-    assert re.search(r"\d:\d\d:\d\d", shown)
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
-    assert (done.stdout[:9], done.stderr) == ("256 pairs", "")
+    parts.write_text(format_polygons(part_list(4), "json"))
+    done = run(
+        "batch", "--all", str(parts), str(parts), "--workers", "1", "-o", str(tmp_path / "o")
+    )
+    assert (done.stdout[:8], done.stderr) == ("16 pairs", "")
