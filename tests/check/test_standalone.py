@@ -174,6 +174,76 @@ def test_a_hole_does_not_pass_as_a_ring_of_fits_or_a_fit_as_a_hole() -> None:
     assert not proves({**cave, "exact_fits": []})
 
 
+def claim(certificate: Certificate, **changes: Any) -> Certificate:
+    """A certificate with other claims, and the proof that the finder has for them."""
+    kept = {key: item for key, item in certificate.items() if key != "proof"}
+    return add_proof({**kept, **changes})
+
+
+def test_a_loop_is_written_in_one_way() -> None:
+    cave = CERTIFICATES["cave"]
+    loop, (hole,) = cave["exterior"], cave["holes"]
+    for changes in ({"exterior": loop[1:] + loop[:1]}, {"holes": [hole[1:] + hole[:1]]}):
+        with pytest.raises(Refused, match="not canonical"):
+            prove(claim(cave, **changes))
+    # The lower edge, from (-1, -1) to (4, -1), with a straight angle.
+    assert loop[:2] == [["-1", "-1"], ["4", "-1"]]
+    with pytest.raises(Refused, match="not canonical"):
+        prove(claim(cave, exterior=[loop[0], ["0", "-1"], *loop[1:]]))
+
+
+# Two rooms side by side, with a pillar in the left one.
+ROOMS = Region(
+    [
+        (0, 0),
+        (8, 0),
+        (8, 4),
+        (9, 4),
+        (9, 0),
+        (16, 0),
+        (16, 8),
+        (9, 8),
+        (9, 5),
+        (8, 5),
+        (8, 8),
+        (0, 8),
+    ],
+    [[(3, 3), (5, 3), (5, 5), (3, 5)]],
+)
+
+
+def test_a_hole_is_in_its_region() -> None:
+    two = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    inside = add_proof(json.loads(json.dumps(inner_fit_polygon(ROOMS, two).certificate())))
+    assert prove(inside)
+    left, right = inside["regions"]
+    assert (len(left["holes"]), len(right["holes"])) == (1, 0)
+    regions = [{**left, "holes": []}, {**right, "holes": left["holes"]}]
+    with pytest.raises(Refused, match="a hole is not in its region"):
+        prove(claim(inside, regions=regions))
+
+
+def test_fits_are_there_once() -> None:
+    for name, container, reason in (
+        ("a point", SQUARE, "a fit of one point is on a loop or another fit"),
+        ("a segment", [(0, 0), (3, 0), (3, 1), (0, 1)], "edges overlap"),
+    ):
+        fit = add_proof(json.loads(json.dumps(inner_fit_polygon(container, SQUARE).certificate())))
+        assert prove(fit), name
+        with pytest.raises(Refused, match=reason):
+            prove(claim(fit, exact_fits=2 * fit["exact_fits"]))
+
+
+def test_a_certificate_is_an_object_and_steps_are_an_int() -> None:
+    others: tuple[Any, ...] = ([], None, "{}")
+    for item in others:
+        with pytest.raises(Refused, match="a certificate is an object"):
+            prove(item)
+    steps: Any = 1e9
+    with pytest.raises(Refused, match="max_steps"):
+        prove(CERTIFICATES["CC"], steps)
+
+
 def test_loops_are_not_exchanged() -> None:
     cc = CERTIFICATES["CC"]
     assert not proves({**cc, "inner": cc["outer"], "outer": cc["inner"]})

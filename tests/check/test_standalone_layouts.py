@@ -93,6 +93,7 @@ def test_a_layout_that_fills_its_container_is_proved() -> None:
         ("layout.placements.0.mirrored", True, "beyond the frame"),
         ("layout.placements.0.mirrored", 0, "mirrored"),
         ("layout.placements.0.part", "K", "no part"),
+        ("layout.parts.0.mirrored", 0, "mirrored"),
         ("layout.parts.0.demand", 3, "missing"),
         ("layout.parts.0.demand", 1, "surplus"),
         ("layout.parts.0.demand", True, "int"),
@@ -110,6 +111,7 @@ def test_a_layout_that_fills_its_container_is_proved() -> None:
         ("pieces.0.0", box(0, 1, 1, 2), "cancel"),
         ("outside.3", None, "cancel"),
         ("frame", ["-1", "-1", "3", "3"], "cancel"),
+        ("layout.parts.0.holes", [[]], "fewer than three points"),
         ("valid", False, "faults"),
         ("valid", 1, "valid"),
         ("faults", [{"kind": "missing", "part": "L"}], "faults"),
@@ -283,3 +285,99 @@ def test_faults_are_proved_by_their_witnesses() -> None:
 )
 def test_a_false_witness_is_refused(fault: dict[str, Any], change: dict[str, Any]) -> None:
     assert refusal(faulty({**fault, **change}))
+
+
+RULE = {"kind": "missing", "part": "L"}
+CLASH = {"kind": "shape", "part": "L", "edges": [[0, 0], [0, 3]]}
+
+
+@pytest.mark.parametrize(
+    ("fault", "reason"),
+    [
+        (RULE, "faults: missing"),
+        ({**RULE, "part": "K"}, "faults: of no part"),
+        ({**RULE, "part": ["L"]}, "faults: of no part"),
+        (CLASH, "the edges do not clash"),
+        ({**CLASH, "edges": [[0, 0], [0, 0]]}, "the edges do not clash"),
+        ({**CLASH, "edges": [[0, 0], [0, 6]]}, "edges: not there"),
+        ({**CLASH, "edges": [[0, 0], [1, 0]]}, "edges: not there"),
+        ({**OVERLAP, "placements": [0]}, "faults: overlap of what"),
+        ({**OVERLAP, "placements": [0, 0]}, "not of one placement or of two"),
+    ],
+)
+def test_a_fault_that_the_layout_does_not_have_is_refused(
+    fault: dict[str, Any], reason: str
+) -> None:
+    assert reason in refusal(faulty(fault))
+
+
+def test_edges_of_two_rings_clash_only_where_they_cross() -> None:
+    # A hole touches the exterior at a point, or crosses it.
+    hole = [["1", "0"], ["3/2", "1/2"], ["1/2", "1/2"]]
+    fault = {**CLASH, "edges": [[0, 0], [1, 0]]}
+    touching = faulty(fault, pieces=[None])
+    touching["layout"]["parts"][0]["holes"] = [hole]
+    assert "do not clash" in refusal(touching)
+    crossing = copy.deepcopy(touching)
+    crossing["layout"]["parts"][0]["holes"] = [[["1", "-1"], *hole[1:]]]
+    assert prove(crossing)
+
+
+def test_a_valid_layout_has_pieces_of_all_shapes() -> None:
+    for changes in ({"pieces": [None]}, {"outside": None}):
+        assert "pieces: some are missing" in refusal(certificate(**changes))
+
+
+def test_a_frame_has_its_ends_in_order() -> None:
+    assert prove(faulty(OVERLAP))
+    assert "frame" in refusal(faulty(OVERLAP, frame=["4", "3", "-1", "-1"]))
+
+
+def alone(exterior: Any, holes: Any, *pieces: Any) -> dict[str, Any]:
+    """One part in a box of 2 x 2."""
+    return certificate(
+        layout={
+            "container": {"exterior": box(0, 0, 2, 2)},
+            "parts": [{"id": "p", "exterior": exterior, "holes": holes}],
+            "placements": [{"part": "p", "turn": "0", "move": ["0", "0"]}],
+        },
+        turns=[["1", "0"]],
+        frame=["-1", "-1", "3", "3"],
+        pieces=[[*pieces]],
+        outside=[box(-1, -1, 3, 0), box(2, 0, 3, 2), box(-1, 2, 3, 3), box(-1, 0, 0, 2)],
+    )
+
+
+def test_a_part_is_in_one_piece() -> None:
+    # A hole that touches the exterior once leaves one piece, twice or four times it does not.
+    west, south, east, north = ["0", "1"], ["1", "0"], ["2", "1"], ["1", "2"]
+    corners = [
+        [west, ["0", "0"], south],
+        [south, ["2", "0"], east],
+        [east, ["2", "2"], north],
+        [north, ["0", "2"], west],
+    ]
+    apart = alone(box(0, 0, 2, 2), [[south, east, north, west]], *corners)
+    assert "falls apart" in refusal(apart)
+    slot = alone(
+        box(0, 0, 2, 2), [[south, east, west]], *corners[:2], [west, east, *box(0, 0, 2, 2)[2:]]
+    )
+    assert "falls apart" in refusal(slot)
+    notch = [south, ["3/2", "1"], ["1/2", "1"]]
+    left = [["0", "0"], south, ["1/2", "1"], ["0", "1"]]
+    right = [south, ["2", "0"], east, ["3/2", "1"]]
+    assert prove(alone(box(0, 0, 2, 2), [notch], left, right, box(0, 1, 2, 2)))
+
+
+def test_a_ring_that_touches_itself_is_refused() -> None:
+    eight = [*box(0, 0, 1, 1)[:2], ["1", "1"], *box(1, 1, 2, 2)[1:], ["1", "1"], ["0", "1"]]
+    assert "not simple" in refusal(alone(eight, [], box(0, 0, 1, 1), box(1, 1, 2, 2)))
+
+
+def test_ids_are_strings_and_each_of_one_part() -> None:
+    for ids in (["L", "L"], ["L", 1], ["L", None]):
+        found = certificate(pieces=certificate()["pieces"] * 2)
+        part = found["layout"]["parts"][0]
+        del part["demand"]
+        found["layout"]["parts"] = [{**part, "id": name} for name in ids]
+        assert "ids are strings" in refusal(found)
