@@ -216,8 +216,11 @@ def grow_bytes(
     """Measure the peak of the memory that a procedure takes beside its input."""
 
     def peak(chains: Chains) -> float:
-        # A full collection empties the lists of free objects, which are not traced when reused.
+        # A full collection empties the lists of free objects, which are not traced when reused; it
+        # need not look at what is there already.
+        gc.freeze()
         gc.collect()
+        gc.unfreeze()
         tracemalloc.start()
         try:
             before = tracemalloc.get_traced_memory()[0]

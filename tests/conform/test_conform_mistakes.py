@@ -34,6 +34,7 @@ def test_a_mistake_is_convicted_and_named(name: str) -> None:
         assert is_right(mistake, outcome), (case.id, outcome.verdict, list_sayings(outcome))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("numbers", "to", "verdict"),
     [

@@ -140,6 +140,7 @@ def test_long_numbers_are_cut_short_and_copied_whole(browser: Any, tmp_path: Pat
     shown.tab.close()
 
 
+@pytest.mark.long
 def test_more_than_a_thousand_fits_are_visited_in_turn(show: Open) -> None:
     count = 1500
     comb = [(0, 0), (4 * count, 0)]
