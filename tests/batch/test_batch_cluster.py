@@ -97,6 +97,7 @@ def test_a_cluster_of_its_own_survives_a_killed_worker(tmp_path: Path, command: 
     assert not any(Path(f"/proc/{pid}").exists() for pid in workers)
 
 
+@pytest.mark.long
 def test_no_scheduler_is_one_line_and_leaves_nothing(tmp_path: Path, command: list[str]) -> None:
     done = subprocess.run(
         [*command, "--scheduler", "tcp://127.0.0.1:9"],

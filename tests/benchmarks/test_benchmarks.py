@@ -120,6 +120,7 @@ def test_every_bound_is_tried_with_both_sizes_together_and_alone() -> None:
     assert DOUBLINGS >= 5
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "cost", COSTS, ids=lambda c: f"{c.procedure} {c.family.__name__} {c.varied}"
 )
@@ -136,6 +137,7 @@ def test_the_summary_has_a_verdict() -> None:
     assert tabulate([good, beyond]).rows[0][-4:] == ["2.00", "-", "2.00", "beyond"]
 
 
+@pytest.mark.long
 def test_scaling_says_by_its_exit_code_whether_all_is_within(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
