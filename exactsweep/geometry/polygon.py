@@ -48,7 +48,6 @@ class Polygon(PointSet):
     """
 
     __slots__ = (
-        "__weakref__",
         "_convex",
         "_directions",
         "_edge_index",

@@ -1,4 +1,4 @@
-"""Differences and cross products of vectors, and points on segments."""
+"""Differences, cross products and turns of vectors, and points on segments."""
 
 from exactsweep.numbers.point import Rational, Vertex
 
@@ -11,6 +11,11 @@ def minus(p: Vertex, q: Vertex) -> Vertex:
 def cross(u: Vertex, v: Vertex) -> Rational:
     """The cross product, positive if v is to the left of u."""
     return u[0] * v[1] - u[1] * v[0]
+
+
+def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
+    """Twice the area of a triangle, positive if r is to the left of the line from p to q."""
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:

@@ -13,6 +13,7 @@ from typing import Any
 
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
+from exactsweep.geometry.vectors import turn
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
@@ -243,13 +244,9 @@ def _find_clash(part: LayoutPart) -> list[list[int]] | None:
     for (r, edges), (s, others) in combinations(enumerate(rings), 2):
         for i, (a, b) in enumerate(edges):
             for k, (p, q) in enumerate(others):
-                if _turn(a, b, p) * _turn(a, b, q) < 0 and _turn(p, q, a) * _turn(p, q, b) < 0:
+                if turn(a, b, p) * turn(a, b, q) < 0 and turn(p, q, a) * turn(p, q, b) < 0:
                     return [[r, i], [s, k]]
     return None
-
-
-def _turn(a: Point, b: Point, c: Point) -> Fraction:
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 
 
 def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:

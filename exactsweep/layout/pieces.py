@@ -18,6 +18,7 @@ from functools import cmp_to_key
 from itertools import pairwise
 
 from exactsweep.geometry.canonical import find_doubled_area
+from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.point import Point, Rational
 
 IntVertex = tuple[int, int]
@@ -62,7 +63,7 @@ def _split_where_touching(rings: Sequence[IntRing]) -> list[tuple[IntVertex, Int
         others = [v for j, other in enumerate(rings) if j != k for v in other]
         for a, b in pairwise((*ring, ring[0])):
             low, high = min(a, b), max(a, b)
-            inner = [v for v in others if low < v < high and not _cross(a, b, v)]
+            inner = [v for v in others if low < v < high and not turn(a, b, v)]
             edges += pairwise(sorted({a, b, *inner}, reverse=a > b))
     return edges
 
@@ -119,10 +120,10 @@ def _is_blocked(p: IntVertex, q: IntVertex, walls: Sequence[_BoxedWall]) -> bool
             continue
         if a in (p, q) or b in (p, q):
             continue
-        from_a, from_b = _cross(p, q, a), _cross(p, q, b)
+        from_a, from_b = turn(p, q, a), turn(p, q, b)
         if (from_a > 0 < from_b) or (from_a < 0 > from_b):
             continue
-        if from_a == from_b == 0 or _cross(a, b, p) * _cross(a, b, q) <= 0:
+        if from_a == from_b == 0 or turn(a, b, p) * turn(a, b, q) <= 0:
             return True
     return False
 
@@ -175,31 +176,6 @@ def _box(a: IntVertex, b: IntVertex) -> _BoxedWall:
 
 def _subtract(a: IntVertex, b: IntVertex) -> IntVertex:
     return a[0] - b[0], a[1] - b[1]
-
-
-def _cross(a: IntVertex, b: IntVertex, c: IntVertex) -> int:
-    """Positive if c is on the left of the line from a to b."""
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def find_hull(points: Sequence[IntVertex]) -> ConvexRing:
-    """Find the convex hull of points that are not all on one line (Andrew's chains).
-
-    Cost: O(n log n).
-
-    >>> find_hull([(0, 0), (4, 0), (1, 1), (2, 0), (0, 4)])
-    [(0, 0), (4, 0), (0, 4)]
-    """
-    ascending = sorted(points)
-    hull: ConvexRing = []
-    for chain in (ascending, ascending[::-1]):
-        first = len(hull)
-        for p in chain:
-            while len(hull) - first > 1 and _cross(hull[-2], hull[-1], p) <= 0:
-                hull.pop()
-            hull.append(p)
-        hull.pop()
-    return hull
 
 
 def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:

@@ -19,7 +19,7 @@ from exactsweep.conform.judge.loops import find_fault
 from exactsweep.conform.judge.verdict import PartComparison, Verdict
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
-from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.hull import find_hull
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 BLOCK = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
@@ -162,7 +162,7 @@ def test_a_hull_far_from_the_origin_is_no_rounding() -> None:
     far = 2**31
     ring = [(x + far, y + far) for x, y in BLOCK]
     case = Case.of("far", "", ring, SQUARE)
-    loop = [[float(x), float(y)] for x, y in take_hull(case.trajectory.vertices)]
+    loop = [[float(x), float(y)] for x, y in find_hull(case.trajectory.vertices)]
     found = judge(case, loop)
     assert found.verdict is Verdict.CONSERVATIVE
     assert found.granted is not None
@@ -175,7 +175,7 @@ def test_an_integer_of_a_program_that_reads_doubles_is_a_double() -> None:
     """Two notches at thirds are lost: by less than one each, which integers may be off."""
     notched = [(0, 0), (3, 0), (3, 3), (2, 3), ("5/3", "8/3"), ("4/3", 3), (0, 3)]
     case = Case.of("notched", "", notched, [(0, 0), ("1/9", 0), (0, "1/9")])
-    box = [[round(x), round(y)] for x, y in take_hull(case.trajectory.vertices)]
+    box = [[round(x), round(y)] for x, y in find_hull(case.trajectory.vertices)]
     assert judge(case, box, numbers="binary64").verdict is not Verdict.WITHIN
 
 
@@ -277,7 +277,7 @@ def answers() -> dict[str, list[Any]]:
         "exact for another scale: it is 10 times as large": [(10 * x, 10 * y) for x, y in t],
         "exact for the inner loop instead": list(CASE.inner.vertices),
         "exact for the outer loop instead": list(CASE.outer.vertices),
-        "the convex hull of the exact one": take_hull(t),
+        "the convex hull of the exact one": find_hull(t),
         "D itself": D,
         "G itself": G,
     }

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.hull import find_hull
 
 IntRing = list[tuple[int, int]]
 Ring = list[tuple[Fraction, Fraction]]
@@ -43,7 +43,7 @@ def convex(rng: random.Random) -> IntRing:
     """The hull of a few points of a grid; often with vertical or parallel edges."""
     side = rng.choice([1, 2, 3, 5, 12, 1000])
     points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 14))]
-    found = take_hull(points)
+    found = find_hull(points)
     return [*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 
@@ -56,7 +56,7 @@ def fan(rng: random.Random) -> IntRing:
     """Convex, with slopes that differ by one part in 10**15."""
     steps = [(NEAR, rng.randint(-3, 3)) for _ in range(rng.randint(2, 5))]
     steps += [(NEAR + rng.randint(0, 2), NEAR) for _ in range(rng.randint(0, 2))]
-    return [*take_hull([*_walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
+    return [*find_hull([*_walk(steps), (0, 1), (NEAR, rng.randint(2, 9))])]
 
 
 def jagged(rng: random.Random, walls: float = 0.0, cells: tuple[int, int] = (1, 6)) -> IntRing:

@@ -36,7 +36,7 @@ from spoiling import (
 
 from exactsweep import Point, sweep
 from exactsweep.conform.run.protocol import Numbers
-from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.hull import find_hull
 
 # Verdicts, by what they say.
 DIFFERS = ("conservative", "unsound", "wrong")
@@ -106,7 +106,7 @@ MISTAKES: dict[str, Mistake] = {
         put("trajectory", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
     ),
     "the hull of the trajectory": Mistake(
-        put("trajectory", lambda c: take_hull(c.trajectory.vertices)), LARGER, "the convex hull"
+        put("trajectory", lambda c: find_hull(c.trajectory.vertices)), LARGER, "the convex hull"
     ),
     "the box of the trajectory": Mistake(
         put("trajectory", lambda c: box(c.trajectory.vertices)), LARGER, "the bounding box"
@@ -119,7 +119,7 @@ MISTAKES: dict[str, Mistake] = {
         put("inner", lambda c: c.outer.vertices), DIFFERS, "exact for the outer loop instead"
     ),
     "the hull of the inner loop": Mistake(
-        put("inner", lambda c: take_hull(c.inner.vertices)), LARGER, "the convex hull"
+        put("inner", lambda c: find_hull(c.inner.vertices)), LARGER, "the convex hull"
     ),
     "the trajectory for the outer loop": Mistake(
         put("outer", lambda c: c.trajectory.vertices), DIFFERS, "exact for the trajectory instead"
@@ -128,7 +128,7 @@ MISTAKES: dict[str, Mistake] = {
         put("outer", lambda c: c.inner.vertices), DIFFERS, "exact for the inner loop instead"
     ),
     "the hull of the outer loop": Mistake(
-        put("outer", lambda c: take_hull(c.outer.vertices)), LARGER, "the convex hull"
+        put("outer", lambda c: find_hull(c.outer.vertices)), LARGER, "the convex hull"
     ),
     "the box of the outer loop": Mistake(
         put("outer", lambda c: box(c.outer.vertices)), LARGER, "the bounding box"
@@ -238,7 +238,7 @@ MISTAKES: dict[str, Mistake] = {
         LACKS + OR_ELSE,
     ),
     "wrong in other directions": Mistake(
-        where(has("turned"), put("trajectory", lambda c: take_hull(c.trajectory.vertices))),
+        where(has("turned"), put("trajectory", lambda c: find_hull(c.trajectory.vertices))),
         LARGER,
         "hull",
     ),

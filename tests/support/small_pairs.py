@@ -17,8 +17,8 @@ from exactsweep import Polygon, Region
 from exactsweep.check import point_in_polygon
 from exactsweep.check.monotone import has_shared_direction
 from exactsweep.corpus.generator.cells import connect, grow
-from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.canonical import PolygonError, canonicalize_ring
+from exactsweep.geometry.hull import find_hull
 
 Ring = list[tuple[Any, Any]]
 Shape = list[Ring]
@@ -43,7 +43,7 @@ class SmallPair(NamedTuple):
 def convex(rng: Random) -> Shape:
     side = rng.choice([1, 2, 3, 4, 6])
     points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.randint(3, 7))]
-    found = take_hull(points)
+    found = find_hull(points)
     return [[*found] if len(found) > 2 else [(0, 0), (side, 0), (0, side)]]
 
 
@@ -129,7 +129,7 @@ def _dented(rng: Random) -> Shape:
     rings: Shape = [[(0, 0), (side, 0), (side, side), (0, side)]]
     for _ in range(rng.randint(4, 12)):
         points = [(rng.randint(0, side), rng.randint(0, side)) for _ in range(rng.choice([3, 4]))]
-        hole = [*take_hull(points)]
+        hole = [*find_hull(points)]
         try:
             Region(rings[0], [*rings[1:], hole])
         except PolygonError:

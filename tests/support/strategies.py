@@ -11,7 +11,7 @@ from typing import Literal
 
 from hypothesis import strategies as st
 
-from exactsweep.corpus.generator.shapes import take_hull
+from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.number import to_fraction
 from exactsweep.numbers.point import Point
@@ -58,10 +58,10 @@ def convex_rings(draw: st.DrawFn) -> Ring:
         for dx, dy in draw(st.lists(st.sampled_from(steps), min_size=1, max_size=6)):
             x, y = x + dx, y + dy
             points.append((x, y))
-    found = take_hull(points)
+    found = find_hull(points)
     if len(found) < 3:
         x, y = points[0]
-        found = take_hull([*points, (x + 1, y), (x, y + 1)])
+        found = find_hull([*points, (x + 1, y), (x, y + 1)])
     return found
 
 

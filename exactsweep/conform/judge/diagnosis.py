@@ -18,9 +18,9 @@ from exactsweep.conform.judge.frechet import match_rings
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
-from exactsweep.corpus.generator.shapes import take_hull
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
 from exactsweep.geometry.centroid import find_centroid
+from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.numbers.addition import add_up
 from exactsweep.numbers.number import abridge
@@ -149,7 +149,7 @@ def _other_loops(case: Case, name: str, theirs: _Answered, rounding: Fraction) -
     if exact:
         low, high = _box(exact)
         box = Polygon([low, (high.x, low.y), high, (low.x, high.y)])
-        named["the convex hull of the exact one"] = [Polygon(take_hull(chain(*exact))).vertices]
+        named["the convex hull of the exact one"] = [Polygon(find_hull(chain(*exact))).vertices]
         named["the bounding box of the exact one"] = [box.vertices]
     for words, rings in named.items():
         if tuple(rings) != exact and _is_same(rings, theirs, rounding):

@@ -11,9 +11,9 @@ from exactsweep.corpus.generator.shapes import (
     close_between,
     draw_convex,
     draw_monotone,
-    take_hull,
     walk,
 )
+from exactsweep.geometry.hull import find_hull
 
 NEAR = 10**15
 Rationals = list[tuple[Fraction, Fraction]]
@@ -103,7 +103,7 @@ def _ripple(random: Prng) -> Ring:
     slope = random.choice([0, 1, NEAR])
     if random.chance(1, 4):
         steps = [(NEAR, slope + random.between(-3, 3)) for _ in range(random.between(2, 3))]
-        return take_hull(
+        return find_hull(
             [*walk(steps), (0, 1 + abs(slope)), (NEAR, random.between(4, 9) + abs(slope))]
         )
     bottom, top = (
@@ -134,7 +134,7 @@ def _full_range(random: Prng, bits: int) -> Ring:
 
     if random.chance(1, 2):
         corners = [(anywhere(), anywhere()) for _ in range(random.between(3, 7))]
-        found = take_hull(corners)
+        found = find_hull(corners)
         return found if len(found) > 2 else [(low, low), (high, low), (low, high)]
     xs = sorted({low, high, *(anywhere() for _ in range(random.between(1, 3)))})
     bottom: list[IntegerPoint] = [(x, random.between(low, -1)) for x in xs]

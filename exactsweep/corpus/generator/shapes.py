@@ -8,6 +8,7 @@ from itertools import combinations
 from typing import Any, NamedTuple, TypeVar
 
 from exactsweep.corpus.generator.prng import Prng
+from exactsweep.geometry.hull import find_hull
 
 IntegerPoint = tuple[int, int]
 Ring = list[IntegerPoint]
@@ -34,30 +35,12 @@ class Grid(NamedTuple):
 P = TypeVar("P", bound=tuple[Any, Any])
 
 
-def take_hull(points: Iterable[P]) -> list[P]:
-    """The convex hull, corners only (Andrew's monotone chain)."""
-    ordered = sorted(set(points))
-    found: list[P] = []
-    for run in ordered, ordered[::-1]:
-        half: list[P] = []
-        for point in run:
-            x, y = point
-            while len(half) > 1:
-                (ax, ay), (bx, by) = half[-2:]
-                if (bx - ax) * (y - by) - (by - ay) * (x - bx) > 0:
-                    break
-                half.pop()
-            half.append(point)
-        found += half[:-1]
-    return found
-
-
 def draw_convex(random: Prng, most: int, side: int) -> Ring:
     """The hull of some random points, at most so many, of a square grid."""
     points = [
         (random.between(0, side), random.between(0, side)) for _ in range(random.between(3, most))
     ]
-    found = take_hull(points)
+    found = find_hull(points)
     return found if len(found) > 2 else [(0, 0), (side, 0), (0, side)]
 
 

@@ -16,7 +16,8 @@ from exactsweep.check import (
 )
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.segment import Segment, find_offset, make_segment, measure_along
-from exactsweep.numbers.point import Fit, Rational, Vertex
+from exactsweep.geometry.vectors import cross, minus
+from exactsweep.numbers.point import Fit, Vertex
 from exactsweep.paper.checks.planar import count_free_parts, list_swept_polygons
 from exactsweep.paper.checks.section1 import SHARE, STEP
 from exactsweep.paper.checks.section2 import CAVE
@@ -83,24 +84,16 @@ def find_contact_segments(pair: SweepPair) -> Iterator[Segment]:
     for still, moving in ((pair.directrix, turned), (turned, pair.directrix)):
         around = [moving[-1], *moving, moving[0]]
         for before, at, after in zip(around, around[1:], around[2:], strict=False):
-            into, out = _minus(at, before), _minus(after, at)
+            into, out = minus(at, before), minus(after, at)
             for p, q in pairwise([*still, still[0]]):
-                way = _minus(q, p)
-                turns = _cross(into, out), _cross(into, way), _cross(way, out)
+                way = minus(q, p)
+                turns = cross(into, out), cross(into, way), cross(way, out)
                 if turns[0] > 0 and min(turns) >= 0:
                     yield make_segment((_plus(at, p), _plus(at, q)))
 
 
-def _minus(p: Vertex, q: Vertex) -> Vertex:
-    return p[0] - q[0], p[1] - q[1]
-
-
 def _plus(p: Vertex, q: Vertex) -> Vertex:
     return p[0] + q[0], p[1] + q[1]
-
-
-def _cross(u: Vertex, v: Vertex) -> Rational:
-    return u[0] * v[1] - u[1] * v[0]
 
 
 def boundary_is_contact(pair: SweepPair) -> str:

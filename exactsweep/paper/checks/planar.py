@@ -16,8 +16,10 @@ from math import lcm
 from typing import Generic, TypeVar
 
 from exactsweep.check import classify
-from exactsweep.corpus.generator.shapes import Ring, take_hull
+from exactsweep.corpus.generator.shapes import Ring
+from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.polygon import Polygon
+from exactsweep.geometry.vectors import turn
 from exactsweep.numbers.point import Point
 
 SegmentPiece = tuple[Point, Point]
@@ -63,7 +65,7 @@ def list_swept_polygons(generatrix: Ring, pieces: Iterable[SegmentPiece]) -> lis
     """Convex polygons whose union is what an X-monotone G passes over along pieces of its path."""
     cells = cut_to_cells(generatrix)
     return [
-        take_hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
+        find_hull([Point(p.x + t.x, p.y + t.y) for p in cell for t in piece])
         for piece in pieces
         for cell in cells
     ]
@@ -82,7 +84,7 @@ def cut_to_cells(ring: Ring) -> list[list[Point]]:
     cells = []
     for left, right in pairwise(sorted({p.x for p in points})):
         across = [edge for edge in edges if edge[0].x <= left and right <= edge[1].x]
-        cells.append(take_hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
+        cells.append(find_hull([Point(x, _at(edge, x)) for edge in across for x in (left, right)]))
     return cells
 
 
@@ -224,17 +226,13 @@ def _common(one: SegmentPiece, other: SegmentPiece) -> Iterator[Point]:
     (p, q), (r, s) = one, other
     if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):
         return
-    from_r, from_s = _side(p, q, r), _side(p, q, s)
+    from_r, from_s = turn(p, q, r), turn(p, q, s)
     if from_r == from_s == 0:
         low, high = sorted([*one, *other])[1:3]
         if max(min(one), min(other)) <= min(max(one), max(other)):
             yield from {low, high}
         return
-    from_p, from_q = _side(r, s, p), _side(r, s, q)
+    from_p, from_q = turn(r, s, p), turn(r, s, q)
     if from_r * from_s <= 0 and from_p * from_q <= 0:
         share = Fraction(from_r) / (from_r - from_s)
         yield Point(r.x + share * (s.x - r.x), r.y + share * (s.y - r.y))
-
-
-def _side(p: Point, q: Point, r: Point) -> Fraction:
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)

@@ -10,9 +10,10 @@ from exactsweep import Point, sweep
 from exactsweep.check import point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
+from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import Vertex
 from exactsweep.paper.checks.section1 import STEP
-from exactsweep.paper.checks.touching import contacts_are_right, is_on_segment
+from exactsweep.paper.checks.touching import contacts_are_right
 from exactsweep.paper.claim import Effort, Evidence
 from exactsweep.paper.functions import (
     evaluate,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from itertools import product
 
 from exactsweep import Point, Polygon, Sweep
 from exactsweep.check.certificate import CertificateError
 from exactsweep.check.contacts import check_contacts
 from exactsweep.check.loop import MonotoneLoop, NodeFrame
+from exactsweep.geometry.vectors import is_on_segment
 from exactsweep.numbers.point import ORIGIN
 from exactsweep.paper.functions import look_up
 from exactsweep.paper.pairs import SweepPair
@@ -57,16 +57,6 @@ def list_touching(g: Polygon, d: Polygon, t: Point) -> list[tuple[str, int, int]
         if len(ends) > 1:
             found.append(("EE", *at))
     return sorted(found)
-
-
-def is_on_segment(point: Point, p: Point, q: Point) -> bool:
-    """Decide whether a point is on a segment."""
-    return turn(p, q, point) == 0 and min(p, q) <= point <= max(p, q)
-
-
-def turn(p: Point, q: Point, r: Point) -> Fraction:
-    """Twice the area of a triangle, positive if it is counter-clockwise."""
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
 
 
 def _numbers(polygon: Polygon) -> dict[tuple[str, int], int]:

@@ -14,7 +14,7 @@ from exactsweep.corpus.generator.growing import (
     needles,
     undercuts_under_ceilings,
 )
-from exactsweep.paper.checks.touching import is_on_segment, turn
+from exactsweep.geometry.vectors import is_on_segment, turn
 from exactsweep.paper.claim import Counterexample, Effort, Evidence, find_first_failure
 from exactsweep.paper.counting import PairFamily, grow_vertices
 from exactsweep.paper.functions import look_up
