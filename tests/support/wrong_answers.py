@@ -1,23 +1,19 @@
-"""Sabotages of the paper's procedures, and of the evidence, that give wrong answers."""
+"""Sabotages of the paper's procedures that give wrong answers."""
 
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from sabotage import Procedure, sabotage
 
-from exactsweep.evidence import contact, steps, undercut
 from exactsweep.procedures import (
     cc,
     chain,
     cm,
     convex_part,
-    exact_fit,
     lower_envelope,
     mm,
     mm_inner,
     part_pairs,
-    pockets,
 )
 from exactsweep.procedures.envelope import Envelope
 
@@ -197,27 +193,6 @@ def draw_straight(right: Procedure) -> Procedure:
 
 
 @sabotage(
-    "undercuts: all forgotten but the first of each half",
-    pockets.find_pockets,
-    "Number of undercuts, MM",
-    "Lemma 5.5",
-)
-def keep_first(right: Procedure) -> Procedure:
-    return lambda *arguments: list(right(*arguments))[:1]
-
-
-@sabotage("exact fits: cut in half", exact_fit.find_exact_fits, "Definition 1.1")
-def halve_fits(right: Procedure) -> Procedure:
-    def exact_fits(*arguments: Any) -> Any:
-        return [
-            (start, tuple((a + b) / Fraction(2) for a, b in zip(start, end, strict=True)))
-            for start, end in right(*arguments)
-        ]
-
-    return exact_fits
-
-
-@sabotage(
     "step 1: chains not split at reflex vertices",
     chain.split_by_slope,
     "Convex chain",
@@ -275,31 +250,6 @@ def leave_as_it_is(right: Procedure) -> Procedure:
 
 
 @sabotage(
-    "contacts: EE contacts lost",
-    contact.find_edge_contacts,
-    "Every edge of D is touched",
-    "Table 1",
-    "Lemma A.1",
-    "Labels of events",
-)
-def lose_parallel(right: Procedure) -> Procedure:
-    def edge_contacts(*arguments: Any) -> Any:
-        return [[c for c in found if c.event != "EE"] for found in right(*arguments)]
-
-    return edge_contacts
-
-
-@sabotage("undercuts: the first one forgotten", pockets.find_pockets, "Two forms of a bottom chain")
-def lose_first(right: Procedure) -> Procedure:
-    return lambda *arguments: list(right(*arguments))[1:]
-
-
-@sabotage("exact fits: none found", exact_fit.find_exact_fits, "Definition 1.1")
-def find_none(right: Procedure) -> Procedure:
-    return lambda *arguments: []
-
-
-@sabotage(
     "Sweep_MM, inner loop: the last gap that G leaves is forgotten",
     mm_inner.find_gaps,
     "Sweep_MM",
@@ -308,24 +258,6 @@ def find_none(right: Procedure) -> Procedure:
 )
 def forget_last_gap(right: Procedure) -> Procedure:
     return lambda *arguments: list(right(*arguments))[:-1]
-
-
-@sabotage(
-    "undercuts: only one of the positions that close them",
-    undercut.find_closing_positions,
-    "Two forms of a bottom chain",
-)
-def close_once(right: Procedure) -> Procedure:
-    def closing_positions(*arguments: Any) -> Any:
-        intersection, positions = right(*arguments)
-        return intersection, positions[:1]
-
-    return closing_positions
-
-
-@sabotage("steps: the last contact of each forgotten", steps.explain, "Table 1", "Lemma A.1")
-def forget_last_touch(right: Procedure) -> Procedure:
-    return lambda s: [step._replace(touches=step.touches[:-1]) for step in right(s)]
 
 
 @sabotage(
@@ -378,28 +310,6 @@ def drop_pair(right: Procedure) -> Procedure:
 
 
 @sabotage(
-    "exact fits: all but the first of each half are lost",
-    exact_fit.find_exact_fits,
-    "Definition 1.1",
-)
-def keep_first_fit(right: Procedure) -> Procedure:
-    return lambda *arguments: list(right(*arguments))[:1]
-
-
-@sabotage(
-    "contacts: the third and later ones at a vertex are lost",
-    contact.find_contacts,
-    "Table 1",
-    "Labels of events",
-    "Lemma A.1",
-    "Lemma A.2",
-    "Theorem 2.1",
-)
-def keep_two_contacts(right: Procedure) -> Procedure:
-    return lambda *arguments: right(*arguments)[:2]
-
-
-@sabotage(
     "Trajectory_CC: parallel edges are left as two",
     cc.merge_by_slope,
     "Trajectory_CC",
@@ -419,19 +329,6 @@ def leave_in_two(right: Procedure) -> Procedure:
         return found
 
     return merge_by_slope
-
-
-@sabotage(
-    "undercuts: one of several closing positions",
-    undercut.find_closing_positions,
-    "Number of undercuts, MM",
-)
-def close_at_first(right: Procedure) -> Procedure:
-    def closing_positions(*arguments: Any) -> Any:
-        intersection, positions = right(*arguments)
-        return intersection, positions if intersection == "segment" else positions[:1]
-
-    return closing_positions
 
 
 @sabotage("split: an edge beyond the right end", chain.split, "Figure 2")
