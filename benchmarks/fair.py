@@ -89,7 +89,7 @@ def ask_ours(pair: tuple[Ring, Ring], mode: str) -> Answer | None:
 def ask_cgal(
     program: Path, pair: tuple[Ring, Ring], mode: str, ways: list[str]
 ) -> dict[str, Answer | None]:
-    """What each strategy gives; None where it crashes, takes too long or gives no polygon."""
+    """Ask each strategy of CGAL; None if it crashes, takes too long or gives no polygon."""
     generatrix, directrix = pair
     rings = directrix, [(-x, -y) for x, y in generatrix]
     given = "\n".join(

@@ -151,7 +151,7 @@ def make_shapely(shapes: list[Region]) -> Callable[[], Pairs]:
 
 
 def write_shapes(shapes: list[Region]) -> str:
-    """What the program of CGAL reads."""
+    """Write the input of the program of CGAL."""
     lines = [str(len(shapes))]
     for shape in shapes:
         lines.append(str(len(shape.rings)))

@@ -28,7 +28,7 @@ MOVES = 2
 
 
 class LayoutOutcome(NamedTuple):
-    """What came of one layout; `failure` is empty when all is well."""
+    """The outcome of one layout; `failure` is empty when all is well."""
 
     number: int
     family: str

@@ -91,7 +91,7 @@ def test_an_error_is_a_mismatch() -> None:
 
 
 def test_a_failing_pair_is_shrunk() -> None:
-    """What fails while D has a concave corner ends as a least polygon that has one."""
+    """A failure that takes a concave corner of D ends as a least polygon with one."""
     least = shrink(SmallPair(SLOT, CAVE), lambda pair: not Polygon(pair.directrix[0]).is_convex)
     assert [len(ring) for shape in least for ring in shape] == [3, 4]
 

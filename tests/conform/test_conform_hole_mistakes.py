@@ -91,7 +91,7 @@ def say(case: Case, name: str, rings: Rings) -> tuple[str, ...]:
 
 
 def test_the_sum_of_boundaries_alone_is_named() -> None:
-    """Where G is inside D, or D inside G, boundaries do not meet: Clipper leaves that open."""
+    """The boundaries of G inside D, or of D inside G, do not meet: Clipper leaves that open."""
     small, large = [(0, 0), (1, 0), (0, 1)], [(0, 0), (9, 0), (9, 7), (0, 5)]
     words = "the sum of the boundaries: where one polygon is inside the other is left open"
     for d, g in ((large, small), (small, large)):

@@ -1,4 +1,4 @@
-"""Where positions lie, beside the definition, asked at each of them."""
+"""`locate` beside the definition, at each of many positions."""
 
 from fractions import Fraction
 from itertools import pairwise

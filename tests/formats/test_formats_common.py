@@ -1,4 +1,4 @@
-"""What programs commonly write, and what was refused or too slow once."""
+"""Common spellings of other programs, some of them once refused or too slow."""
 
 from fractions import Fraction
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""What does not show is no part; ornaments lose no file; what is left out is told."""
+"""Hidden geometry is no part; ornaments lose no file; reports list what is left out."""
 
 from collections.abc import Callable
 from fractions import Fraction

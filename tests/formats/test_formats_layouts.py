@@ -35,7 +35,7 @@ def refusal(text: object, instance: object = None, **options: Any) -> str:
 
 
 def corners(layout: dict[str, Any]) -> list[set[tuple[Fraction, Fraction]]]:
-    """Where the corners of each placement are: of quarter turns only."""
+    """The corners of each placement, for quarter turns only."""
     rings = {part["id"]: part["exterior"] for part in layout["parts"]}
     found = []
     for placement in layout["placements"]:

@@ -154,7 +154,7 @@ def test_a_kept_chain_is_the_chain(polygon: Polygon) -> None:
 
 
 def keeps(polygon: Polygon) -> bool:
-    """Whether a polygon that is split is not split again."""
+    """Decide whether a polygon that is split is not split again."""
     return split_polygon(polygon, FRAME)[0] is split_polygon(polygon, FRAME)[0]
 
 

@@ -26,7 +26,7 @@ def cut(stationary: Rings, orbiting: Rings) -> list[Stretch]:
 
 
 def require_the_same(stationary: Rings, orbiting: Rings) -> None:
-    """What is known of the outermost loop is what a question says."""
+    """Compare what is known of the outermost loop with the answer to a question."""
     stretches, overlap = cut(stationary, orbiting), Overlap(stationary, orbiting)
     asked = find_free_positions(stretches, overlap.at, 1)
     known = find_free_positions(stretches, overlap.at, 1, is_bounded=True)

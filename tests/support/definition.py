@@ -146,7 +146,7 @@ def _reference(pair: SmallPair, answered: Any) -> Iterator[str]:
 
 
 def is_exact_fit(generatrix: Any, directrix: Any, fit: Fit) -> bool:
-    """Whether both ends and the midpoint of a segment touch, and what is just beside overlaps."""
+    """Decide whether a segment touches at both ends and in the middle, and overlaps beside."""
     (ax, ay), (bx, by) = fit
     x, y = (ax + bx) / 2, (ay + by) / 2
     dx, dy = (by - ay) / 10**40, (ax - bx) / 10**40

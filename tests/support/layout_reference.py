@@ -21,7 +21,7 @@ IntEdge = tuple[int, int, int, int]
 
 
 class Truth(NamedTuple):
-    """What is wrong with a layout: the placements by kind of fault, and what else is judged."""
+    """The faults of a layout, as placements by kind, and the other answers of a judge."""
 
     faults: Counter[tuple[str, tuple[int, ...]]]
     contacts: Pairs
@@ -199,7 +199,7 @@ def _has_angles(layout: Layout) -> bool:
 def _is_close_call(
     layout: Layout, truth: Truth, walls: list[Region], placements: tuple[int, ...], bound: Fraction
 ) -> bool:
-    """Whether a pair is so near to touching, or to its distance, that bounds cannot decide."""
+    """Decide whether a pair is too near to touching, or to its distance, for bounds."""
     first = truth.shapes[placements[0]]
     others = [truth.shapes[placements[1]]] if len(placements) > 1 else walls
     asked = layout.spacing if len(placements) > 1 else layout.margin

@@ -104,7 +104,7 @@ def draw_scene(rng: Random) -> Scene:
 
 
 def expected(scene: Scene, t: Point) -> str:
-    """Where a position lies, by the definition: what the container leaves is solid, too."""
+    """Locate a position by the definition: all outside the container is solid, too."""
     low, high = scene.container.bounding_box
     # Whatever the part reaches lies in the frame.
     a, b = scene.part.translated(t).bounding_box

@@ -308,7 +308,7 @@ class Conviction(NamedTuple):
 
 
 class JudgedWriting(NamedTuple):
-    """How many answers were judged, and those of them that were convicted."""
+    """The number of answers judged, and those of them that were convicted."""
 
     number: int
     convicted: list[Conviction]

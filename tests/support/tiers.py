@@ -1,4 +1,4 @@
-"""How much is tried: a few examples in the plain run, many or all in the long one."""
+"""The number of trials: a few examples in the plain run, many or all in the long one."""
 
 from collections.abc import Collection
 
