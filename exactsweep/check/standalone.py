@@ -180,7 +180,7 @@ def turn(points: Sequence[Node]) -> Ring:
     return [(-x, -y, w) for x, y, w in points]
 
 
-def edges(points: Ring) -> list[Edge]:
+def edges(points: Sequence[Node]) -> list[Edge]:
     """Return the edges of a ring."""
     return list(zip(points, [*points[1:], *points[:1]], strict=True))
 
@@ -405,7 +405,7 @@ class Sums:
         self.d, self.h, self.work = [*map(from_lowest, d)], [*map(from_lowest, h)], work
         boxes = ([(grid_box(e, work.scale), k) for k, e in enumerate(of)] for of in (d, h))
         self.first, self.second = map(tree, boxes)
-        self.beyond, self.count = edges([*around][::-1]), len(d) * len(h)
+        self.beyond, self.count = [(q, p) for p, q in edges(around)], len(d) * len(h)
         self.known: dict[int, tuple[list[Node], list[Edge]]] = {}
 
     def get(self, k: int) -> tuple[list[Node], list[Edge]]:
