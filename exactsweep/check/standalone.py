@@ -108,7 +108,7 @@ def items(item: Any, length: int | None = None) -> list[Any]:
 
 def integer(item: Any, low: int, end: int) -> int:
     """Require an int from low on and below end."""
-    need(type(item) is int and low <= item < end, f"not an int from {low} on and below {end}")
+    need(type(item) is int and low <= item < end, "not an int in its range")
     return int(item)
 
 
@@ -116,7 +116,7 @@ def number(item: Any) -> Fraction:
     """Read a rational in lowest terms from a string; Decimal reads what is too long for int."""
     need(type(item) is str and len(item) <= MAX_DIGITS, "not a number in a string, or a long one")
     written = re.fullmatch("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?", item) and item != "-0"
-    need(bool(written), f"not a number: {item[:40]!r}")
+    need(bool(written), "not a number")
     above, below = (int(Decimal(text)) for text in [*item.split("/"), "1"][:2])
     need(gcd(above, below) == 1 and not item.endswith("/1"), "a number not in lowest terms")
     return Fraction(above, below)
@@ -384,7 +384,9 @@ def meet(first: Tree, second: Tree, third: Tree, work: Work) -> Iterator[tuple[i
         (left, right, low, high), size, of = (found := stack.pop())[0]
         (a, b, c, d), wide, ones = found[1]
         (e, f, g, h), far, others = found[2]
-        work.take(1)
+        work.left -= 1
+        if work.left < 0:
+            work.take(0)
         if a + e < right and left < b + f and c + g < high and low < d + h:
             if size < 0 > wide and far < 0:
                 yield of, ones, others
