@@ -449,16 +449,16 @@ def prove_positions(
     for p, q in known:
         ends = sorted((place(p), place(q)))
         along.setdefault(max(line(p, q), line(q, p)), []).append(ends)
+    for found in along.values():
+        need(all(e[1] <= f[0] for e, f in pairwise(sorted(found))), "edges overlap")
     boxes = [(grid_box(e, work.scale), n) for n, e in enumerate(known)]
     far = [(n, k) for n in range(len(known)) for k in beyond]
     for n, k in chain(sums.near(tree(boxes)) if boxes else (), far):
-        work.take(1)
+        work.take(len(sums.get(k)[0]))
         apart = misses(sums.get(k)[0], *known[n])
         need(apart, "an edge of a loop or a fit is overlapped")
-    for found in along.values():
-        need(all(e[1] <= f[0] for e, f in pairwise(sorted(found))), "edges overlap")
 
-    entries = [(integer(k, 0, sums.count), found) for k, *found in map(items, items(listed))]
+    entries = [(integer([*e, None][0], 0, sums.count), e[1:]) for e in map(items, items(listed))]
     entries += [(k, [found]) for k, found in zip(beyond, around, strict=True)]
     beside: defaultdict[tuple[int, bool], list[tuple[Span, bool]]] = defaultdict(list)
     for k, chains in entries:
@@ -494,8 +494,9 @@ def winding(known: list[Edge], p: Node) -> int:
     found = 0
     for a, b in known:
         is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
-        at = side(line(a, b), p) if is_up != ends else 0
-        found += is_up * (at > 0) - ends * (at < 0)
+        if is_up != ends:
+            at = side(line(a, b), p)
+            found += is_up * (at > 0) - ends * (at < 0)
     return found
 
 

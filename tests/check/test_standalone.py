@@ -266,6 +266,18 @@ def test_fits_are_there_once() -> None:
             prove(claim(fit, exact_fits=2 * fit["exact_fits"]))
 
 
+def test_entries_of_sums_are_a_number_and_a_chain_for_each_side() -> None:
+    inside = CERTIFICATES["inside"]
+    first, *rest = inside["proof"]["sums"]
+    entries: tuple[Any, ...] = ([], [first[0]], [10**9, *first[1:]], [*first, first[1]], None)
+    for entry in entries:
+        assert not proves(put(inside, ("proof", "sums"), [entry, *rest])), entry
+    # Pieces of all outside are needed.
+    nothing: Any = [[], [[["0", "0"], ["1", "0"], ["0", "1"]]]]
+    for pieces in nothing:
+        assert not proves(put(inside, ("proof", "outside"), pieces))
+
+
 def test_a_certificate_is_an_object_and_steps_are_an_int() -> None:
     others: tuple[Any, ...] = ([], None, "{}")
     for item in others:
