@@ -14,7 +14,7 @@ from itertools import chain
 from operator import itemgetter
 from typing import NamedTuple
 
-from exactsweep.conform.judge.frechet import match_rings
+from exactsweep.conform.judge.distance import match_rings
 from exactsweep.conform.judge.rounding import name_arithmetic
 from exactsweep.conform.judge.witness import LOOP_NAMES, list_exact_rings, subtract
 from exactsweep.corpus import Case
