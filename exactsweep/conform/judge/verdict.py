@@ -85,6 +85,11 @@ class Verdict(StrEnum):
         """The place in the order above, 0 for exact."""
         return _SEVERITY[self]
 
+    @property
+    def is_judgement(self) -> bool:
+        """Decide whether it says what an implementation did: not undecided, not unsupported."""
+        return self not in (Verdict.UNDECIDED, Verdict.UNSUPPORTED)
+
 
 _SEVERITY = {verdict: k for k, verdict in enumerate(Verdict)}
 
