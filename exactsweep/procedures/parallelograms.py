@@ -120,7 +120,7 @@ def _read_off(
     last: int,
     inner: Callable[[float, float], float],
 ) -> list[float]:
-    """Return ordinates of a line of two sides at borders of columns; of a steep side the inner end."""
+    """Return ordinates of two sides at borders of columns; of a steep side, the inner end."""
     found: list[float] = []
     for (ax, ay), (bx, by), stop in ((start, middle, floor(middle[0]) + 1), (middle, end, last)):
         borders = range(first + len(found), min(stop, last))
