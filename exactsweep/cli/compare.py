@@ -9,8 +9,8 @@ from fractions import Fraction
 import click
 
 from exactsweep.cli.complete import list_cases, offer
-from exactsweep.cli.output import takes_output, write
-from exactsweep.cli.pair import PATH
+from exactsweep.cli.options import PATH, takes_json, takes_output
+from exactsweep.cli.output import write
 from exactsweep.cli.reports import takes_accept, takes_rounding
 
 
@@ -19,7 +19,7 @@ from exactsweep.cli.reports import takes_accept, takes_rounding
 @click.argument("result", type=PATH)
 @takes_rounding
 @takes_accept
-@click.option("--json", "as_json", is_flag=True, help="Write everything, exactly, as JSON.")
+@takes_json
 @takes_output
 def compare_command(
     case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str
@@ -49,6 +49,9 @@ def compare_command(
     For each part: how far the loops are apart, the area between them, and a place to check by hand.
 
     The exit code is 0 if there is a verdict no worse than --accept, and 1 otherwise.
+
+    Example:
+      exactsweep compare directions-y answer.json
     """  # noqa: D301
     from exactsweep.conform.judge.verdict import Verdict
     from exactsweep.conform.report.text import describe
