@@ -18,7 +18,10 @@ from exactsweep.corpus.generator.growing import (
     undercuts_under_ceilings,
 )
 from exactsweep.corpus.generator.prng import Prng
-from exactsweep.paper.checks.section4 import labels_name_the_extremes
+from exactsweep.paper.checks.section4 import (
+    bottom_chains_have_two_forms,
+    labels_name_the_extremes,
+)
 from exactsweep.paper.checks.section5 import kernel_is_literal
 from exactsweep.paper.checks.segments import (
     BEST,
@@ -111,6 +114,11 @@ def test_the_procedures_to_the_letter_give_what_the_kernel_gives(seed: int, kind
 def test_an_undercut_may_end_where_an_edge_is_touched_in_passing() -> None:
     directrix = [(3, 12), (10, 52), (9, 49), (8, 48), (5, 43), (3, 48)]
     assert labels_name_the_extremes(SweepPair([(0, 0), (6, 0), (7, 1)], directrix)) == ""
+
+
+def test_a_slide_along_an_undercut_may_be_stopped_by_another_contact() -> None:
+    directrix = [(-1, 5), (2, 0), (10, 2), (11, 6), (7, 3), (5, 5), (0, 4)]
+    assert bottom_chains_have_two_forms(SweepPair([(5, 0), (17, 2), (9, 4)], directrix)) == ""
 
 
 def test_chains_are_evaluated_and_cut() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from exactsweep import Point, sweep
-from exactsweep.check import point_in_polygon
+from exactsweep.check import classify, point_in_polygon
 from exactsweep.draw.features import Features
 from exactsweep.evidence.undercut import Undercut
 from exactsweep.geometry.vectors import is_on_segment
@@ -121,7 +121,7 @@ def bottom_chains_have_two_forms(pair: SweepPair) -> str:
     if s.inner.vertices != look_up(pair).inner:
         return "the inner loop is not that of the definition"
     for undercut in s.undercuts:
-        if failure := _form(undercut, s.generatrix.vertices):
+        if failure := _form(undercut, pair):
             return failure
     if sum(u.polygon.area for u in s.undercuts) + s.directrix.area != s.inner.area:
         return "the undercuts do not make up the difference between the inner loop and D"
@@ -148,13 +148,14 @@ def check_two_forms(effort: Effort) -> Evidence:
     return Evidence(tried, failure, sampled=trial.sampled)
 
 
-def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
+def _form(undercut: Undercut, pair: SweepPair) -> str:
     bottom, positions = undercut.bottom, undercut.positions
 
     def rests(t: Point) -> bool:
-        """Decide whether both ends of the bottom chain are on the boundary of G at a position."""
-        placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
-        return all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
+        """Decide whether G at a position, free of D, has both ends on its boundary."""
+        placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
+        is_closed = all(point_in_polygon(end, placed) == 0 for end in (bottom[0], bottom[-1]))
+        return is_closed and classify(pair.directrix, pair.generatrix, t).verdict == "CONTACT"
 
     if undercut.intersection == "segment":
         (a, b), (c, d) = (bottom[0], bottom[-1]), (positions[0], positions[-1])
@@ -165,7 +166,7 @@ def _form(undercut: Undercut, generatrix: Sequence[Point]) -> str:
         closed = [rests(t) for t in (c, d, *beyond)]
         return "" if c != d and closed == [True, True, False, False] else f"not there: {undercut}"
     (t,) = positions
-    placed = [Point(x + t.x, y + t.y) for x, y in generatrix]
+    placed = [Point(x + t.x, y + t.y) for x, y in pair.generatrix]
     if any(point_in_polygon(p, placed) for p in bottom):
         return f"the bottom chain is off the boundary of G: {undercut}"
     return "" if set(bottom[1:-1]) <= set(placed) else f"a corner that G has not: {undercut}"
