@@ -83,7 +83,7 @@ def test_a_sweep_around_a_hollow_block_is_explained() -> None:
 def test_an_exact_fit_in_a_door_begins_where_g_passes() -> None:
     s = sweep(SQUARE, CHAMBER)
     # Its inner end hangs on the hole, its outer end on the trajectory.
-    told = [line for line in tell(s) if "exact fit 0 hangs" in line]
+    told = [line for line in tell(s) if "exact fit 0 begins" in line]
     (line,) = told
     assert line.endswith("exact fit 0 begins: G could go down to (3,4), touching D on both sides")
     assert "at (3,8)" in line
