@@ -20,8 +20,8 @@ from shipped_cases import shipped_cases
 from spoiling import LOOPS, answer_exactly
 
 from exactsweep import Point, Polygon
-from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.rounding import grant_rounding
+from exactsweep.conform.judge.verdict import read_loop
 from exactsweep.conform.run.outcome import Outcome, judge_answer
 from exactsweep.conform.run.peer import Answer
 from exactsweep.conform.run.protocol import Hello, UnsupportedError, adapt

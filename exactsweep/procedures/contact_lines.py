@@ -32,7 +32,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import gcd, inf
+from math import gcd, inf, lcm
 from typing import NamedTuple
 
 from exactsweep.geometry.direction import Vector, reduce_direction
@@ -240,14 +240,25 @@ def find_contact_stretches(
         order += [edge._replace(rank=edge.rank + circle) for edge in order]
         at = [edge.rank for edge in order]
         for (x, y), first, last in corners:
-            for _, k, ahead, offset, low, high in order[
-                bisect_left(at, first) : bisect_right(at, last)
-            ]:
+            facing = order[bisect_left(at, first) : bisect_right(at, last)]
+            if type(x) is int and type(y) is int:
+                for _, k, ahead, offset, low, high in facing:
+                    dx, dy = directions[k]
+                    along, least, greatest = (x, left, right) if dx else (y, bottom, top)
+                    if low + along <= greatest and high + along >= least:
+                        c = dx * y - dy * x + offset
+                        lines[k, c].append((low + along, high + along, ahead))
+                continue
+            # `unit` times the corner is on the lattice: ints spare most of the Fractions.
+            unit = lcm(x.denominator, y.denominator)
+            u, v = int(unit * x), int(unit * y)
+            for _, k, ahead, offset, low, high in facing:
                 dx, dy = directions[k]
-                along, least, greatest = (x, left, right) if dx else (y, bottom, top)
-                if low + along > greatest or high + along < least:
-                    continue
-                lines[k, dx * y - dy * x + offset].append((low + along, high + along, ahead))
+                along, least, greatest = (u, left, right) if dx else (v, bottom, top)
+                start, end = ratio(low * unit + along, unit), ratio(high * unit + along, unit)
+                if start <= greatest and end >= least:
+                    c = ratio(dx * v - dy * u + offset * unit, unit)
+                    lines[k, c].append((start, end, ahead))
     return [
         stretch
         for (k, c), segments in lines.items()

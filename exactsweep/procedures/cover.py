@@ -32,7 +32,8 @@ from exactsweep.procedures.squares import find_squares_of_sum, halve_squares
 _FEW = 400
 """The number of stretches up to which cutting all of them is faster than a cover."""
 _SQUARES_PER_STRETCH = 2
-_MOST_COLUMNS = 2048
+_MOST_COLUMNS = 384
+"""A sum of (1) takes time by the third power of their number."""
 _ONE_OF = 16
 """One of this many stretches is in the sample that estimates how many are covered."""
 

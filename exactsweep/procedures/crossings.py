@@ -8,6 +8,8 @@ from exactsweep.procedures.contact_lines import Stretch
 
 _UNITS = 2**32
 _NEITHER = False, False
+_DROPPED_AFTER = 8
+"""After so many boxes, those that are further left are dropped together."""
 
 
 def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
@@ -17,12 +19,13 @@ def cut_at_crossings(stretches: Sequence[Stretch]) -> None:
     """
     boxes = sorted([(*stretch.bound(), k) for k, stretch in enumerate(stretches)])
     active: list[tuple[int, int, int, int, int]] = []
-    for box in boxes:
+    for step, box in enumerate(boxes):
         left, _, low, high, k = box
-        active = [other for other in active if other[1] >= left]
+        if step % _DROPPED_AFTER == 0:
+            active = [other for other in active if other[1] >= left]
         stretch = stretches[k]
-        for _, _, other_low, other_high, other in active:
-            if other_low <= high and low <= other_high:
+        for _, other_right, other_low, other_high, other in active:
+            if other_low <= high and low <= other_high and left <= other_right:
                 cross(stretch, stretches[other])
         active.append(box)
 

@@ -10,7 +10,8 @@ count.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
+from itertools import pairwise
 from math import ceil, floor, frexp, hypot
 
 from exactsweep.geometry.overlap import Rings
@@ -102,28 +103,30 @@ def _fill(columns: list[int], corners: list[_SpannedCorner]) -> int:
     turn = (one[0] - start[0]) * (end[1] - start[1]) - (one[1] - start[1]) * (end[0] - start[0])
     lower, upper = (one, other) if turn > 0 else (other, one)
     first, last = floor(start[0] + _MARGIN) + 1, ceil(end[0] - _MARGIN)
-    before: tuple[float, float] | None = None
-    for k in range(first, last):
-        floor_here, ceiling_here = (
-            max(_read_off(start, lower, end, k)),
-            min(_read_off(start, upper, end, k)),
-        )
-        if before is not None:
-            low = floor(max(before[0], floor_here) + _MARGIN) + 1
-            high = ceil(min(before[1], ceiling_here) - _MARGIN) - 1
-            if 0 <= low < high:
-                columns[k - 1] |= (1 << (high - low)) - 1 << low
-        before = floor_here, ceiling_here
+    floors = pairwise(_read_off(start, lower, end, first, last, max))
+    ceilings = pairwise(_read_off(start, upper, end, first, last, min))
+    for k, (below, above) in enumerate(zip(floors, ceilings, strict=True), first):
+        low, high = floor(max(below) + _MARGIN) + 1, ceil(min(above) - _MARGIN) - 1
+        if 0 <= low < high:
+            columns[k] |= (1 << (high - low)) - 1 << low
     return max(1, last - first)
 
 
 def _read_off(
-    start: _SpannedCorner, middle: _SpannedCorner, end: _SpannedCorner, x: int
-) -> Iterator[float]:
-    """Yield the ordinate of a line of two sides; for a steep side, those of both its ends."""
-    (ax, ay), (bx, by) = (start, middle) if x <= middle[0] else (middle, end)
-    if bx - ax > _MARGIN:
-        yield ay + (x - ax) / (bx - ax) * (by - ay)
-    else:
-        yield ay
-        yield by
+    start: _SpannedCorner,
+    middle: _SpannedCorner,
+    end: _SpannedCorner,
+    first: int,
+    last: int,
+    inner: Callable[[float, float], float],
+) -> list[float]:
+    """Return ordinates of two sides at borders of columns; of a steep side, the inner end."""
+    found: list[float] = []
+    for (ax, ay), (bx, by), stop in ((start, middle, floor(middle[0]) + 1), (middle, end, last)):
+        borders = range(first + len(found), min(stop, last))
+        if bx - ax > _MARGIN:
+            slope = (by - ay) / (bx - ax)
+            found += [ay + (x - ax) * slope for x in borders]
+        else:
+            found += [inner(ay, by)] * len(borders)
+    return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from io import StringIO
@@ -187,15 +187,9 @@ def _tell(
     terminal_width: int | None,
     everything: bool,
 ) -> str:
-    from rich.table import Table
-
     texts = _texts(loops) | _fit_texts(fits)
     width = max(map(len, [*facts, *shapes, name, *texts]))
-    sizes = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    sizes.add_column(min_width=width, style="bold")
-    sizes.add_column("vertices", justify="right")
-    sizes.add_column("area about", overflow="fold")
-    sizes.add_column("area exactly", overflow="fold")
+    sizes = make_table(("", "vertices", "area about", "area exactly"), {"vertices"}, width)
     for called, shape in shapes.items():
         sizes.add_row(called, str(len(shape)), *_area(shape.area))
     sizes.add_row(name, "", *_area(area))
@@ -239,6 +233,28 @@ def lay_out(tables: Iterable[Table], terminal_width: int | None) -> str:
         console.print(table)
     # rich pads every row with blanks.
     return "".join(f"{line.rstrip()}\n" for line in text.getvalue().splitlines())
+
+
+def make_table(heads: Iterable[str], numbers: Container[str] = (), width: int = 0) -> Table:
+    """Make a table without lines, its first column bold.
+
+    Args:
+        heads: of the columns.
+        numbers: the heads of those that are right-aligned.
+        width: the least one of the first column.
+    """
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for k, head in enumerate(heads):
+        table.add_column(
+            head,
+            style="" if k else "bold",
+            justify="right" if head in numbers else "left",
+            overflow="fold",
+            min_width=0 if k else width,
+        )
+    return table
 
 
 def list_facts(texts: Mapping[str, str], width: int) -> Table:

@@ -12,7 +12,7 @@ from exactsweep.layout.judge import Judgement
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
 from exactsweep.numbers.number import abridge, format_fraction
 from exactsweep.numbers.point import Point
-from exactsweep.text.report import approximate, lay_out, list_facts, take_root
+from exactsweep.text.report import approximate, lay_out, list_facts, make_table, take_root
 from exactsweep.words import count
 
 _MOST_LISTED = 30
@@ -72,7 +72,10 @@ def report_layout(
         facts["nearest"] = f"placements {first} and {second}, {root} apart"
     tables = [list_facts(facts, max(map(len, facts)))]
     if ranked:
-        tables.append(_list_faults(ranked if everything else ranked[:_MOST_LISTED]))
+        listed = make_table(("fault", "where", "how bad", "witness", "repaired by"))
+        for one in ranked if everything else ranked[:_MOST_LISTED]:
+            listed.add_row(one.fault.kind, *tell_fault(one))
+        tables.append(listed)
     text = lay_out(tables, terminal_width)
     if len(ranked) > _MOST_LISTED and not everything:
         text += f"... {len(ranked) - _MOST_LISTED} more (--all)\n"
@@ -92,18 +95,6 @@ def write_verdict(judgement: Judgement) -> str:
     if set(kinds) == {"undecided"}:
         return ", ".join(said)
     return f"not valid: {', '.join(said)}"
-
-
-def _list_faults(ranked: Sequence[WorstFirst]) -> Any:
-    from rich.table import Table
-
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("fault", style="bold")
-    for name in ("where", "how bad", "witness", "repaired by"):
-        table.add_column(name, overflow="fold")
-    for one in ranked:
-        table.add_row(one.fault.kind, *tell_fault(one))
-    return table
 
 
 def tell_fault(one: WorstFirst) -> tuple[str, str, str, str]:
