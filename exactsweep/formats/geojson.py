@@ -83,11 +83,9 @@ def _outline(rings: object, path: str, name: str | None) -> Candidate:
             )
     if not rings:
         return Candidate.refused(f"{path} is empty", name)
-    exterior, *inner = (
-        Candidate(place, partial(_ring, ring, place))
-        for place, ring in ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
-    )
-    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
+    places = ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
+    readers = ((place, partial(_ring, ring, place)) for place, ring in places)
+    return Candidate.of_rings(readers, path, name)
 
 
 def _ring(value: object, path: str) -> list[Point]:

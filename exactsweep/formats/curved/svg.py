@@ -173,25 +173,17 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
             regions = [[0]] if len(closed) == 1 else []
             if len(closed) > 1:
                 regions = find_regions(closed, even_odd=shape.is_even_odd)
-        except OrnamentError as error:
-            raise OrnamentError(f"{shape.place}: {error}") from None
         except ValueError as error:
-            raise FormatError(f"{shape.place}: {error}") from None
+            kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
+            raise kind(f"{shape.place}: {error}") from None
         if not regions and not opened:
             raise OrnamentError(f"{shape.place}: fewer than three vertices")
     except FormatError as error:
-        is_ornament = isinstance(error, OrnamentError)
-        return [Candidate.refused(str(error), name, layer, ornament=is_ornament)]
+        return [Candidate.refused(error, name, layer)]
     drawn: list[Candidate | OpenLine] = []
     for region in regions:
-        exterior, *holes = (
-            Candidate(f"{shape.place}: subpath {k}", partial(list, closed[k])) for k in region
-        )
-        drawn.append(
-            exterior._replace(
-                place=shape.place, name=name, layer=layer, holes=partial(tuple, holes)
-            )
-        )
+        readers = [(f"{shape.place}: subpath {k}", closed[k].copy) for k in region]
+        drawn.append(Candidate.of_rings(readers, shape.place, name, layer))
     for points in opened:
         shaped = tuple(points) if len(points) > 2 else ()
         ends = points[0], points[-1]

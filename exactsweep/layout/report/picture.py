@@ -6,7 +6,7 @@ is in sight where it is enlarged.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
 from typing import NamedTuple
@@ -16,8 +16,9 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
+from exactsweep.layout.pieces import clip
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.text.report import approximate, take_root
 from exactsweep.words import count
 
@@ -245,28 +246,16 @@ def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
 
 
 def _path(
-    name: str, rings: Iterable[Sequence[Point]], window: Window, *, closed: bool = True
+    name: str, rings: Iterable[Sequence[Vertex]], window: Window, *, closed: bool = True
 ) -> str:
     data = write_path((map(window.place, ring) for ring in rings), closed=closed)
     return f'<path class="{name}" d="{data}"/>' if data else ""
 
 
-def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
+def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
     """Cut off what is far outside of a window, exactly; along the cuts, lines run out of sight."""
     room = window.longest
     for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
-        for side, limit in ((1, high + room), (-1, low - room)):
-            ring = list(_cut(ring, axis, side, limit))
+        ring = [*clip(ring, [high + room - point[axis] for point in ring])]
+        ring = [*clip(ring, [point[axis] - low + room for point in ring])]
     return ring
-
-
-def _cut(ring: Sequence[Point], axis: int, side: int, limit: Fraction) -> Iterator[Point]:
-    """The part of a ring on one side of a line (Sutherland and Hodgman)."""
-    for k, point in enumerate(ring):
-        before = ring[k - 1]
-        over, under = side * (point[axis] - limit), side * (before[axis] - limit)
-        if over * under < 0:
-            share = under / (under - over)
-            yield Point(*(p + share * (q - p) for p, q in zip(before, point, strict=True)))
-        if over <= 0:
-            yield point
