@@ -19,11 +19,11 @@ def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
 
 
 def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:
-    """Find a point inside two convex pieces; None if their interiors have none in common.
+    """Find a point inside two convex pieces; None if their interiors are disjoint.
 
     Args:
         one: a piece.
-        other: another one, on the same lattice.
+        other: another piece on the same lattice.
 
     Cost: O(m n).
 

@@ -197,7 +197,7 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
     found = []
     for teeth in (50, 100):
         generatrix, directrix = make_counted(comb(teeth)), make_counted(tongue)
-        trajectory = trajectory_mm(generatrix, directrix)
+        trajectory = list(trajectory_mm(generatrix, directrix))
         with watch_operations() as tally:
             fits = find_exact_fits(generatrix, directrix, trajectory)
         assert len(fits) == teeth - 1
@@ -209,7 +209,7 @@ def test_fits_of_chains_come_by_x_whatever_meets_there() -> None:
     """Both teeth of G in slots at once; and each of them in one, beside D."""
     slots = [(-5, 0), (-3, 0), (-3, 3), (-2, 3), (-2, 0), (0, 0), (0, 2), (1, 2), (1, 0), (3, 0)]
     fork = [(4, 0), (3, 0), (3, -9), (1, -9), (1, 0), (0, 0)]
-    trajectory = trajectory_mm(fork, slots)
+    trajectory = list(trajectory_mm(fork, slots))
     fits = [((-6, 0), (-6, 3)), ((-3, 0), (-3, 2)), ((0, 0), (0, 2))]
     assert find_exact_fits(fork, slots, trajectory) == fits
 
@@ -232,7 +232,8 @@ def test_how_far_a_lid_goes_up_a_slot(
     slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
     bottom = [(Fraction(x), y) for x, y in slot]
     hanging, inside = fit
-    assert find_exact_fits(top, bottom, trajectory_mm(top, bottom)) == [((1, hanging), (1, inside))]
+    fits = find_exact_fits(top, bottom, list(trajectory_mm(top, bottom)))
+    assert fits == [((1, hanging), (1, inside))]
 
 
 def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
@@ -242,7 +243,7 @@ def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
     found = []
     for size in (50, 100):
         generatrix, directrix = make_counted(zigzag(size)[::-1]), make_counted(zigzag(size))
-        trajectory = trajectory_mm(generatrix, directrix)
+        trajectory = list(trajectory_mm(generatrix, directrix))
         with watch_operations() as tally:
             assert find_exact_fits(generatrix, directrix, trajectory) == []
         found.append(tally.total)

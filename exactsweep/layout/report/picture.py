@@ -1,7 +1,7 @@
 """Pictures of judged layouts: all parts, faults in red, and the place of each fault enlarged.
 
-Places are clipped and scaled exactly and become floats last, so that an overlap of a part in 10^15
-is in sight where it is enlarged.
+Places are clipped and scaled exactly, and converted to floats last. So the enlarged place shows
+even an overlap of 10^-15 of the picture.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ class Enlarged(NamedTuple):
     """The place of a fault, enlarged.
 
     Attributes:
-        number: of the fault, from 1.
-        caption: what it shows, and how wide it is.
+        number: the number of the fault, from 1.
+        caption: its description and its width.
         svg: the elements of a square of SIDE pixels.
     """
 
@@ -74,16 +74,16 @@ def draw_layout(
     Args:
         judgement: a Judgement.
         ranked: its faults, as `rank_faults` sorts them.
-        title: what the picture shows.
-        y_down: whether Y points down, as viewers of SVG have it.
+        title: the title of the picture.
+        y_down: whether Y points down, as in viewers of SVG.
 
     Returns:
-        An SVG document, for light and dark grounds.
+        An SVG document, for light and dark backgrounds.
 
     Raises:
         DrawError: a point is too far outside the picture.
 
-    Cost: linear in the vertices of the placed parts, and of those of the faults enlarged.
+    Cost: linear in the vertices of the placed parts and of the enlarged faults.
     """
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     panels = enlarge_faults(judgement, ranked, y_down=y_down)
@@ -114,7 +114,7 @@ class LayoutPicture:
     Args:
         judgement: a Judgement.
 
-    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+    Cost: that of `draw_layout` and `rank_faults`, when the notebook shows it.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case
@@ -136,7 +136,7 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and all parts; faults are red, and numbered at their witnesses.
+    """Draw the container and all parts; faults are red, with numbers at their witnesses.
 
     Returns:
         The width and the height, in pixels, and elements of SVG.
@@ -173,7 +173,7 @@ def draw_parts(
 def enlarge_faults(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> list[Enlarged]:
-    """Draw the places of the worst faults, each so large that the fault is in sight."""
+    """Draw the places of the worst faults, each large enough to show the fault."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -208,9 +208,9 @@ def enlarge_faults(
 
 
 def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Point]]:
-    """Return the rings of a placement where they are: mirrored, turned, moved.
+    """Return the rings of a placement after mirroring, turning and moving.
 
-    An angle without a rational turn is replaced by one that is off by at most 2**-64.
+    For an angle without a rational turn, the function uses a turn off by at most 2**-64.
     """
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
@@ -253,7 +253,7 @@ def _path(
 
 
 def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
-    """Cut off what is far outside of a window, exactly; along the cuts, lines run out of sight."""
+    """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
     room = window.longest
     for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
         ring = [*clip(ring, [high + room - point[axis] for point in ring])]
