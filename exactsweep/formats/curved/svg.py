@@ -23,6 +23,7 @@ from exactsweep.formats.nesting import find_regions
 from exactsweep.formats.reading import Reading
 from exactsweep.numbers.number import quote
 from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.words import count
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -72,7 +73,12 @@ def read_svg(root: Element, reading: Reading) -> list[Candidate]:
     if name_kind(root) != "svg":
         raise FormatError(f"line {line(root)}: the root is {quote(root.tag)}, not svg")
     document = _Document(root, reading)
-    placed = PlacedElement(root, None, reading, style=Style(root))
+    style = Style(root)
+    if style.ignored:
+        number, first = count(len(style.ignored), "selector"), quote(style.ignored[0])
+        only = "only names, classes and ids are read"
+        reading.notes[f"{number} of style sheets ignored, first {first}: {only}"] = None
+    placed = PlacedElement(root, None, reading, style=style)
     # That there is no unit concerns all of the file.
     _ = placed.unit if reading.unit is None else placed.matrix
     found: list[tuple[int, Candidate]] = []
