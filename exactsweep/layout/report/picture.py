@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
+from importlib.resources import files
 from typing import NamedTuple
 
 from exactsweep.canvas import style
@@ -32,24 +33,11 @@ SIDE = 218
 _ROUND = 3
 _BITS = 64
 
-STYLE = f"""
-.layout {{ --fault: {style.RED}; --ink: #1b1b1b; --paper: #ffffff; --defect: #8f8f8f; }}
-@media (prefers-color-scheme: dark) {{
-.layout {{ --fault: #ff7a4d; --ink: #eeeeea; --paper: #16181b; --defect: #7b7e82; }} }}
-.layout path {{ stroke-linejoin: round; fill-rule: evenodd; }}
-.layout .paper {{ fill: var(--paper); }}
-.layout .container {{ fill: none; stroke: var(--directrix); stroke-width: 1.6; }}
-.layout .defect {{ fill: var(--defect); stroke: var(--directrix); }}
-.layout .part {{ fill: var(--generatrix-fill); stroke: var(--generatrix); stroke-width: .8; }}
-.layout .bad {{ fill: var(--fault); fill-opacity: .35; stroke: var(--fault); stroke-width: 1.8; }}
-.layout .frame {{ fill: none; stroke: var(--directrix); }}
-.layout .mark {{ fill: none; stroke: var(--ink); stroke-width: 1.6; }}
-.layout circle.number {{ fill: var(--paper); fill-opacity: .75; }}
-.layout text.number {{ text-anchor: middle; }}
-.layout .way {{ fill: none; stroke: var(--ink); stroke-width: 2; stroke-dasharray: 5 3; }}
-.layout text {{ font: 13px system-ui, "DejaVu Sans", sans-serif; fill: var(--ink); }}
-"""
-"""The style of these pictures, beside `exactsweep.canvas.style.write_style_sheet`."""
+
+def write_style() -> str:
+    """Write the style sheet of these pictures."""
+    own = files("exactsweep.layout.report").joinpath("picture.css").read_text("utf-8")
+    return style.write_style_sheet() + "\n" + own.replace("$fault", style.RED)
 
 
 class Enlarged(NamedTuple):
@@ -103,7 +91,7 @@ def draw_layout(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="layout" viewBox="0 0 {width} {total}" '
         f'width="{width}" height="{total}" role="img"><title>{escape(title)}</title>'
-        f"<style>{style.write_style_sheet()}{STYLE}</style>"
+        f"<style>{write_style()}</style>"
         f'<rect class="paper" width="100%" height="100%"/>{main}{"".join(drawn)}</svg>\n'
     )
 
