@@ -214,7 +214,7 @@ REFUSED = {
     RING % "[]": "$.coordinates is empty",
     RING % "[[]]": "$.coordinates[0] is empty",
     RING % "[[], []]": "$.coordinates[1]: an inner ring: with it, this is a Region, no Polygon",
-    RING % "[[[0, 0], [1, 0, 5]]]": "$.coordinates[0][1] has 3 coordinates, not 2",
+    RING % "[[[0, 0], [1, 0, 5, 6]]]": "$.coordinates[0][1] has 4 coordinates, not 2",
     RING % "[[[0, 0], [1, 0], [0, 1]]]": (
         "$.coordinates[0] is not closed: the last vertex must repeat the first"
     ),

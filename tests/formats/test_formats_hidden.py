@@ -217,3 +217,31 @@ def test_dust_at_a_corner_is_no_outline() -> None:
 def test_broken_style_sheets_hide_nothing(sheet: str) -> None:
     text = f"<svg><style>{sheet}</style><rect width='2' height='2'/></svg>"
     assert parse_polygon(text).area == 4
+
+
+def test_heights_of_geojson_are_ignored_and_a_note_says_so() -> None:
+    text = '{"type": "Polygon", "coordinates": [[[0, 0, 7], [4, 0], [0, 4, -1], [0, 0, 7]]]}'
+    found = parse_polygons(text)
+    assert [part.polygon.area for part in found] == [8]
+    assert found.notes == ["third coordinates, which are heights, are ignored"]
+    assert parse_polygons(text.replace(", 7", "").replace(", -1", "")).notes == []
+
+
+@pytest.mark.parametrize(
+    ("sheet", "notes"),
+    [
+        (".a, rect, #b, * { display: inline }", []),
+        ("g .a { stroke: red }", []),
+        (
+            "g .a, .b { display: none } a > b { visibility: hidden }",
+            [
+                "2 selectors of style sheets ignored, first 'g .a': only names, classes and ids "
+                "are read"
+            ],
+        ),
+    ],
+)
+def test_selectors_that_are_ignored_are_noted(sheet: str, notes: list[str]) -> None:
+    rect = '<rect class="a" id="b" width="2" height="1"/>'
+    found = parse_polygons(f"<svg><style>{sheet}</style>{rect}</svg>")
+    assert (len(found), found.notes) == (1, notes)
