@@ -33,24 +33,6 @@ def test_square_around_a_triangle() -> None:
     assert s.exact_fits == ()
 
 
-def test_triangle_around_a_square() -> None:
-    """CC: G's slanted edge, and both its catheti, slide along corners of D (EV).
-
-    ::
-
-        .        # #
-        . .      # #
-    """
-    square: Loop = [(0, 0), (2, 0), (2, 2), (0, 2)]
-    check(
-        sweep([(0, 0), (1, 0), (0, 1)], square),
-        "CC",
-        [(-1, 0), (0, -1), (2, -1), (2, 2), (-1, 2)],
-        square,
-        [(-1, 0), (0, -1), (3, -1), (3, 2), (2, 3), (-1, 3)],
-    )
-
-
 def test_square_under_a_roof() -> None:
     r"""CM: the square is caught by its two upper corners; a point undercut under the ridge.
 

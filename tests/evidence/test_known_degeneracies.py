@@ -1,9 +1,6 @@
 """Answers worked by hand: steps, slots, exact fits, whiskers and numbers of any size."""
 
-from fractions import Fraction
-
-import pytest
-from known import ROOF, UNIT, Loop, check
+from known import UNIT, Loop, check
 from strategies import points
 
 from exactsweep import Polygon, sweep
@@ -33,47 +30,6 @@ def test_step_up() -> None:
     assert s.undercuts == ()
     # G's left edge along the wall.
     assert s.contacts[1] == (("EE", 3, 1),)
-
-
-def test_step_down() -> None:
-    """The mirror image of `test_step_up`: a unit to the right, as G's right side meets the wall.
-
-    ::
-
-        # # # #
-        # # # #
-            # #
-    """
-    mirrored: Loop = [(-x, y) for x, y in STAIR]
-    check(
-        sweep(UNIT, mirrored),
-        "CM",
-        [(-5, 0), (-3, 0), (-3, -1), (0, -1), (0, 3), (-5, 3)],
-        [(-4, 1), (-2, 1), (-2, 0), (0, 0), (0, 3), (-4, 3)],
-        [(-5, 0), (-3, 0), (-3, -1), (1, -1), (1, 4), (-5, 4)],
-    )
-
-
-def test_wide_slot_is_entered() -> None:
-    """CM, walls down and up again: a slot of width 2 is a slot of width 1 for the square.
-
-    ::
-
-        #   #
-        #   #
-        # # # #
-    """
-    slot: Loop = [(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)]
-    s = sweep(UNIT, slot)
-    check(
-        s,
-        "CM",
-        [(-1, -1), (4, -1), (4, 3), (2, 3), (2, 1), (1, 1), (1, 3), (-1, 3)],
-        slot,
-        [(-1, -1), (5, -1), (5, 4), (-1, 4)],
-    )
-    assert s.exact_fits == ()
-    assert s.undercuts == ()
 
 
 def test_exact_fit() -> None:
@@ -162,31 +118,3 @@ def test_inside_sweep_is_cut_to_the_range_of_the_directrix() -> None:
     flat: list[Vertex] = [(0, 0), (4, 0)]
     assert list(trajectory_mm(top, flat)) == [(-2, -1), (4, -1)]
     assert sweep_mm(top, bottom, flat) == (flat, [(-2, -2), (6, -2)])
-
-
-def test_polygon_around_itself_and_its_inverse() -> None:
-    """CC: around itself a triangle draws a hexagon; around its inverse, the double triangle.
-
-    ::
-
-        .         # #
-        . .         #
-    """
-    triangle: Loop = [(0, 0), (1, 0), (0, 1)]
-    inverse: Loop = [(-1, 0), (0, -1), (0, 0)]
-    hexagon: Loop = [(-1, 0), (0, -1), (1, -1), (1, 0), (0, 1), (-1, 1)]
-    assert list(sweep(triangle, triangle).trajectory.vertices) == hexagon
-    assert sweep(triangle, inverse).trajectory.vertices == points((-2, 0), (0, -2), (0, 0))
-
-
-@pytest.mark.parametrize("unit", [10**30, Fraction(1, 10**30), Fraction(1, 7)])
-def test_size_of_the_numbers_does_not_matter(unit: Fraction) -> None:
-    """`test_square_under_a_roof`, larger and smaller."""
-
-    def times(loop: Loop) -> Loop:
-        return [(x * unit, y * unit) for x, y in loop]
-
-    plain, scaled = sweep(UNIT, ROOF), sweep(times(UNIT), times(ROOF))
-    assert list(scaled.trajectory.vertices) == times(list(plain.trajectory.vertices))
-    assert list(scaled.inner.vertices) == times(list(plain.inner.vertices))
-    assert list(scaled.outer.vertices) == times(list(plain.outer.vertices))

@@ -13,7 +13,6 @@ from tiers import examples
 
 from exactsweep import DirectionError, Polygon, sweep
 from exactsweep.geometry.direction import (
-    _SMALL,
     X_AXIS,
     Directions,
     _find_simplest_between,
@@ -164,18 +163,6 @@ def test_choice_is_the_simplest_there_is(one: Polygon, other: Polygon) -> None:
             assert is_strictly_monotone(other, chosen)
 
 
-@given(own.turned_pairs("MM"))
-@often
-def test_choice_serves_every_pair_with_a_shared_direction(
-    pair: tuple[Polygon, Polygon, Vector],
-) -> None:
-    one, other, direction = pair
-    assert is_weakly_monotone(one, direction)
-    chosen = choose_direction(one, other)
-    assert is_weakly_monotone(one, chosen)
-    assert is_weakly_monotone(other, chosen)
-
-
 @pytest.mark.parametrize(
     ("vertices", "text"),
     [
@@ -220,11 +207,6 @@ def test_no_shared_direction_is_refused_with_the_directions_of_both() -> None:
     )
     assert one in message
     assert other in message
-
-
-def test_not_monotone_at_all_is_said() -> None:
-    with pytest.raises(DirectionError, match="the directrix: no direction"):
-        choose_direction(Polygon(UNIT), Polygon(STAR))
 
 
 def test_direction_asked_for_is_refused_with_those_there_are() -> None:
@@ -284,11 +266,6 @@ def test_the_simplest_between_two_directions_is_strictly_between() -> None:
             if X_AXIS not in between:
                 least = min(between, key=lambda w: w[0] ** 2 + w[1] ** 2)
                 assert _find_simplest_between(u, turn[j]) == least, (u, turn[j])
-
-
-def test_the_smallest_directions_are_those_of_least_squares() -> None:
-    by_length = sorted(HALF, key=lambda u: (u[0] ** 2 + u[1] ** 2, u))
-    assert [X_AXIS, *_SMALL] == sorted(by_length[:8], key=lambda u: u != X_AXIS)
 
 
 def test_the_simplest_of_single_directions_has_the_least_squares() -> None:

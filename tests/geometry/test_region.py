@@ -185,15 +185,6 @@ def test_refusals_of_the_exterior_and_of_numbers() -> None:
         Region(SQUARE, [[(1, 1), (float("nan"), 1), (1, 2)]])
 
 
-def test_rings_may_touch_in_single_points() -> None:
-    touching = Region(SQUARE, [[(0, 4), (2, 3), (2, 5)], [(2, 5), (4, 5), (4, 7)]])
-    assert touching.area == 81 - 2 - 2
-    three = Region(
-        SQUARE, [[(4, 4), (6, 4), (6, 5)], [(4, 4), (4, 6), (3, 6)], [(4, 4), (2, 4), (2, 3)]]
-    )
-    assert len(three.holes) == 3
-
-
 def test_a_hole_between_touching_points_may_lie_outside() -> None:
     """Its vertices are all on the exterior or in it, and it is outside between two of them."""
     notched = [(0, 0), (9, 0), (9, 9), (6, 9), (5, 4), (4, 9), (0, 9)]

@@ -1,6 +1,5 @@
 """Convex parts worked by hand: what of a pair matters, where it is cut, and how high it is."""
 
-from collections.abc import Sequence
 from fractions import Fraction
 from math import inf
 
@@ -11,7 +10,6 @@ from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,
     Slope,
-    _find_what_matters,
     measure_unit,
     round_outwards,
     split_chain,
@@ -99,33 +97,6 @@ def test_a_cut_counts_on_an_edge_that_matters_alone() -> None:
     half = cut.sweep(make([(0, 0), (1, 0)], 0), 0)
     assert half is not None
     assert [*half] == [(2, -2), (3, -2), (Fraction(9, 2), Fraction(-1, 2))]
-
-
-def test_nothing_may_matter() -> None:
-    steep, flat = make([(0, 0), (1, 5)], 5 * UNIT, 5 * UNIT), make([(0, 0), (1, 1)], UNIT, UNIT)
-    assert steep.sweep(flat, 0) is cross(steep).sweep(flat, 0) is None
-    assert flat.sweep(steep, 0) is cross(flat).sweep(steep, 0) is None
-
-
-@pytest.mark.parametrize(
-    ("part", "chain", "expected"),
-    [
-        (([3, 5], 3, inf), ([1, 3, 4], -inf, inf), (0, 2, 1, 3)),
-        (([1, 3, 4], -inf, inf), ([3, 5], 3, inf), (1, 3, 0, 2)),
-        (([1, 3], -inf, 3), ([2, 3, 4], -inf, inf), (0, 2, 0, 2)),
-        (([2, 3, 4], -inf, inf), ([1, 3], -inf, 3), (0, 2, 0, 2)),
-        (([3, 4], 3, 4), ([3, 5], 3, 5), (0, 2, 0, 1)),
-        (([3, 4], 3, 4), ([3, 4], 3, 4), (0, 2, 0, 2)),
-        (([1, 2], 1, 2), ([3, 4], 3, 4), (2, 2, 0, 0)),
-        (([3, 4], 3, 4), ([1, 2], 1, 2), (0, 0, 2, 2)),
-    ],
-)
-def test_slopes_between_the_ends_of_both_matter(
-    part: tuple[Sequence[int], Slope, Slope],
-    chain: tuple[Sequence[int], Slope, Slope],
-    expected: tuple[int, int, int, int],
-) -> None:
-    assert _find_what_matters(*part, *chain) == expected
 
 
 def test_boxes_are_rounded_outwards() -> None:
