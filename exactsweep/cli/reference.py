@@ -37,39 +37,6 @@ MODULES = (
 )
 
 
-_LESSON = """<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{{ title }}</title>
-<style>
-:root { color-scheme: light dark; }
-body { max-width: 50rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif; }
-pre { overflow-x: auto; padding: .6rem; border: 1px solid #8886; border-radius: 4px; }
-pre.shown { border-style: dashed; }
-svg { max-width: 100%; height: auto; background: #fff; }
-.shown { overflow-x: auto; }
-</style>
-<p><a href="../../exactsweep.html">exactsweep</a></p>
-{% for cell in cells %}
-{% if cell.cell_type == "markdown" %}
-{{ to_html("".join(cell.source))|safe }}
-{% else %}
-<pre><code>{{ "".join(cell.source) }}</code></pre>
-{% for output in cell.outputs %}
-{% set data = output.data or {} %}
-{% if data["text/html"] or data["image/svg+xml"] %}
-<div class="shown">{{ "".join(data["text/html"] or data["image/svg+xml"])|safe }}</div>
-{% else %}
-<pre class="shown">{{ "".join(output.text or data["text/plain"]) }}</pre>
-{% endif %}
-{% endfor %}
-{% endif %}
-{% endfor %}
-</html>
-"""
-
-
 def front() -> str:
     """Return what the first page says: every part with a line on it, the lessons, the project."""
     lines = ["", "", "## The parts", ""]
@@ -86,7 +53,8 @@ def front() -> str:
 def write_lessons(folder: Path) -> None:
     """Write a page for each of the lessons, with what its cells show."""
     folder.mkdir(parents=True, exist_ok=True)
-    template = Environment(autoescape=True).from_string(_LESSON)
+    source = Path(__file__).with_name("lesson.html.j2").read_text(encoding="utf-8")
+    template = Environment(autoescape=True).from_string(source)
     for name, title in list_titles().items():
         cells = read_notebook(name)["cells"]
         text = template.render(title=title, cells=cells, to_html=pdoc.render_helpers.to_html)

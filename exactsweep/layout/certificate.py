@@ -1,7 +1,7 @@
 """Certificates of layouts, as `check/CERTIFICATES.md` describes them.
 
-The judge's faults are the claim. A checker needs more, in order to add up: convex pieces, a normal
-for each pair of pieces whose boxes are not far enough apart, and a witness for each fault.
+The judge's faults are the claim. The checker also needs convex pieces, a normal for each pair of
+pieces whose boxes are not far enough apart, and a witness for each fault.
 """
 
 from __future__ import annotations
@@ -33,15 +33,14 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
     """Write the certificate of a layout.
 
     Args:
-        board: its solids.
-        faults: what the judge found; none for a valid layout.
+        board: the solids of the layout.
+        faults: the faults that the judge found; none for a valid layout.
 
     Returns:
         Plain JSON data.
 
     Raises:
-        LayoutError: nothing that is wrong can be proved: all is undecided, or a hole of a part is
-            not inside it.
+        LayoutError: no fault has a proof, because all are undecided, or holes outside their part.
 
     Cost: O(k) searches for a normal, for k pairs of pieces whose boxes are not far enough apart.
     """
@@ -67,7 +66,7 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
-    """The pieces and normals; None if the turns are not near enough."""
+    """Find the pieces and normals; None if the turns are not near enough."""
     apart: list[list[Any]] = []
     for found in (_part_placements(board, bits), _part_container(board, bits)):
         for entry in found:
@@ -83,7 +82,7 @@ def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
 
 
 def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """An entry for each near pair of placements, or for each near pair of their pieces."""
+    """Make an entry for each near pair of placements, or for each near pair of their pieces."""
     spacing = board.layout.spacing
     for k, j in board.list_near(spacing):
         a, b = share_scale(board.solid(k, bits), board.solid(j, bits))
@@ -100,7 +99,7 @@ def _part_placements(board: Board, bits: int) -> Iterator[list[Any] | None]:
 
 
 def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
-    """An entry for each piece of the outside and each piece of a placement that is near."""
+    """Make an entry for each piece of the outside and each near piece of a placement."""
     for k in board.placed:
         first = 0
         for wall in board.around:
@@ -114,7 +113,7 @@ def _part_container(board: Board, bits: int) -> Iterator[list[Any] | None]:
 def _part_pieces(
     a: Solid, b: Solid, distance: Fraction
 ) -> Iterator[tuple[int, int, IntVertex | None]]:
-    """The numbers of the pieces that need a normal, and the normal, if there is one."""
+    """Find the pairs of pieces that need a normal, with the normal, if there is one."""
     theirs = [
         (h, piece, box)
         for h, piece in enumerate(b.pieces)
@@ -145,7 +144,7 @@ def _are_apart(one: LatticeBox, other: LatticeBox, distance: Fraction) -> bool:
 
 
 def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str, Any] | None:
-    """The faults with their witnesses; None if the turns are not near enough for one."""
+    """Find the witnesses of the faults; None if the turns are not near enough for one."""
     proved: list[dict[str, Any]] = []
     parts: set[str] = set()
     for fault in faults:
@@ -182,7 +181,7 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str,
 
 
 def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
-    """The witness of an overlap, of a part outside, or of a gap that is too small."""
+    """Find the witness of an overlap, of a part outside, or of a gap that is too small."""
     a, b = fault.find_pair(bits)
     alone = len(fault.placements) == 1
     first = sum(len(wall.form.pieces) for wall in board.around[: fault.wall]) if alone else 0
@@ -208,7 +207,7 @@ def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
 
 
 def _find_piece(solid: Solid, point: Point) -> int:
-    """The number of a piece that has a point inside or on its boundary."""
+    """Find a piece with a point inside or on its boundary, and return its number."""
     x, y = point.x * solid.scale, point.y * solid.scale
     return next(
         k
@@ -221,7 +220,7 @@ def _find_piece(solid: Solid, point: Point) -> int:
 
 
 def _find_clash(part: LayoutPart) -> list[list[int]] | None:
-    """Two edges that keep a ring from being simple, or two of different rings that cross."""
+    """Find two edges of a ring that meet, or two edges of different rings that cross."""
     rings = [
         list(pairwise((*ring, ring[0])))
         for ring in (

@@ -1,7 +1,7 @@
-"""The least distance of two solids that do not overlap, among the edges that are near enough.
+"""The least distance of two solids that do not overlap, by the edges that are near enough.
 
-The least squared distance of two segments that do not meet is that of an end of one from the other
-one: the quotient of two ints.
+Two segments that do not meet are nearest at an end of one of them. So their squared distance is a
+quotient of two ints.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from exactsweep.numbers.point import Edge, Point, Rational
 
 
 class NearestPoints(NamedTuple):
-    """The squared distance of two solids, and where they are so near.
+    """The squared distance of two solids, and their nearest points.
 
     Attributes:
         square: the squared distance.
@@ -34,7 +34,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
 
     Args:
         a: a solid.
-        b: another one, on the same lattice, that does not overlap it.
+        b: another solid on the same lattice, without overlap.
         below: the bound on the squared distance, more than 0.
 
     Returns:
@@ -105,7 +105,7 @@ def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
 
 
 def _measure_edges(one: Edge, other: Edge) -> tuple[Rational, Rational]:
-    """The squared distance of two edges as a quotient."""
+    """Return the squared distance of two edges as a quotient."""
     if touch(*one, *other) != []:
         return 0, 1
     n, d = measure_to_edge(one[0], other)

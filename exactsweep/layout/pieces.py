@@ -1,12 +1,12 @@
 """Convex pieces of a shape, cut along diagonals from vertex to vertex.
 
-(1) At each vertex the interior is some open *cones*, each counter-clockwise from an edge that
-    starts there to one that ends there. A diagonal runs from a vertex to a vertex through the
-    interior and halves a cone at both.
-(2) Into a cone wider than half a turn there is always a diagonal. When no cone is that wide, every
-    face is convex: a hole in a face would have such a cone at one of its corners.
-(3) So the edges of the pieces are those of the shape and, once in each direction, the diagonals.
-    Where two of them go on in one line, a piece has one edge for both.
+(1) Near a vertex the interior consists of open *cones*. Each runs counter-clockwise from an edge
+    that starts there to an edge that ends there. A diagonal runs from a vertex to a vertex through
+    the interior, and halves a cone at both.
+(2) Every cone wider than half a turn has a diagonal into it. If no cone is that wide, every face is
+    convex: a hole in a face would have such a cone at one of its corners.
+(3) So the edges of the pieces are those of the shape, and the diagonals once in each direction. If
+    two of them continue each other on one line, a piece has one edge for both.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ def cut_to_convex(rings: Sequence[IntRing]) -> list[ConvexRing]:
         rings: the boundary, the interior on the left. Rings may touch in points.
 
     Returns:
-        Pieces whose vertices are those of the rings.
+        Pieces with the vertices of the rings.
 
-    Cost: O(c n) for n vertices, c of which are concave, times the diagonals that are tried for one.
+    Cost: O(c n) for n vertices, c of which are concave, times the number of tried diagonals each.
 
     >>> len(cut_to_convex([[(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]]))
     2
@@ -69,7 +69,7 @@ def _split_where_touching(rings: Sequence[IntRing]) -> list[tuple[IntVertex, Int
 
 
 def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex, list[_Corner]]:
-    """The cones at each vertex, by (1): from each edge that starts there to the next that ends."""
+    """Find the cones at each vertex, by (1): from an edge that starts to the next that ends."""
     ways: defaultdict[IntVertex, list[tuple[IntVertex, bool]]] = defaultdict(list)
     for a, b in edges:
         ways[a].append((_subtract(b, a), True))
@@ -95,7 +95,7 @@ _ANGLE = cmp_to_key(_compare_angles)
 def _list_diagonals(
     p: IntVertex, wide: _Corner, cones: dict[IntVertex, list[_Corner]], walls: Sequence[_BoxedWall]
 ) -> Iterator[IntVertex]:
-    """The ends of diagonals into a wide cone: those that leave few wide first, then by length."""
+    """List the ends of diagonals into a wide cone: those that leave few wide cones first."""
     ranked = []
     for q, there in cones.items():
         way = _subtract(q, p)
@@ -185,11 +185,11 @@ def bound_piece(piece: IntRing) -> tuple[int, int, int, int]:
 
 
 def find_common_point(one: ConvexRing, other: ConvexRing) -> Point | None:
-    """Find a point inside two convex pieces; None if their interiors have none in common.
+    """Find a point inside two convex pieces; None if their interiors are disjoint.
 
     Args:
         one: a piece.
-        other: another one, on the same lattice.
+        other: another piece on the same lattice.
 
     Cost: O(m n).
 

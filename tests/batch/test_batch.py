@@ -120,6 +120,8 @@ REFUSED = {
     PAIR + ', "direction": [0, 1]}': "the directrix is not monotone to (0, 1)",
     PAIR + ', "direction": [0, 0]}': "(0, 0) is not a direction",
     PAIR + ', "direction": 1}': "$.direction is '1', not a pair of numbers",
+    PAIR + ', "direction": "10"}': "$.direction is '10', not a pair of numbers",
+    PAIR + ', "direction": [1, 0, 0]}': "$.direction is a list, not a pair of numbers",
     PAIR + ', "reference": [1, "x"]}': "reference: 'x' is not a number",
     PAIR + ', "id": 1.5}': "$.id is 1.5, not a string or an integer",
     "\ufeff" + PAIR + ', "id": null, "direction": [0, 1]}': "the directrix is not monotone",

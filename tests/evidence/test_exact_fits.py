@@ -108,7 +108,7 @@ def test_to_lift_a_long_comb_takes_what_lies_over_it() -> None:
     found = []
     for teeth in (50, 100):
         generatrix, directrix = make_counted(comb(teeth)), make_counted(tongue)
-        trajectory = trajectory_mm(generatrix, directrix)
+        trajectory = list(trajectory_mm(generatrix, directrix))
         with watch_operations() as tally:
             fits = find_exact_fits(generatrix, directrix, trajectory)
         assert len(fits) == teeth - 1
@@ -134,7 +134,8 @@ def test_how_far_a_lid_goes_up_a_slot(
     slot = [("0", 0), ("1", 0), ("1", 9), *ceiling, ("2", 9), ("2", rim), ("4", rim)]
     bottom = [(Fraction(x), y) for x, y in slot]
     hanging, inside = fit
-    assert find_exact_fits(top, bottom, trajectory_mm(top, bottom)) == [((1, hanging), (1, inside))]
+    fits = find_exact_fits(top, bottom, list(trajectory_mm(top, bottom)))
+    assert fits == [((1, hanging), (1, inside))]
 
 
 def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
@@ -144,7 +145,7 @@ def test_chains_without_walls_have_but_their_ends_to_compare() -> None:
     found = []
     for size in (50, 100):
         generatrix, directrix = make_counted(zigzag(size)[::-1]), make_counted(zigzag(size))
-        trajectory = trajectory_mm(generatrix, directrix)
+        trajectory = list(trajectory_mm(generatrix, directrix))
         with watch_operations() as tally:
             assert find_exact_fits(generatrix, directrix, trajectory) == []
         found.append(tally.total)

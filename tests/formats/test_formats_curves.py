@@ -244,6 +244,13 @@ def test_the_bend_of_a_curve_with_weights_is_bounded(
     assert abs(before.y - 2 * here.y + after.y) <= bound * step**2
 
 
+def test_the_bend_does_not_depend_on_the_unit_of_the_weights() -> None:
+    corners = [Point(Fraction(x), Fraction(y)) for x, y in [(0, 0), (5, 1), (4, 7)]]
+    weights = [Fraction(1), Fraction(1, 2), Fraction(3)]
+    bound, scaled = _bend(corners, weights), _bend(corners, [7 * w for w in weights])
+    assert abs(scaled / bound - 1) < Fraction(1, 10**6)
+
+
 def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -> Point:
     shares = [w * b for w, b in zip(weights, ((1 - t) ** 2, 2 * t * (1 - t), t**2), strict=True)]
     pairs = list(zip(shares, corners, strict=True))

@@ -7,6 +7,7 @@ import importlib
 import inspect
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from pathlib import Path
 from typing import Any, ClassVar
@@ -24,16 +25,19 @@ from exactsweep import (
     Polygon,
     PolygonError,
     inner_fit_polygon,
+    limits,
     no_fit_polygon,
 )
 from exactsweep.batch import take_all_pairs
 from exactsweep.canvas.style import Look
 from exactsweep.cli.pair import GENERATRIX
-from exactsweep.corpus import case_to_json, find_case, layout_cases
+from exactsweep.corpus import Case, case_to_json, find_case, layout_cases
 from exactsweep.draw import Picture, Scale, make_figure
 from exactsweep.formats import NamedPolygon, NamedRegion, format_polygons
 from exactsweep.geometry.region import Region
+from exactsweep.layout import Layout, LayoutPart, Placement
 from exactsweep.numbers.arguments import ArgumentError, tells_arguments
+from exactsweep.numbers.limits import list_limits
 
 ROOMS = ("batch", "check", "conform", "corpus", "draw", "formats", "layout", "lessons", "view")
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -227,6 +231,24 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
 ]
 
 
+LAYOUT = next(iter(layout_cases())).layout
+READERS: dict[type, tuple[Callable[..., Any], dict[str, Any]]] = {
+    Case: (
+        Case.of,
+        {"id": "a", "title": "", "directrix": UNIT, "generatrix": UNIT, "reference": (0, 0)},
+    ),
+    Layout: (Layout.from_json, {"data": LAYOUT.to_json()}),
+    LayoutPart: (
+        partial(LayoutPart.from_json, path="$"),
+        {"data": LAYOUT.to_json()["parts"][0]},
+    ),
+    Placement: (
+        partial(Placement.from_json, path="$"),
+        {"data": LAYOUT.to_json()["placements"][0]},
+    ),
+}
+
+
 def arguments_of(name: str) -> dict[str, Any]:
     """Good arguments for a public function: those of VALID, and defaults."""
     parameters = inspect.signature(PUBLIC[name]).parameters.values()
@@ -278,12 +300,32 @@ def test_every_public_method_is_tried() -> None:
         assert with_arguments == methods.keys(), kind
 
 
+def test_every_class_that_reads_data_is_tried() -> None:
+    rooms = [importlib.import_module(f"exactsweep.{room}") for room in ROOMS]
+    kinds = {
+        kind
+        for room in rooms
+        for name in room.__all__
+        if isinstance(kind := getattr(room, name), type)
+    }
+    assert {kind for kind in kinds if {"from_json", "of"} & vars(kind).keys()} - {
+        Scale
+    } == READERS.keys()
+
+
+def enter_limits(**values: Any) -> None:
+    with limits(**values):
+        pass
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -> None:
     mpl.use("Agg")
     calls: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         (Polygon, {"vertices": UNIT}),
         (Region, {"exterior": UNIT, "holes": ()}),
+        (enter_limits, {**list_limits()}),
+        *READERS.values(),
         *((getattr(one, name), given) for one, of in METHODS for name, given in of.items()),
     ]
     tried = refused = 0

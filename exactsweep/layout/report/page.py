@@ -1,4 +1,4 @@
-"""A judged layout as one HTML page that needs nothing else, and runs no script."""
+"""A judged layout as one self-contained HTML page without scripts."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ def write_layout_page(
     Args:
         judgement: a Judgement.
         ranked: its faults, as `rank_faults` sorts them.
-        title: what was judged.
-        notes: what else there is to say of it.
+        title: the name of the layout.
+        notes: further remarks.
         y_down: whether Y points down in the pictures.
 
     Returns:
-        The page. Names are in it as text, never as markup.
+        The page. It escapes all names.
 
     Cost: that of `draw_layout`.
     """

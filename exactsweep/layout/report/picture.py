@@ -1,7 +1,7 @@
 """Pictures of judged layouts: all parts, faults in red, and the place of each fault enlarged.
 
-Places are clipped and scaled exactly and become floats last, so that an overlap of a part in 10^15
-is in sight where it is enlarged.
+Places are clipped and scaled exactly, and converted to floats last. So the enlarged place shows
+even an overlap of 10^-15 of the picture.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED = 12
 
 SIDE = 218
-"""Of the square picture of a place, in pixels."""
+"""The side of the square picture of a place, in pixels."""
 
 _ROUND = 3
 _BITS = 64
@@ -48,15 +48,15 @@ STYLE = f"""
 .layout .way {{ fill: none; stroke: var(--ink); stroke-width: 2; stroke-dasharray: 5 3; }}
 .layout text {{ font: 13px system-ui, "DejaVu Sans", sans-serif; fill: var(--ink); }}
 """
-"""The style of these pictures, beside `exactsweep.canvas.style.write_style_sheet`."""
+"""The style of these pictures, in addition to `exactsweep.canvas.style.write_style_sheet`."""
 
 
 class Enlarged(NamedTuple):
     """The place of a fault, enlarged.
 
     Attributes:
-        number: of the fault, from 1.
-        caption: what it shows, and how wide it is.
+        number: the number of the fault, from 1.
+        caption: its description and its width.
         svg: the elements of a square of SIDE pixels.
     """
 
@@ -73,16 +73,16 @@ def draw_layout(
     Args:
         judgement: a Judgement.
         ranked: its faults, as `rank_faults` sorts them.
-        title: what the picture shows.
-        y_down: whether Y points down, as viewers of SVG have it.
+        title: the title of the picture.
+        y_down: whether Y points down, as in viewers of SVG.
 
     Returns:
-        An SVG document, for light and dark grounds.
+        An SVG document, for light and dark backgrounds.
 
     Raises:
         DrawError: a point is too far outside the picture.
 
-    Cost: linear in the vertices of the placed parts, and of those of the faults enlarged.
+    Cost: linear in the vertices of the placed parts and of the enlarged faults.
     """
     width, height, main = draw_parts(judgement, ranked, y_down=y_down)
     panels = enlarge_faults(judgement, ranked, y_down=y_down)
@@ -113,7 +113,7 @@ class LayoutPicture:
     Args:
         judgement: a Judgement.
 
-    Cost: that of `draw_layout` and `rank_faults`, when it is shown.
+    Cost: that of `draw_layout` and `rank_faults`, when the notebook shows it.
 
     Example:
         >>> from exactsweep.corpus import find_layout_case
@@ -135,7 +135,7 @@ class LayoutPicture:
 def draw_parts(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> tuple[int, int, str]:
-    """Draw the container and all parts; faults are red, and numbered at their witnesses.
+    """Draw the container and all parts; faults are red, with numbers at their witnesses.
 
     Returns:
         The width and the height, in pixels, and elements of SVG.
@@ -152,7 +152,7 @@ def draw_parts(
     width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
     height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
     window = Window.around(points, width, height, _MARGIN)
-    # That there are too few, or too many, is no fault of one of them.
+    # A missing or surplus placement is not a fault of a single placement.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_path("defect", [hole], window) for hole in around[1:]]
     for is_bad in (False, True):
@@ -172,7 +172,7 @@ def draw_parts(
 def enlarge_faults(
     judgement: Judgement, ranked: Sequence[WorstFirst], *, y_down: bool = False
 ) -> list[Enlarged]:
-    """Draw the places of the worst faults, each so large that the fault is in sight."""
+    """Draw the places of the worst faults, each large enough to show the fault."""
     layout = judgement.layout
     found = []
     shown = [one for one in ranked if one.fault.points][:_MOST_ENLARGED]
@@ -207,9 +207,9 @@ def enlarge_faults(
 
 
 def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Point]]:
-    """Return the rings of a placement where they are: mirrored, turned, moved.
+    """Return the rings of a placement after mirroring, turning and moving.
 
-    An angle without a rational turn is replaced by one that is off by at most 2**-64.
+    For an angle without a rational turn, the function uses a turn off by at most 2**-64.
     """
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
@@ -252,7 +252,7 @@ def _path(
 
 
 def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
-    """Cut off what is far outside of a window, exactly; along the cuts, lines run out of sight."""
+    """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
     room = window.longest
     for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
         for side, limit in ((1, high + room), (-1, low - room)):
@@ -261,7 +261,7 @@ def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
 
 
 def _cut(ring: Sequence[Point], axis: int, side: int, limit: Fraction) -> Iterator[Point]:
-    """The part of a ring on one side of a line (Sutherland and Hodgman)."""
+    """Return the part of a ring on one side of a line (Sutherland and Hodgman)."""
     for k, point in enumerate(ring):
         before = ring[k - 1]
         over, under = side * (point[axis] - limit), side * (before[axis] - limit)
