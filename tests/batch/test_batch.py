@@ -138,10 +138,6 @@ def test_a_bad_pair_is_an_error_record(line: str, message: str) -> None:
     assert str(record["error"]).isprintable()
 
 
-def test_bytes_that_are_no_text_are_an_error_record() -> None:
-    assert str(line_record(b"\xff")["error"]).startswith("not UTF-8 text: invalid start byte at")
-
-
 def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
     good = PAIR + "}\n"
     long = "[" + " " * 2**24 + "]\n"

@@ -67,25 +67,11 @@ def test_output_goes_to_a_file(tmp_path: Path, options: tuple[str, ...]) -> None
     assert path.read_text() == run("sweep", *options).stdout == run("sweep", "-o-", *options).stdout
 
 
-def test_a_refusal_leaves_the_output_alone(tmp_path: Path) -> None:
-    path = tmp_path / "result"
-    path.write_text("before")
-    refusal(run("sweep", "none", NOTCH, "-o", str(path)))
-    assert path.read_text() == "before"
-
-
 def test_direction_is_reduced_and_the_loops_do_not_depend_on_it() -> None:
     standard = json.loads(run("sweep", "--json").stdout)
     turned = json.loads(run("sweep", "--json", "--direction", "-1/2", "0.125").stdout)
     assert (standard.pop("direction"), turned.pop("direction")) == ([1, 0], [4, -1])
     assert standard == turned
-
-
-def test_reference_moves_the_trajectory() -> None:
-    document = json.loads(run("sweep", "--json", "--reference", "-1/3", "2").stdout)
-    assert document["reference"] == ["-1/3", "2"]
-    assert exactsweep.Polygon(document["trajectory"]) == EXAMPLE.trajectory.translated(("-1/3", 2))
-    assert exactsweep.Polygon(document["outer"]) == EXAMPLE.outer
 
 
 @pytest.mark.parametrize(

@@ -84,18 +84,6 @@ def test_the_no_fit_polygon_has_its_holes_and_fits(name: str, files: dict[str, s
     )
 
 
-def test_json_has_everything_as_exact_strings(files: dict[str, str]) -> None:
-    found = json.loads(run("nfp", files["plate.wkt"], files["square.json"], "--json").stdout)
-    assert list(found) == [
-        "stationary", "orbiting", "kind", "reference", "exterior", "holes", "exact_fits", "area",
-    ]  # fmt: skip
-    assert Region(found["stationary"]["exterior"], found["stationary"]["holes"]) == PLATE
-    assert found["orbiting"] == [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
-    assert found["holes"] == [[["1", "1"], ["3", "1"], ["3", "2"], ["1", "2"]]]
-    assert found["exact_fits"] == [[["5", "1"], ["5", "3"]], [["7", "2"], ["7", "2"]]]
-    assert (found["kind"], found["area"]) == ("SS", "58")
-
-
 def test_positions_in_a_container_are_found(files: dict[str, str]) -> None:
     result = run("ifp", files["plate.json"], files["square.json"])
     expected = inner_fit_polygon(PLATE, SQUARE)

@@ -183,19 +183,6 @@ def test_lasting_contacts_of_a_convex_generatrix_involve_one_edge_of_it(pair: Pa
             assert len({i for _, i, _ in found}) == 1
 
 
-def test_lemma_a1_does_not_hold_at_a_moment() -> None:
-    r"""At a vertex of a CM trajectory two vertices of G touch two edges of D.
-
-    ::
-
-        # # # # #
-        # /---\ #
-    """
-    roof = [(0, 0), (2, 2), (4, 0), (4, 4), (0, 4)]
-    s = sweep(UNIT, roof)
-    assert s.contacts_at(("3/2", "1/2")) == (("VE", 2, 1), ("VE", 3, 0))
-
-
 def test_positions_that_are_no_points_are_refused() -> None:
     with pytest.raises(PolygonError, match="position is not a pair of numbers"):
         sweep(UNIT, UNIT).contacts_at([1])
@@ -245,25 +232,6 @@ def test_an_edge_faces_the_corners_that_lie_to_its_right() -> None:
             for k, (x, y) in ways.items()
             if turn > 0 and all(x * w <= y * v for v, w in (forward, back))
         }
-
-
-STAIRS = [(0, 0), (1, 0), (1, 1), (2, 1), (2, 0), (3, 0), (3, 1), (4, 1), (4, 0), (5, 0), (5, 3)]
-
-
-@pytest.mark.parametrize(
-    ("g", "d"),
-    [
-        (BLOCK, [*STAIRS, (0, 3)]),
-        ([*STAIRS, (0, 3)], [(0, 0), (7, 0), (7, 1), (0, 1)]),
-        ([*STAIRS, (0, 3)], [*STAIRS, (0, 3)]),
-        (KITE, BOOT),
-        (BOOT, [(0, 0), (4, -2), (8, 0), (6, 1), (4, 0), (2, 1)]),
-    ],
-)
-def test_contacts_along_edges_in_one_line(g: list[Vertex], d: list[Vertex]) -> None:
-    s = sweep(numbered(Polygon(g)), numbered(Polygon(d)))
-    for (p, q), found in zip(edges(s.trajectory), s.contacts, strict=True):
-        assert list(found) == sorted(lasting(s.generatrix.exterior, s.directrix.exterior, p, q))
 
 
 def staircase(size: int) -> list[Vertex]:

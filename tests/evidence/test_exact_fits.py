@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import Point, Polygon, sweep
-from exactsweep.check import point_in_polygon, reference_exact_fits
+from exactsweep.check import reference_exact_fits
 from exactsweep.paper.counting import make_counted, watch_operations
 from exactsweep.procedures.exact_fit import find_exact_fits
 from exactsweep.procedures.mm import trajectory_mm
@@ -63,37 +63,6 @@ def test_linear_maps_commute(pair: Pair, matrix: own.Matrix) -> None:
     image = sweep(*(own.mapped(polygon, matrix) for polygon in pair))
     mapped = [tuple(Point(a * x + b * y, c * x + d * y) for x, y in fit) for fit in s.exact_fits]
     assert [*image.exact_fits] == sorted(mapped)
-
-
-#  # : #
-#  # : #
-#  # # #
-SLOT = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_hair_makes_or_breaks_a_fit(sign: int) -> None:
-    """Narrower by 10**-40 and the square has room; wider and it stays out."""
-    hair = Fraction(sign, 10**40)
-    wider = [(0, 0), (1 + hair, 0), (1 + hair, 1), (0, 1)]
-    s = sweep(wider, SLOT)
-    assert s.exact_fits == ()
-    assert point_in_polygon((1 - hair / 2, 2), s.trajectory) == sign
-
-
-def test_mould_with_walls_is_a_fit() -> None:
-    """The same wedge, with walls to both sides of it and of the dent.
-
-    ::
-
-        #####
-        ##:##
-        # : #
-    """
-    mould = [(0, 0), (1, 0), (1, 1), (2, 2), (3, 1), (3, 0), (4, 0), (4, 4), (0, 4)]
-    wedge = [(0, -1), (2, -1), (2, 0), (1, 1), (0, 0)]
-    # To either side of x = 1, a shoulder of G comes under the ground, and stops there at y = 0.
-    assert sweep(wedge, mould).exact_fits == (own.points((1, 0), (1, 1)),)
 
 
 def comb(teeth: int) -> list[tuple[int, int]]:

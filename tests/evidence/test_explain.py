@@ -323,7 +323,7 @@ def test_the_story_tells_every_step_undercut_and_fit(s: Sweep) -> None:
     for k in range(len(s.undercuts)):
         assert text.count(f"undercut {k}, of area") == 1
     for k in range(len(s.exact_fits)):
-        assert text.count(f"exact fit {k} hangs") == 1
+        assert text.count(f"exact fit {k} begins") == 1
     told = [line.split(":")[0].strip() for line in lines if line.startswith("  ")]
     assert told.count("Stop") == sum(step.ending == "stop" for step in explain(s))
     assert told.count("Corner") == sum(step.ending == "corner" for step in explain(s))

@@ -1,6 +1,5 @@
 """Directions of monotonicity against a count of sign changes, one direction at a time."""
 
-from fractions import Fraction
 from itertools import combinations, pairwise
 from math import gcd
 from typing import Any
@@ -8,7 +7,6 @@ from typing import Any
 import pytest
 import strategies as own
 from hypothesis import given
-from hypothesis import strategies as st
 from tiers import examples
 
 from exactsweep import DirectionError, Polygon, sweep
@@ -228,26 +226,6 @@ def test_direction_asked_for_is_refused_with_those_there_are() -> None:
 )
 def test_directions_are_read_as_primitive_vectors(given_: Any, expected: Vector) -> None:
     assert read_direction(given_) == expected
-
-
-def test_directions_of_ints_and_fractions_are_reduced() -> None:
-    half = Fraction(1, 2)
-    assert reduce_direction((3, half)) == reduce_direction((-3, -half)) == (6, 1)
-    assert reduce_direction((half, 3)) == (1, 6)
-    assert reduce_direction((0, -half)) == (0, 1)
-
-
-@given(st.lists(own.simple_polygons(), min_size=3, max_size=3))
-@examples(30)
-def test_sharing_is_commutative_and_associative(polygons: list[Polygon]) -> None:
-    a, b, c = map(find_monotone_directions, polygons)
-
-    def members(directions: Directions) -> list[bool]:
-        return [u in directions for u in trials(*polygons)]
-
-    assert members(a & b) == members(b & a)
-    assert members((a & b) & c) == members(a & (b & c))
-    assert members(a & a) == members(a)
 
 
 # All directions of small components, by angle.

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from fractions import Fraction
-from itertools import chain as join
 from itertools import pairwise
 from math import inf
 from random import Random
@@ -12,16 +11,14 @@ import pytest
 
 from exactsweep import Polygon
 from exactsweep.numbers.point import Vertex
-from exactsweep.procedures.chain import inverse, split
+from exactsweep.procedures.chain import split
 from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,
-    measure_unit,
-    split_parts,
 )
 from exactsweep.procedures.envelope import Break, Envelope, Span, value
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-from exactsweep.procedures.part_pairs import Boxes, Ceiling, add_to_run
+from exactsweep.procedures.part_pairs import Ceiling, add_to_run
 
 
 def height(envelope: Envelope, at: Fraction) -> Fraction | float:
@@ -65,37 +62,6 @@ def test_no_strip_is_lower_than_the_envelope_over_it(seed: int) -> None:
             assert any(first <= strip <= last for first, last in ceiling.windows)
             if at not in (value(left), value(right)):
                 assert ceiling.tops[strip] >= height(envelope, at), (seed, at)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_what_reaches_below_the_strips_is_found_and_nothing_else(seed: int) -> None:
-    rng = Random(seed)
-    top, bottom = draw(rng)
-    inverted = inverse(top)
-    unit = measure_unit(inverted, bottom)
-    rows, columns = split_parts(inverted, unit), split_parts(bottom, unit)
-    boxes = Boxes.of(columns)
-    envelope = trajectory_mm(top, bottom)
-    low = rows[0].box[0] + boxes.lefts[0]
-    high = rows[-1].box[1] + boxes.rights[-1]
-    third = (high - low) // 3
-    gaps: list[Span] | None = None
-    if seed % 2:
-        gaps = [((low, 1), (low + third, 1)), ((high - third, 1), (high, 1))]
-    ceiling = Ceiling(envelope, (low, high), 40, gaps)
-    within = set(join.from_iterable(range(a, b + 1) for a, b in ceiling.windows))
-    numbers = sorted(rng.sample(range(len(columns)), (len(columns) + 1) // 2))
-    for row in rows:
-        left, right, least = row.box
-        found = ceiling.find_reaching(row.box, boxes, numbers)
-        for k in numbers:
-            first, last, lowest = boxes.boxes[k]
-            strips = range(
-                (left + first - low) // ceiling.width, (right + last - low) // ceiling.width + 1
-            )
-            reaches = any(least + lowest < ceiling.tops[strip] for strip in strips)
-            assert (k in found) == (reaches and not within.isdisjoint(strips))
-        assert found == sorted(found)
 
 
 def zigzag(size: int, bend: int, seed: int) -> list[Vertex]:

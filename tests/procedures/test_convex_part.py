@@ -10,11 +10,7 @@ from exactsweep.procedures.convex_part import (
     ConvexPart,
     CrossingPart,
     Slope,
-    measure_unit,
     round_outwards,
-    split_chain,
-    split_envelope,
-    split_parts,
     take_whole,
 )
 from exactsweep.procedures.envelope import Break, Envelope
@@ -108,50 +104,3 @@ def test_boxes_are_rounded_outwards() -> None:
     assert part.box == cross(part).box == (0, 5, -4)
     rising = make([(1, 7), (3, 8), (6, 19)], left=(3, 2), right=(11, 2))
     assert cross(rising).box == rising.box == (1, 6, 7)
-
-
-def test_parts_are_turned_about_at_the_lower_end_of_a_wall() -> None:
-    chain: list[Vertex] = [(0, 0), (1, -2), (2, -3), (3, -3), (4, -5), (5, -5)]
-    chain += [(5, -1), (6, -2), (6, -7), (7, -7)]
-    unit = measure_unit(chain)
-    parts = split_chain(chain, unit)
-    assert [part.points for part in parts] == [
-        [(0, 0), (1, -2), (2, -3), (3, -3)],
-        [(3, -3), (4, -5), (5, -5)],
-        [(5, -1), (6, -2)],
-        [(6, -7), (7, -7)],
-    ]
-    ends = [
-        (part.flattest in (-inf, part.slopes[0]), part.flattest == -inf, part.steepest == inf)
-        for part in parts
-    ]
-    # At (3, -3) neither has to be; the second one below the wall up, the fourth below the one down.
-    assert ends == [
-        (True, True, False),
-        (True, False, True),
-        (True, False, False),
-        (True, True, True),
-    ]
-    assert [part.steepest for part in (parts[0], parts[2])] == [0, parts[2].slopes[-1]]
-
-
-def test_parts_of_an_envelope_are_turned_about_at_the_lower_end_of_a_step() -> None:
-    whole = Envelope.of([(0, 0), (2, -2), (4, -2)])
-    for chain in ([(4, -2), (6, -6), (8, -6)], [(8, 1), (9, 0)], [(9, -5), (10, -5)]):
-        whole.take_all(Envelope.of(chain))
-    unit = measure_unit(whole)
-    parts = [*split_envelope(whole, unit)]
-    assert [len(part.edges) for part in parts] == [2, 2, 1, 1]
-    assert [(part.flattest == -inf, part.steepest == inf) for part in parts] == [
-        (True, False),
-        (False, True),
-        (False, False),
-        (True, True),
-    ]
-    lattice = split_parts(whole, unit)
-    assert [part.points for part in lattice][1:] == [
-        [(4, -2), (6, -6), (8, -6)],
-        [(8, 1), (9, 0)],
-        [(9, -5), (10, -5)],
-    ]
-    assert [(part.left, part.right) for part in lattice][:2] == [((0, 1), (4, 1)), ((4, 1), (8, 1))]

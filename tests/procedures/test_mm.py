@@ -17,7 +17,6 @@ from exactsweep.procedures.chain import complement, find_convex_parts, inverse, 
 from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_envelope import lower_envelope_mm
 from exactsweep.procedures.mm import sweep_mm, trajectory_mm
-from exactsweep.procedures.mm_inner import inner_mm
 
 Pair = tuple[Polygon, Polygon]
 usually = examples(100)
@@ -54,20 +53,6 @@ def test_no_pair_of_convex_parts_is_missed(
         left, right = bottom[0][0], bottom[-1][0]
         closed = [v for v in inverse(complement(inside)) if left < v[0] < right]
         assert closed == [v for v in inner if left < v[0] < right], number
-
-
-@given(own.pairs("MM"))
-@usually
-def test_inner_boundary_is_a_trajectory_on_the_inside(pair: Pair) -> None:
-    """Lemma 5.3 as corrected: slid along all of the complement, cut to D's range."""
-    (g_bottom, g_top), (bottom, _) = (split(polygon.vertices) for polygon in pair)
-    envelope = trajectory_mm(g_top, bottom)
-    inner, _ = sweep_mm(g_top, g_bottom, bottom)
-    assert inner_mm(g_top, envelope, bottom) == inner
-    inside = trajectory_mm(g_top, inverse(complement(list(envelope))))
-    whole = inverse(complement(list(inside)))
-    left, right = bottom[0][0], bottom[-1][0]
-    assert [v for v in whole if left < v[0] < right] == [v for v in inner if left < v[0] < right]
 
 
 @given(own.pairs("MM"))
