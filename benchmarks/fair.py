@@ -18,8 +18,9 @@ from rich.table import Table
 
 from benchmarks.clock import machine
 from benchmarks.families import ANY_SHAPE, FAMILIES
-from benchmarks.peers.cgal import STRATEGIES
+from benchmarks.peers.cgal import write_input
 from exactsweep import Polygon
+from exactsweep.conform.adapters.names import CGAL_STRATEGIES
 from exactsweep.corpus.generator.shapes import Ring
 from exactsweep.geometry.canonical import PolygonError
 
@@ -92,12 +93,10 @@ def ask_cgal(
     """Ask each strategy of CGAL; None if it crashes, takes too long or gives no polygon."""
     generatrix, directrix = pair
     rings = directrix, [(-x, -y) for x, y in generatrix]
-    given = "\n".join(
-        line for ring in rings for line in (str(len(ring)), *(f"{x} {y}" for x, y in ring))
-    )
+    given = write_input(*rings)
     found: dict[str, Answer | None] = {}
     for way in ways:
-        said = run_apart([str(program), "sum", way, str(SECONDS), *([mode] if mode else [])], given)
+        said = run_apart([str(program), way, "sum", str(SECONDS), *([mode] if mode else [])], given)
         try:
             times, *lines = said.splitlines() or [""]
             loop = Polygon([(Fraction(x), Fraction(y)) for x, y in map(str.split, lines)])
@@ -114,7 +113,7 @@ def measure(program: Path, name: str, m: int, n: int) -> list[str]:
     ours = [ask_ours(pair, "kept")]
     assert ours[0]
     right = ours[0].loop
-    tried = ask_cgal(program, pair, "", [*STRATEGIES])
+    tried = ask_cgal(program, pair, "", [*CGAL_STRATEGIES])
     good = [way for way, found in tried.items() if found and found.loop == right]
     good.sort(key=lambda way: tried[way].time)  # type: ignore[union-attr]
     for name_of, mode in MODES.items():

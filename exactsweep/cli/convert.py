@@ -5,8 +5,8 @@ from pathlib import PurePath
 import click
 
 from exactsweep.cli.export import export, takes_rounding
-from exactsweep.cli.output import takes_output
-from exactsweep.cli.pair import PATH, ReadingOptions, keep_coordinates, takes_reading
+from exactsweep.cli.options import PATH, takes_output
+from exactsweep.cli.pair import ReadingOptions, keep_coordinates, takes_reading
 from exactsweep.cli.parts import read_named
 from exactsweep.formats import (
     FORMATS,
@@ -52,6 +52,11 @@ def convert_command(
     What is written is exactly what was read: WKT, GeoJSON, SVG and DXF hold finite decimals only,
     and 1/3 is none. --round makes decimals of all coordinates. DXF has no holes: their rings become
     polylines like the exterior.
+
+    Example:
+      exactsweep convert drawing.dxf --flatten 1/100 --join 1e-6 --unit mm -o parts.json
+      exactsweep convert drawings --flatten 0.01 --nested -o parts.json
+      exactsweep convert parts.json#0 --to wkt --round 6
     """
     form = form or PurePath(output).suffix[1:].lower()
     if form not in FORMATS:

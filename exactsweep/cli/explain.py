@@ -3,7 +3,8 @@
 import click
 
 from exactsweep import Sweep
-from exactsweep.cli.output import measure_terminal, takes_output, write
+from exactsweep.cli.options import takes_output
+from exactsweep.cli.output import measure_terminal, write
 from exactsweep.cli.pair import takes_pair
 from exactsweep.cli.working import working
 from exactsweep.text.explanation import tell
@@ -24,6 +25,9 @@ def explain_command(result: Sweep, as_json: bool, output: str) -> None:
     vertex i to the next.
 
     Files are read as by 'exactsweep sweep'; without files, its example is explained.
+
+    Example:
+      exactsweep explain house.json block.wkt
     """
     with working("explaining the sweep"):
         lines = [explanation_to_json(result)] if as_json else [f"{one}\n" for one in tell(result)]

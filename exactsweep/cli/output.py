@@ -2,28 +2,16 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from shutil import copymode, get_terminal_size
-from typing import TypeVar
 
 import click
 
-from exactsweep.cli.pair import PATH
 from exactsweep.formats import FormatError, show_path
 from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.size import find_needed_mib
-
-Command = TypeVar("Command", bound=Callable[..., None])
-
-
-def takes_output(command: Command) -> Command:
-    """Give a command the option -o FILE, as `output`; "-" if left out."""
-    option = click.option(
-        "-o", "--output", type=PATH, default="-", metavar="FILE", help="Write to a file."
-    )
-    return option(command)
 
 
 def measure_terminal(output: str) -> os.terminal_size | None:

@@ -3,7 +3,8 @@
 import click
 
 from exactsweep import InnerFit, NoFitPolygon, Sweep
-from exactsweep.cli.output import takes_output, write
+from exactsweep.cli.options import takes_output
+from exactsweep.cli.output import write
 from exactsweep.cli.pair import coordinates_of_files, name_files_of_pair, takes_pair, takes_question
 from exactsweep.cli.working import working
 from exactsweep.formats import show_path
@@ -24,6 +25,10 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     Of a no-fit polygon or an inner fit the page shows the positions alone.
 
     Files are read as by 'exactsweep sweep'; without files, its example is shown.
+
+    Example:
+      exactsweep view house.json block.wkt -o sweep.html
+      exactsweep view --of ifp sheet.json part.wkt -o fit.html
     """
     from exactsweep.view import make_page
 

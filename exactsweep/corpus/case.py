@@ -14,6 +14,7 @@ from exactsweep.corpus.representable import find_types
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.reading import read_point
 from exactsweep.geometry.region import AnyPolygon, Region
+from exactsweep.numbers.arguments import tells_arguments
 from exactsweep.numbers.error import ExactSweepError
 from exactsweep.numbers.point import Fit, Loop, Point
 from exactsweep.procedures.solution import Kind
@@ -87,6 +88,7 @@ class Case:
     version: int = 1
 
     @classmethod
+    @tells_arguments
     def of(
         cls,
         id: str,

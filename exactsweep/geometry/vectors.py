@@ -1,25 +1,31 @@
 """Differences, cross products and turns of vectors, and points on segments."""
 
+from typing import overload
+
 from exactsweep.numbers.point import Rational, Vertex
 
 
+@overload
+def minus(p: tuple[int, int], q: tuple[int, int]) -> tuple[int, int]: ...
+@overload
+def minus(p: Vertex, q: Vertex) -> Vertex: ...
 def minus(p: Vertex, q: Vertex) -> Vertex:
-    """The vector from q to p."""
+    """Return the vector from q to p."""
     return p[0] - q[0], p[1] - q[1]
 
 
 def cross(u: Vertex, v: Vertex) -> Rational:
-    """The cross product, positive if v is to the left of u."""
+    """Return the cross product, positive if v is to the left of u."""
     return u[0] * v[1] - u[1] * v[0]
 
 
 def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
-    """Twice the area of a triangle, positive if r is to the left of the line from p to q."""
+    """Return twice the area of a triangle, positive if r is left of the line from p to q."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is on a segment, its ends included.
+    """Decide whether a point is on a segment, ends included.
 
     >>> [is_on_segment(point, (2, 2), (0, 0)) for point in [(0, 0), (1, 1), (3, 3), (1, 0)]]
     [True, True, False, False]
@@ -29,7 +35,7 @@ def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:
 
 
 def is_between(point: Vertex, p: Vertex, q: Vertex) -> bool:
-    """Decide whether a point is inside a segment, its ends left out.
+    """Decide whether a point is inside a segment, ends excluded.
 
     >>> [is_between((x, x), (0, 0), (2, 2)) for x in (0, 1, 2)]
     [False, True, False]

@@ -1,48 +1,49 @@
 """Exact fits: slots of D exactly as wide as G.
 
-There G touches D without overlap, but no neighbourhood of free translations holds the position:
-the boundary of the no-fit polygon, a regular set, does not show it (Definition 1.1 asks only for
-contact and for disjoint interiors). From below, at x0, the heights are
+In an exact fit G touches D without overlap, but every neighbourhood has positions with overlap on
+both sides. The boundary of the no-fit polygon, a regular set, does not show such positions.
+Definition 1.1 requires only contact and disjoint interiors. From below, at x0, the heights are
 
     max(T(x0-), T(x0+))  <  y  <=  least limit of D_b(a) - G_t(a - x0) over the open common x-range.
 
-G is held from both sides only where two pairs of discontinuities coincide in x0, one of D and one
-of G each: a vertical edge, or an end of the polygon. All fits are segments of positive length.
+D holds G from both sides only if two pairs of discontinuities coincide in x0. Each pair has one
+discontinuity of D and one of G: a vertical edge, or an end of the polygon. All fits of monotone
+pairs are segments of positive length.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
 from exactsweep.numbers.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges
-from exactsweep.procedures.envelope import Envelope, find_point_on
+from exactsweep.procedures.envelope import find_point_on
 
 
 def find_exact_fits(
-    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope
+    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Sequence[Vertex]
 ) -> list[tuple[Vertex, Vertex]]:
     """Find the exact fits of G_t from below in D_b.
 
     Args:
         generatrix: G_t, points from right to left.
         directrix: D_b, points from left to right.
-        trajectory: T(G_t, D_b).
+        trajectory: T(G_t, D_b), points from left to right.
 
     Returns:
-        Pairs (the end that hangs on the trajectory, the end inside the slot), by x.
+        Pairs (the end on the trajectory, the end inside the slot), by x.
 
-    Cost: O(d g) for d and g discontinuities, and for each x0 at which two pairs meet O(log m +
-    log n) and the edges of D_b and of G_t over each other.
+    Cost: O(d g) for d and g discontinuities. For each x0 at which two pairs meet, O(log m + log n +
+    the edges of D_b and of G_t over each other).
 
     Example:
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
         >>> lid = [(1, 0), (0, 0)]
         >>> from exactsweep.procedures.cm import trajectory_cm
-        >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot))
+        >>> find_exact_fits(lid, slot, list(trajectory_cm(lid, slot)))
         [((1, 0), (1, 2))]
     """
     meetings = Counter(
@@ -52,13 +53,19 @@ def find_exact_fits(
     fits: list[tuple[Vertex, Vertex]] = []
     for x, count in sorted(meetings.items()):
         if count > 1:
-            at = x, 1
-            beside = trajectory.edge_before(at), trajectory.edge_after(at)
-            hanging = max(trajectory.point(k, at)[1] for k in beside)
+            hanging = _find_greatest(trajectory, x)
             limit = _least_height(top, bottom, x)
             if limit > hanging:
                 fits.append(((x, hanging), (x, limit)))
     return fits
+
+
+def _find_greatest(chain: Sequence[Vertex], x: Rational) -> Rational:
+    """The greater limit of a chain from the left and from the right. Cost: O(log n)."""
+    first, after = (side(chain, x, key=_abscissa) for side in (bisect_left, bisect_right))
+    if first == after:
+        return _value((chain[first - 1], chain[first]), x)
+    return max(chain[first][1], chain[after - 1][1])
 
 
 def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
@@ -68,7 +75,7 @@ def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
 
 
 def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) -> Rational:
-    """The least limit of D_b(a) - G_t(a - shift) over the open common x-range.
+    """Return the least limit of D_b(a) - G_t(a - shift) over the open common x-range.
 
     Cost: O(log m + log n), and the edges of both over each other.
     """
@@ -83,6 +90,10 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
         i += gq[0] + shift == high
         j += dq[0] == high
     return min(heights)
+
+
+def _abscissa(vertex: Vertex) -> Rational:
+    return vertex[0]
 
 
 def _right(edge: Edge) -> Rational:

@@ -13,9 +13,8 @@ from tiers import examples
 
 from exactsweep import Point
 from exactsweep.check import classify, point_in_polygon
-from exactsweep.conform.judge.answer import AnswerError
 from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.verdict import Comparison, PartComparison, Verdict
+from exactsweep.conform.judge.verdict import AnswerError, Comparison, PartComparison, Verdict
 from exactsweep.conform.judge.witness import WitnessError, is_inside
 from exactsweep.corpus import Case, find_case
 

@@ -11,12 +11,10 @@ from shipped_cases import shipped_cases
 from tiers import examples, few_or_all
 
 from exactsweep import Point
-from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.boundary import is_on
-from exactsweep.conform.judge.compare import compare
-from exactsweep.conform.judge.frechet import match_rings
-from exactsweep.conform.judge.loops import find_fault
-from exactsweep.conform.judge.verdict import PartComparison, Verdict
+from exactsweep.conform.judge.compare import compare, find_fault
+from exactsweep.conform.judge.distance import match_rings
+from exactsweep.conform.judge.verdict import PartComparison, Verdict, read_loop
 from exactsweep.conform.judge.witness import list_exact_rings
 from exactsweep.corpus import Case
 from exactsweep.geometry.hull import find_hull

@@ -70,6 +70,14 @@ def test_rows_and_columns_and_blocks_in_blocks() -> None:
     assert part.polygon == Polygon([(28, 56), (34, 56), (28, 60)])
 
 
+def test_the_rest_of_a_block_is_read_where_part_of_it_is_refused() -> None:
+    text = with_blocks({"a": [(0, "3DFACE"), *TRIANGLE]}, insert("a"))
+    found = parse_polygons(text)
+    assert [part.polygon for part in found] == [Polygon([(10, 20), (13, 20), (10, 22)])]
+    (reason,) = found.left_out
+    assert reason.endswith(": no line, polyline, arc, circle, ellipse, spline or block")
+
+
 @fewer
 @given(st.fractions(-360, 360, max_denominator=100), points)
 def test_turned_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point) -> None:

@@ -148,7 +148,7 @@ def test_packingsolver_mirrors_and_flattens() -> None:
     assert "mirrored" not in part
     assert part["turns"] == ["0"]
     assert [placed.get("mirrored") for placed in found.data["placements"]] == [True, None]
-    item["allowed_rotations"] = [{"start": 0, "end": 10}]
+    item["allowed_rotations"] = [{"start": 0, "end": 359.5}]
     (found,) = read(data, instance, tolerance=Fraction(1, 10))
     assert "turns" not in found.data["parts"][0]
     assert found.notes[0] == "$.item_types[0]: whether turns are in its ranges is not looked at"

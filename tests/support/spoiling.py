@@ -13,8 +13,8 @@ from typing import Any
 
 from exactsweep import Point, Polygon, sweep
 from exactsweep.check import point_in_polygon
-from exactsweep.conform.judge.answer import read_loop
 from exactsweep.conform.judge.rounding import grant_rounding
+from exactsweep.conform.judge.verdict import read_loop
 from exactsweep.corpus import Case
 from exactsweep.geometry.canonical import find_doubled_area
 from exactsweep.numbers.point import ORIGIN

@@ -19,7 +19,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from exactsweep.conform.judge.boundary import are_collinear, is_on, subtract_fits
-from exactsweep.conform.judge.frechet import find_close_part
+from exactsweep.conform.judge.distance import find_close_part
 from exactsweep.conform.judge.verdict import PartComparison, Verdict, Witness
 from exactsweep.conform.judge.witness import at_position, crossing_of, list_exact_rings, subtract
 from exactsweep.corpus import Case
