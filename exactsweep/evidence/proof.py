@@ -157,7 +157,7 @@ class _Finder:
         self._fits = range(len(self._known) - len(fits), len(self._known))
         self._beyond = range(sums.count, sums.count + len(sums.beyond))
         self._listed: dict[int, int] = {}
-        self._areas: dict[int, float] = {}
+        self._areas: dict[int, int] = {}
         left, right, *_ = (
             one + other for one, other in zip(sums.first.box, sums.second.box, strict=True)
         )
@@ -232,13 +232,14 @@ class _Finder:
                 self._strips[strip].append((box, best))
         return best
 
-    def _measure(self, k: int) -> float:
-        """Measure a sum, roughly."""
+    def _measure(self, k: int) -> int:
+        """Measure a sum, roughly: twice its area, its corners rounded to the grid of boxes."""
         if k not in self._areas:
-            points = [
-                (float(x), float(y)) for (x, y) in (place(p) for p, _ in self._sums.get(k)[1])
-            ]
-            self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in pairwise([*points, points[0]]))
+            corners = [p for p, _ in self._sums.get(k)[1]]
+            scale = self._sums.work.scale
+            points = [(x * scale // w, y * scale // w) for x, y, w in corners]
+            around = pairwise([*points, points[0]])
+            self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in around)
         return self._areas[k]
 
     def _list_chains(self) -> dict[int, list[list[int]]]:
