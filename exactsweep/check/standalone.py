@@ -454,9 +454,9 @@ def prove_positions(
     boxes = [(grid_box(e, work.scale), n) for n, e in enumerate(known)]
     far = [(n, k) for n in range(len(known)) for k in beyond]
     for n, k in chain(sums.near(tree(boxes)) if boxes else (), far):
-        work.take(len(sums.get(k)[0]))
-        apart = misses(sums.get(k)[0], *known[n])
-        need(apart, "an edge of a loop or a fit is overlapped")
+        lines = sums.get(k)[0]
+        work.take(len(lines))
+        need(misses(lines, *known[n]), "an edge of a loop or a fit is overlapped")
 
     entries = [(integer([*e, None][0], 0, sums.count), e[1:]) for e in map(items, items(listed))]
     entries += [(k, [found]) for k, found in zip(beyond, around, strict=True)]
