@@ -9,9 +9,11 @@ from command import run
 from ezdxf.math import fit_points_to_cad_cv
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from test_formats_dxf import dxf, polyline
 
-from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep import Point, Polygon, PolygonError, Region, limits
 from exactsweep.formats import (
+    FORMATS,
     FormatError,
     NamedPolygon,
     format_polygons,
@@ -23,6 +25,7 @@ from exactsweep.formats import (
 )
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.spline import Spline
+from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.reading import Reading
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -201,3 +204,19 @@ def test_bounds_are_those_of_shapely() -> None:
     found = shapely.Polygon([(-1, 2), (7, 0), (3, 9.5)])
     assert tuple(map(float, plate.bounds)) == found.bounds
     assert plate.exterior.bounds == plate.bounds == tuple(map(Fraction, (-1, 0, 7, 9.5)))
+
+
+def test_a_table_counts_for_its_lines() -> None:
+    assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(format_polygons([NamedPolygon(UNIT, "a")] * 2, form) for form in FORMATS),
+        dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
+    ],
+)
+def test_a_text_is_read_where_what_it_counts_for_is_allowed(text: str) -> None:
+    with limits(max_mib=measure_written(text) / 2**20):
+        assert parse_regions(text)

@@ -95,6 +95,13 @@ def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) 
             assert nearest <= found.distance**2
 
 
+def test_the_distance_of_a_filled_notch_is_its_depth() -> None:
+    top = [("5.8", 9), ("5.5", "8.5"), ("5.2", 9)]
+    found = round_region(Region([(0, 0), (9, 0), (9, 9), *top, (0, 9)]), 0, "outward")
+    assert found.region == Region([(0, 0), (9, 0), (9, 9), (0, 9)])
+    assert Fraction(1, 2) <= found.distance < 1
+
+
 def square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
     u, v, x, y = b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y
     t = min(max((u * x + v * y) / (u * u + v * v), Fraction(0)), Fraction(1))

@@ -218,3 +218,33 @@ def test_any_path_is_read_or_refused(data: str) -> None:
 def test_a_view_box_of_one_unit_is_one() -> None:
     inner = '<svg viewBox="0 0 1 1" width="2" height="2"><path d="M0 0h1v1z"/></svg>'
     assert parse_polygon(f"<svg>{inner}</svg>") == Polygon([(0, 0), (2, 0), (2, 2)])
+
+
+@pytest.mark.parametrize(
+    ("fit", "scales", "moved"),
+    [
+        ("", (2, 2), (1, 0)),
+        ('preserveAspectRatio="none"', (4, 2), (0, 0)),
+        ('preserveAspectRatio="xMinYMin"', (2, 2), (0, 0)),
+        ('preserveAspectRatio=" xMidYMax meet"', (2, 2), (1, 0)),
+        ('preserveAspectRatio="xMaxYMin meet"', (2, 2), (2, 0)),
+        ('preserveAspectRatio="xMaxYMin slice"', (4, 4), (0, 0)),
+        ('preserveAspectRatio="xMinYMid slice"', (4, 4), (0, -1)),
+        ('preserveAspectRatio="xMidYMax slice"', (4, 4), (0, -2)),
+    ],
+)
+def test_a_view_is_fitted_into_its_box(
+    fit: str, scales: tuple[int, int], moved: tuple[int, int]
+) -> None:
+    """A unit square becomes a box of 4 by 2."""
+    inner = f'<svg viewBox="3 5 1 1" width="4" height="2" {fit}><path d="M3 5h1v1z"/></svg>'
+    (x, y), (dx, dy) = scales, moved
+    expected = Polygon([(dx, dy), (dx + x, dy), (dx + x, dy + y)])
+    assert parse_polygon(f"<svg>{inner}</svg>") == expected
+
+
+@pytest.mark.parametrize("fit", ["yMidXMid", "xMidYmid", "xMidMid", "slice", "xMidYMidd"])
+def test_a_view_is_fitted_in_no_other_way(fit: str) -> None:
+    inner = f'<svg viewBox="0 0 1 1" width="4" height="2" preserveAspectRatio="{fit}">'
+    with pytest.raises(FormatError, match=f"preserveAspectRatio is '{fit}'$"):
+        parse_polygon(f'<svg>{inner}<path d="M0 0h1v1z"/></svg></svg>')
