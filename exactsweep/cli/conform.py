@@ -96,8 +96,8 @@ def conform_command(
     """Judge a program by exact answers.
 
     COMMAND is started, with its arguments, and gets a JSON case a line on its standard input; it
-    answers with a JSON result a line on its standard output. The README.md of exactsweep/conform
-    has the protocol, on a page. Write -- before COMMAND.
+    answers with a JSON result a line on its standard output. PROTOCOL.md in
+    exactsweep/conform describes the protocol. Write -- before COMMAND.
 
     Prints how many cases of each class and flag got which verdict, and each fault with its smallest
     case. The exit code is 0 if no verdict is worse than --accept, the program ended well, and

@@ -13,25 +13,25 @@ pairs are segments of positive length.
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
 from exactsweep.numbers.point import Edge, Rational, Vertex
 from exactsweep.procedures.chain import list_graph_edges
-from exactsweep.procedures.envelope import Envelope, find_point_on
+from exactsweep.procedures.envelope import find_point_on
 
 
 def find_exact_fits(
-    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Envelope
+    generatrix: Sequence[Vertex], directrix: Sequence[Vertex], trajectory: Sequence[Vertex]
 ) -> list[tuple[Vertex, Vertex]]:
     """Find the exact fits of G_t from below in D_b.
 
     Args:
         generatrix: G_t, points from right to left.
         directrix: D_b, points from left to right.
-        trajectory: T(G_t, D_b).
+        trajectory: T(G_t, D_b), points from left to right.
 
     Returns:
         Pairs (the end on the trajectory, the end inside the slot), by x.
@@ -43,7 +43,7 @@ def find_exact_fits(
         >>> slot = [(0, 0), (1, 0), (1, 2), (2, 2), (2, 0), (3, 0)]
         >>> lid = [(1, 0), (0, 0)]
         >>> from exactsweep.procedures.cm import trajectory_cm
-        >>> find_exact_fits(lid, slot, trajectory_cm(lid, slot))
+        >>> find_exact_fits(lid, slot, list(trajectory_cm(lid, slot)))
         [((1, 0), (1, 2))]
     """
     meetings = Counter(
@@ -53,13 +53,19 @@ def find_exact_fits(
     fits: list[tuple[Vertex, Vertex]] = []
     for x, count in sorted(meetings.items()):
         if count > 1:
-            at = x, 1
-            beside = trajectory.edge_before(at), trajectory.edge_after(at)
-            hanging = max(trajectory.point(k, at)[1] for k in beside)
+            hanging = _find_greatest(trajectory, x)
             limit = _least_height(top, bottom, x)
             if limit > hanging:
                 fits.append(((x, hanging), (x, limit)))
     return fits
+
+
+def _find_greatest(chain: Sequence[Vertex], x: Rational) -> Rational:
+    """The greater limit of a chain from the left and from the right. Cost: O(log n)."""
+    first, after = (side(chain, x, key=_abscissa) for side in (bisect_left, bisect_right))
+    if first == after:
+        return _value((chain[first - 1], chain[first]), x)
+    return max(chain[first][1], chain[after - 1][1])
 
 
 def _discontinuities(chain: Sequence[Vertex]) -> set[Rational]:
@@ -84,6 +90,10 @@ def _least_height(top: Sequence[Edge], bottom: Sequence[Edge], shift: Rational) 
         i += gq[0] + shift == high
         j += dq[0] == high
     return min(heights)
+
+
+def _abscissa(vertex: Vertex) -> Rational:
+    return vertex[0]
 
 
 def _right(edge: Edge) -> Rational:

@@ -41,7 +41,7 @@ class LowerSweep:
         self.bottom = bottom
         self.directrix = directrix
 
-    @property
+    @made_once
     def path(self) -> list[Vertex]:
         """T(G_t, D_b) as a chain, from left to right."""
         if self.kind == "CC":

@@ -72,6 +72,12 @@ class MonotoneSolution(Solution):
             if self._direction != X_AXIS:
                 first = find_least(points)
                 points = points[first:] + points[:first]
+            made = self.__dict__
+            if ("trajectory" in made) + ("inner" in made) + ("outer" in made) == 2:
+                # This is the last of three: envelopes would hold as much as all of them.
+                for side in self.halves:
+                    side.__dict__.pop("trajectory", None)
+                    side.__dict__.pop("outer", None)
             return points
 
     @made_once
@@ -94,7 +100,7 @@ class MonotoneSolution(Solution):
         """The exact fits, in slots of D that are exactly as wide as G."""
         found: list[Fit] = []
         for half, turned in zip(self.halves, (False, True), strict=True):
-            for fit in find_exact_fits(half.top, half.directrix, half.trajectory):
+            for fit in find_exact_fits(half.top, half.directrix, half.path):
                 hanging, inside = self.frame.leave(inverse(fit) if turned else fit)
                 found.append((hanging, inside))
         return sorted(found)

@@ -1,7 +1,8 @@
-"""Meetings of two vertices for an instant: positions that lasting contacts do not show.
+"""Meetings of two vertices for an instant, which lasting contacts do not show.
 
-Nothing else touches inside an edge of a loop for an instant only: two features that touch at
-positions on a segment, which does not cross the loop, touch it inside an edge with an end only.
+These are the only instant contacts inside an edge of a loop. Two features touch at the positions of
+a segment. The segment does not cross the loop. So inside an edge of the loop, only an end of the
+segment can touch the loop, and there two vertices meet.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from exactsweep.geometry.vectors import minus
 from exactsweep.numbers.number import to_int
 from exactsweep.numbers.point import Point
 
-# Pairs of vertices, and looks at one of them from an edge, that take a second at most.
+# The number of pairs of vertices, and of tests of a pair with an edge, that take at most a second.
 _MOST_PAIRS, _MOST_LOOKS = 250_000, 4_000_000
 
 
@@ -31,12 +32,12 @@ class Meetings:
         s: a Sweep.
 
     Attributes:
-        reference: that of the sweep.
-        scale: of the lattice on which the two meet.
+        reference: the reference point of the sweep.
+        scale: the scale of the lattice of the translations.
         translations: the translations, on the lattice, sorted.
 
     Cost: O((m + n) log(m + n) + p log p) for p pairs of an edge and a vertex that can touch without
-    overlap: O(m + n) for convex polygons, O(m n) for any.
+    overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
 
     def __init__(self, s: Sweep) -> None:
@@ -53,7 +54,7 @@ class Meetings:
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
         """Find where two vertices meet inside an edge of a loop of free positions, sorted.
 
-        Cost: O(t log p), and O(1) for each edge and each position in its x-range.
+        Cost: O(t log p), plus O(1) for each edge and each position in its x-range.
 
         Example:
             >>> from exactsweep import sweep
@@ -74,11 +75,11 @@ class Meetings:
 
 
 def find_meetings(s: Sweep, corners: int) -> Meetings | None:
-    """Find where vertices meet, if that takes a second at most.
+    """Find where vertices meet, if the search takes at most a second; otherwise return None.
 
     Args:
         s: a Sweep.
-        corners: the number of corners of all loops on which they are looked for.
+        corners: the number of corners of all loops to search.
     """
     if len(s.generatrix) * len(s.directrix) > _MOST_PAIRS:
         return None
@@ -87,9 +88,9 @@ def find_meetings(s: Sweep, corners: int) -> Meetings | None:
 
 
 def _outline(shape: AnyPolygon, scale: int) -> Outline:
-    """The features of a shape, in ints if it is on the lattice."""
+    """Return the features of a shape, with ints if it is on the lattice."""
     exterior, *holes = (
         [(to_int(x * scale), to_int(y * scale)) for x, y in ring] for ring in shape.rings
     )
-    # With the interior on the left, as all of an outline has it.
+    # The interior is on the left, as in every Outline.
     return Outline([exterior, *(hole[::-1] for hole in holes)])

@@ -8,8 +8,10 @@ import pytest
 from exactsweep import sweep
 from exactsweep.evidence.sweep import Sweep
 from exactsweep.procedures.collector import pause_collector
+from exactsweep.procedures.envelope import Envelope
 from exactsweep.procedures.lower_sweep import LowerSweep
 from exactsweep.procedures.made_once import made_once
+from exactsweep.procedures.monotone import MonotoneSolution
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
@@ -54,3 +56,15 @@ def test_what_is_made_once_is_made_once() -> None:
     s = sweep(SQUARE, SQUARE)
     assert s.trajectory is s.trajectory
     assert isinstance(Sweep.trajectory, made_once)
+
+
+def test_envelopes_are_let_go_when_all_loops_are_there() -> None:
+    slot = [(0, 0), (5, 0), (4, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+    fork = [(0, 0), (1, 0), (1, 2), ("3/4", 1), ("1/2", 1), (0, 2)]
+    s, afresh = sweep(fork, slot), sweep(fork, slot)
+    assert [len(loop) for loop in (s.trajectory, s.inner, s.outer)]
+    assert isinstance(s.solution, MonotoneSolution)
+    held = [value for half in s.solution.halves for value in vars(half).values()]
+    assert not any(isinstance(value, Envelope) for value in held)
+    assert s.exact_fits == afresh.exact_fits != ()
+    assert s.undercuts == afresh.undercuts
