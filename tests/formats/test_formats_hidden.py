@@ -201,15 +201,6 @@ def test_no_outline_vanishes_in_joints(tmp_path: Path) -> None:
     assert part.region.area == 1591
 
 
-def test_dust_at_a_corner_is_no_outline() -> None:
-    corners = "0,0 9,0 9,9 0.001,9 0,8.999"
-    (part,) = parse_polygons(f"<svg><polyline points='{corners} 0,0.001 0,0'/></svg>", join="1/100")
-    assert part.polygon.area > 80
-    dust = "<path d='M0 0h9'/><path d='M9 0v9'/><path d='M9 9h.001'/><path d='M9 9L0 0'/>"
-    parts = parse_regions(f"<svg>{dust}</svg>", join="1/100", nested=True)
-    assert [part.region.area for part in parts] == [Fraction(81, 2)]
-
-
 @pytest.mark.parametrize(
     "sheet",
     ["{" * 9999, "}" * 9999, "/*" * 9999, "@" * 9999 + "{", "@a{" * 9999, "rect{}rect{fill:red"],
