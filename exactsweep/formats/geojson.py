@@ -1,4 +1,4 @@
-"""GeoJSON in (RFC 7946): Polygons, with holes or without, in all that holds them."""
+"""A reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candid
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
-        path: where it is, for messages.
+        path: its JSON path, for messages.
 
     Returns:
-        list of Candidate, for each Polygon, the name being the id of its Feature. That of another
-        geometry refuses, and so does that of a Polygon with more than two coordinates or a ring
-        that is not closed.
+        list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
+        geometries refuse, and so do those of Polygons with more than two coordinates or with an
+        open ring.
 
     Raises:
-        FormatError: an id that is no string and no number, a collection without its list, nested
-            too deeply; the message starts with the JSON path.
+        FormatError: an id is neither a string nor a number, a collection has no list, or the
+            document is nested too deeply; the message starts with the JSON path.
 
     Cost: linear.
 
