@@ -141,7 +141,7 @@ def _read(document: object) -> Case:
         inner=inner,
         outer=outer,
         exact_fits=_fits(expected, "$.expected"),
-        # What is written there, of however many digits, is held against this one.
+        # The reader compares the area in the document, of any length, with this one.
         area=outer.area - add_up(loop.area for loop in (inner, *(p for _, p in unswept))),
         directrix_holes=tuple(points for points, _ in d_holes),
         generatrix_holes=tuple(points for points, _ in g_holes),

@@ -57,8 +57,8 @@ def nest(rings: Sequence[Polygon], names: Sequence[str]) -> list[int | None]:
             elif bottom < high.y and low.y < top:
                 outer, inner = (j, k) if size > sizes[k] else (k, j)
                 if _is_around(rings[outer], rings[inner], (names[outer], names[inner])):
-                    # What is larger and around this one is around the ring, too; what is larger and
-                    # crosses the ring crosses this one, and has been met with it or around it.
+                    # A larger ring around this one is around the ring, too. A larger ring that
+                    # crosses the ring also crosses this one, so the loop has met it already.
                     parents[inner] = outer
                     break
         insort(active, sizes[k])
@@ -91,7 +91,7 @@ def find_regions(rings: Sequence[Sequence[Point]], *, even_odd: bool) -> list[li
     """
     names = [f"subpath {k}" for k in range(len(rings))]
     parents = nest([_simple(ring, name) for ring, name in zip(rings, names, strict=True)], names)
-    # How often the rings wind around what is just inside each, and the innermost exterior there.
+    # For each ring, the winding number just inside, and the innermost exterior there.
     inside, exterior = [0] * len(rings), [0] * len(rings)
     holes = []
     for k in _from_outside(parents):
