@@ -13,30 +13,13 @@ from jinja2 import Environment
 
 from exactsweep.lessons import list_titles, read_notebook
 
-MODULES = (
-    "exactsweep",
-    "exactsweep.geometry",
-    "exactsweep.procedures",
-    "exactsweep.procedures.cc",
-    "exactsweep.procedures.cm",
-    "exactsweep.procedures.mm",
-    "exactsweep.procedures.ss",
-    "exactsweep.procedures.lower_envelope",
-    "exactsweep.evidence",
-    "exactsweep.evidence.steps",
-    "exactsweep.check",
-    "exactsweep.layout",
-    "exactsweep.text",
-    "exactsweep.formats",
-    "exactsweep.batch",
-    "exactsweep.draw",
-    "exactsweep.view",
-    "exactsweep.lessons",
-    "exactsweep.corpus",
-    "exactsweep.conform",
-    "exactsweep.conform.adapters",
-    "exactsweep.paper",
-)
+_PARTS = """
+geometry procedures procedures.cc procedures.cm procedures.mm procedures.ss
+procedures.lower_envelope evidence evidence.steps check layout text formats batch draw
+view lessons corpus conform conform.adapters paper
+"""
+MODULES = ("exactsweep", *(f"exactsweep.{name}" for name in _PARTS.split()))
+"""The modules that have a page, in the order of the first page."""
 
 
 def read_page(path: Path, module: str) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from itertools import chain
 from typing import NamedTuple, NoReturn, Self, TypeVar
 
-from exactsweep.formats.error import FormatError
+from exactsweep.formats.error import FormatError, OrnamentError
 from exactsweep.formats.size import FAULT, require_count
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
@@ -76,18 +77,40 @@ class Candidate(NamedTuple):
     @classmethod
     def refused(
         cls,
-        reason: str,
+        reason: str | Exception,
         name: str | None = None,
         layer: str | None = None,
         *,
         ornament: bool = False,
     ) -> Self:
         """Make a candidate that raises FormatError, for a drawn element that is not a polygon."""
+        is_ornament, fault = ornament or isinstance(reason, OrnamentError), str(reason)
 
         def vertices() -> NoReturn:
-            raise FormatError(reason)
+            raise FormatError(fault)
 
-        return cls("", vertices, name, layer, fault=reason, ornament=ornament)
+        return cls("", vertices, name, layer, fault=fault, ornament=is_ornament)
+
+    @classmethod
+    def of_rings(
+        cls,
+        rings: Iterable[tuple[str, Callable[[], Sequence[Point]]]],
+        place: str = "",
+        name: str | None = None,
+        layer: str | None = None,
+    ) -> Self:
+        """Make a candidate of rings, the exterior first, each by its place and its reader.
+
+        Args:
+            rings: at least one ring.
+            place: the place of the whole; by default that of the exterior.
+            name: its id.
+            layer: its layer.
+        """
+        exterior, *holes = (cls(where, read) for where, read in rings)
+        return exterior._replace(
+            place=place or exterior.place, name=name, layer=layer, holes=partial(tuple, holes)
+        )
 
     def turned(self) -> Self:
         """Return the polygon with Y reversed."""

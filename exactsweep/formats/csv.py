@@ -144,10 +144,8 @@ def _read_wkt(text: str, line: int, name: str | None) -> list[Candidate]:
 
 
 def _candidate(name: str, rings: _RowsByRing) -> Candidate:
-    exterior, *holes = (
-        Candidate(f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values()
-    )
-    return exterior._replace(name=name or None, holes=partial(tuple, holes))
+    readers = ((f"line {cells[0][0]}", partial(_vertices, cells)) for cells in rings.values())
+    return Candidate.of_rings(readers, name=name or None)
 
 
 def _vertices(cells: Iterable[tuple[int, str, str]]) -> Sequence[Point]:

@@ -184,14 +184,10 @@ def _read_one(value: object, path: str) -> Candidate:
     for k, hole in enumerate(holes):
         if not isinstance(hole, list):
             raise FormatError(f"{path}.holes[{k}] is {describe_kind(hole)}, not a list of vertices")
-    exterior, *inner = (
-        Candidate(place, partial(read_vertices, ring, place))
-        for place, ring in [
-            (f"{path}.{member}", value[member]),
-            *((f"{path}.holes[{k}]", hole) for k, hole in enumerate(holes)),
-        ]
-    )
-    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
+    rings = {f"{path}.{member}": value[member]}
+    rings |= {f"{path}.holes[{k}]": hole for k, hole in enumerate(holes)}
+    readers = ((place, partial(read_vertices, ring, place)) for place, ring in rings.items())
+    return Candidate.of_rings(readers, path, name)
 
 
 def read_name(value: object, path: str) -> str | None:

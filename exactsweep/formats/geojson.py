@@ -13,17 +13,20 @@ from exactsweep.numbers.point import Point
 _MAX_DEPTH = 100
 
 
-def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candidate]:
+def read_geojson(
+    document: Mapping[str, object], path: str = "$", notes: dict[str, None] | None = None
+) -> list[Candidate]:
     """Find the polygons of a GeoJSON document.
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
         path: its JSON path, for messages.
+        notes: collects notes of ignored parts. Without it, third coordinates are refused.
 
     Returns:
         list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
-        geometries refuse, and so do those of Polygons with more than two coordinates or with an
-        open ring.
+        geometries refuse, and so do those of Polygons with an open ring. Third coordinates, which
+        are heights, are ignored.
 
     Raises:
         FormatError: an id is neither a string nor a number, a collection has no list, or the
@@ -37,10 +40,12 @@ def read_geojson(document: Mapping[str, object], path: str = "$") -> list[Candid
         >>> len(outline.vertices())
         4
     """
-    return allow_faults(_read(document, path, None, 0))
+    return allow_faults(_read(document, path, None, 0, notes))
 
 
-def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Candidate]:
+def _read(
+    value: object, path: str, name: str | None, depth: int, notes: dict[str, None] | None
+) -> Iterator[Candidate]:
     if not isinstance(value, dict):
         yield Candidate.refused(f"{path} is {describe_kind(value)}, not a Polygon", name)
         return
@@ -49,18 +54,16 @@ def _read(value: object, path: str, name: str | None, depth: int) -> Iterator[Ca
         raise FormatError("nested too deeply")
     if kind == "Feature":
         name = read_name(value.get("id"), f"{path}.id")
-        yield from _read(value.get("geometry"), f"{path}.geometry", name, depth + 1)
+        yield from _read(value.get("geometry"), f"{path}.geometry", name, depth + 1, notes)
     elif kind == "Polygon":
-        place = f"{path}.coordinates"
-        yield _outline(value.get("coordinates"), place, name)
+        yield _outline(value.get("coordinates"), f"{path}.coordinates", name, notes)
     elif kind == "MultiPolygon":
         for k, rings in enumerate(_list(value, "coordinates", path)):
-            place = f"{path}.coordinates[{k}]"
-            yield _outline(rings, place, name)
+            yield _outline(rings, f"{path}.coordinates[{k}]", name, notes)
     elif kind in ("FeatureCollection", "GeometryCollection"):
         member = "features" if kind == "FeatureCollection" else "geometries"
         for k, part in enumerate(_list(value, member, path)):
-            yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1)
+            yield from _read(part, f"{path}.{member}[{k}]", name, depth + 1, notes)
     else:
         yield Candidate.refused(f"{path}.type is {describe_kind(kind)}, not 'Polygon'", name)
 
@@ -72,7 +75,9 @@ def _list(value: Mapping[str, object], member: str, path: str) -> list[object]:
     return found
 
 
-def _outline(rings: object, path: str, name: str | None) -> Candidate:
+def _outline(
+    rings: object, path: str, name: str | None, notes: dict[str, None] | None
+) -> Candidate:
     """Make the outline of the rings of a Polygon."""
     if not isinstance(rings, list):
         return Candidate.refused(f"{path} is {describe_kind(rings)}, not a list of rings", name)
@@ -83,11 +88,18 @@ def _outline(rings: object, path: str, name: str | None) -> Candidate:
             )
     if not rings:
         return Candidate.refused(f"{path} is empty", name)
-    exterior, *inner = (
-        Candidate(place, partial(_ring, ring, place))
-        for place, ring in ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
-    )
-    return exterior._replace(place=path, name=name, holes=partial(tuple, inner))
+    if notes is not None:
+        level = [[_drop_height(position) for position in ring] for ring in rings]
+        if level != rings:
+            notes["third coordinates, which are heights, are ignored"] = None
+        rings = level
+    places = ((f"{path}[{k}]", ring) for k, ring in enumerate(rings))
+    readers = ((place, partial(_ring, ring, place)) for place, ring in places)
+    return Candidate.of_rings(readers, path, name)
+
+
+def _drop_height(position: object) -> object:
+    return position[:2] if isinstance(position, list) and len(position) == 3 else position
 
 
 def _ring(value: object, path: str) -> list[Point]:

@@ -52,7 +52,7 @@ def _parse(text: str, reading: Reading) -> Sequence[Candidate]:
     # No other format says in which unit its numbers are.
     reading.scale(None)
     if first in "[{":
-        return _read_json(text)
+        return _read_json(text, reading.notes)
     is_table = csv.is_csv(text)
     require_text(text, csv.count_vertices(text) if is_table else text.count(","))
     if is_table:
@@ -88,7 +88,7 @@ def measure_written(text: str) -> int:
     return measure_text(text, csv.count_vertices(text) if is_table else text.count(","))
 
 
-def _read_json(text: str) -> Sequence[Candidate]:
+def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
     """Read one JSON document, or one document per line."""
     try:
         document = parse_json(text)
@@ -96,8 +96,8 @@ def _read_json(text: str) -> Sequence[Candidate]:
         lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
         if "Extra data" not in str(error) or not _is_json(lines[0][1]):
             raise
-        return allow_faults(found for k, line in lines for found in _read_line(line, k))
-    return find_candidates(document)
+        return allow_faults(found for k, line in lines for found in _read_line(line, k, notes))
+    return find_candidates(document, notes=notes)
 
 
 def _is_json(text: str) -> bool:
@@ -108,24 +108,27 @@ def _is_json(text: str) -> bool:
     return True
 
 
-def _read_line(line: str, number: int) -> Sequence[Candidate]:
+def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:
     """Read one of several lines; an error in it does not affect others."""
     try:
-        return find_candidates(parse_json(line), f"line {number}: $")
+        return find_candidates(parse_json(line), f"line {number}: $", notes)
     except FormatError as error:
         reason = str(error).removeprefix("line 1, ")
         named = "" if reason.startswith("line ") else f"line {number}: "
         return [Candidate.refused(f"{named}{reason}")]
 
 
-def find_candidates(document: object, path: str = "$") -> Sequence[Candidate]:
+def find_candidates(
+    document: object, path: str = "$", notes: dict[str, None] | None = None
+) -> Sequence[Candidate]:
     """Find the polygons of a JSON document that `parse_json` returned: exact JSON or GeoJSON.
 
     Args:
         document: the document.
-        path: its JSON path, for messages.
+        path: where it is, for messages.
+        notes: takes the notes of what is ignored. If left out, it is refused.
     """
     if isinstance(document, dict) and "type" in document and "vertices" not in document:
-        found = read_geojson(document, path)
+        found = read_geojson(document, path, notes)
         return found if len(found) > 1 else [one._replace(place="") for one in found]
     return read_exact(document, path)

@@ -21,19 +21,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import ceil, floor, lcm
+from itertools import pairwise
+from math import ceil, floor
 from typing import Literal, NamedTuple
 
 from exactsweep.formats.candidate import NamedRegion
 from exactsweep.formats.curved.curves import bound_root
 from exactsweep.formats.error import FormatError
 from exactsweep.geometry.canonical import PolygonError, find_doubled_area
+from exactsweep.geometry.distance import measure_to_edge
+from exactsweep.geometry.given import share_lattice
+from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import Overlap
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
+from exactsweep.geometry.vectors import cross, minus, turn
 from exactsweep.numbers.arguments import tells_arguments
-from exactsweep.numbers.number import quote
-from exactsweep.numbers.point import ORIGIN, Point
+from exactsweep.numbers.number import divide_exactly, quote
+from exactsweep.numbers.point import ORIGIN, Edge, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
 # The greatest distance, in cells, of the search for a point of a right turn.
@@ -147,19 +152,14 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     if side == "closest":
         rings = [[Point(round(x, places), round(y, places)) for x, y in r] for r in region.rings]
         distance = max(
-            bound_root((p.x - q.x) ** 2 + (p.y - q.y) ** 2)
+            bound_root(_measure(p, (q, q)))
             for old, new in zip(region.rings, rings, strict=True)
             for p, q in zip(old, new, strict=True)
         )
         return Rounded(Region(rings[0], rings[1:]), distance)
-    exterior, *holes = region.rings
-    if side == "outward":
-        outer = _move(exterior, grid)
-        inner = [_move(hole[::-1], grid) for hole in holes]
-    else:
-        outer = _move(exterior[::-1], grid)
-        inner = [_move(hole, grid) for hole in holes]
-    moved = [ring for ring in inner if ring is not None]
+    exterior, *holes = region.rings if side == "outward" else [r[::-1] for r in region.rings]
+    outer = _move(exterior, grid)
+    moved = [ring for hole in holes if (ring := _move(hole[::-1], grid)) is not None]
     if outer is None:
         return Rounded(None, Fraction(0))
     distance = max(ring.distance for ring in (outer, *moved))
@@ -181,11 +181,9 @@ def contains(outer: Region, inner: Region) -> bool:
         >>> contains(larger, square), contains(square, larger), contains(square, square)
         (True, False, True)
     """
-    (own, of_outer), (other, of_inner) = outer.lattice(), inner.lattice()
-    scale = lcm(own, other)
-    # The reversed rings bound the complement.
-    outside = [[(x * (scale // own), y * (scale // own)) for x, y in r[::-1]] for r in of_outer]
-    inside = [[(x * (scale // other), y * (scale // other)) for x, y in r] for r in of_inner]
+    _, (outside, inside) = share_lattice([outer, inner])
+    # What is left of the rings, run through backward, is the complement.
+    outside = [ring[::-1] for ring in outside]
     return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
 
 
@@ -220,7 +218,8 @@ def _move(ring: Sequence[Point], grid: Fraction) -> _Moved | None:
     if not is_exterior:
         return None
     hull = _hull(points)
-    far = max(_square_to_ring(point, hull) for point in points)
+    edges = [*pairwise((*hull, hull[0]))]
+    far = max(min(_measure(point, edge) for edge in edges) for point in points)
     return _scale(hull, max(bound_root(far), Fraction(3, 2)), grid)
 
 
@@ -244,22 +243,22 @@ def _chains(corners: Sequence[Point]) -> list[list[Point]]:
     """Find the new vertices for each corner; none if a right turn has no point."""
     found = []
     for i, v in enumerate(corners):
-        e, f = _step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)])
+        e, f = minus(v, corners[i - 1]), minus(corners[(i + 1) % len(corners)], v)
         if v.x.denominator == v.y.denominator == 1:
             found.append([v])
-        elif _cross(e, f) >= 0:
+        elif cross(e, f) >= 0:
             found.append(_extremes(v, e, f))
         else:
             found.append(_closest(v, e, f))
     return found
 
 
-def _extremes(v: Point, e: Point, f: Point) -> list[Point]:
+def _extremes(v: Point, e: Vertex, f: Vertex) -> list[Point]:
     """The corners of v's cell that are extreme between the normals of e and f, on their right."""
-    first = _quadrant(e.y, -e.x)
+    first = _quadrant(e[1], -e[0])
     # The quadrant that ends with the other normal, not the one that begins with it: the first one
     # of its mirror image.
-    last = -_quadrant(-f.x, f.y) % 4
+    last = -_quadrant(-f[0], f[1]) % 4
     corners = [(ceil, ceil), (floor, ceil), (floor, floor), (ceil, floor)]
     count = (last - first) % 4 + 1
     # Of a straight line along an axis, which has no directions between, either corner will do.
@@ -267,8 +266,8 @@ def _extremes(v: Point, e: Point, f: Point) -> list[Point]:
     return [Point(Fraction(x(v.x)), Fraction(y(v.y))) for x, y in turns]
 
 
-def _quadrant(x: Fraction, y: Fraction) -> int:
-    """Return the quadrant of a direction, its first axis included."""
+def _quadrant(x: Rational, y: Rational) -> int:
+    """The quadrant of a direction, its first axis included."""
     if y >= 0 and x > 0:
         return 0
     if x <= 0 and y > 0:
@@ -276,49 +275,34 @@ def _quadrant(x: Fraction, y: Fraction) -> int:
     return 2 if x < 0 else 3
 
 
-def _closest(v: Point, e: Point, f: Point) -> list[Point]:
-    """Find the closest point on the right of the lines of e and f."""
-    xs = range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
-    ys = range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
+def _closest(v: Point, e: Vertex, f: Vertex) -> list[Point]:
+    """The closest point on the right of the lines of e and f."""
     near = [
-        (by.x * by.x + by.y * by.y, Point(Fraction(x), Fraction(y)))
-        for x in xs
-        for y in ys
-        for by in [Point(x - v.x, y - v.y)]
-        if _cross(e, by) <= 0 and _cross(f, by) <= 0
+        (by[0] * by[0] + by[1] * by[1], Point(Fraction(x), Fraction(y)))
+        for x in range(floor(v.x) - _REACH, ceil(v.x) + _REACH + 1)
+        for y in range(floor(v.y) - _REACH, ceil(v.y) + _REACH + 1)
+        for by in [minus((x, y), v)]
+        if cross(e, by) <= 0 and cross(f, by) <= 0
     ]
     return [min(near)[1]] if near else []
 
 
-def _ears(corners: Sequence[Point]) -> list[tuple[Fraction, int]]:
-    """List the right turns: twice the area that dropping each would fill, and its place."""
-    found = []
-    for i, v in enumerate(corners):
-        turn = _cross(_step(corners[i - 1], v), _step(v, corners[(i + 1) % len(corners)]))
-        if turn < 0:
-            found.append((-turn, i))
-    return found
+def _ears(corners: Sequence[Point]) -> list[tuple[Rational, int]]:
+    """The right turns: twice the area that is filled without each, and its place."""
+    turns = (
+        turn(corners[i - 1], v, corners[(i + 1) % len(corners)]) for i, v in enumerate(corners)
+    )
+    return [(-area, i) for i, area in enumerate(turns) if area < 0]
 
 
 def _hull(points: Sequence[Point]) -> list[Point]:
-    """Find the convex hull of the cells around points (Andrew's monotone chain)."""
-    corners = sorted(
-        {
-            Point(Fraction(x), Fraction(y))
-            for v in points
-            for x in (floor(v.x), ceil(v.x))
-            for y in (floor(v.y), ceil(v.y))
-        }
+    """The convex hull of the cells around points."""
+    return find_hull(
+        Point(Fraction(x), Fraction(y))
+        for v in points
+        for x in (floor(v.x), ceil(v.x))
+        for y in (floor(v.y), ceil(v.y))
     )
-    sides = []
-    for ordered in (corners, corners[::-1]):
-        side: list[Point] = []
-        for p in ordered:
-            while len(side) > 1 and _cross(_step(side[-2], side[-1]), _step(side[-1], p)) <= 0:
-                side.pop()
-            side.append(p)
-        sides.append(side[:-1])
-    return sides[0] + sides[1]
 
 
 def _distance(
@@ -330,34 +314,15 @@ def _distance(
     """
     largest = Fraction(0)
     for position, (i, chain) in enumerate(zip(alive, chains, strict=True)):
-        largest = max(largest, *(_square(_step(points[i], p)) for p in chain))
+        largest = max(largest, *(_measure(points[i], (p, p)) for p in chain))
         k = (position + 1) % len(alive)
         end = alive[k] + len(points) * (k == 0)
         for j in range(i + 1, end):
-            by = _square_to_edge(points[j % len(points)], chain[-1], chains[k][0])
-            largest = max(largest, by)
+            edge = chain[-1], chains[k][0]
+            largest = max(largest, _measure(points[j % len(points)], edge))
     return bound_root(largest)
 
 
-def _square_to_ring(p: Point, ring: Sequence[Point]) -> Fraction:
-    return min(_square_to_edge(p, ring[k - 1], ring[k]) for k in range(len(ring)))
-
-
-def _square_to_edge(p: Point, a: Point, b: Point) -> Fraction:
-    along, to = _step(a, b), _step(a, p)
-    length = _square(along)
-    share = (to.x * along.x + to.y * along.y) / length if length else Fraction(0)
-    share = min(max(share, Fraction(0)), Fraction(1))
-    return _square(Point(to.x - share * along.x, to.y - share * along.y))
-
-
-def _square(v: Point) -> Fraction:
-    return v.x * v.x + v.y * v.y
-
-
-def _step(a: Point, b: Point) -> Point:
-    return Point(b.x - a.x, b.y - a.y)
-
-
-def _cross(u: Point, v: Point) -> Fraction:
-    return u.x * v.y - u.y * v.x
+def _measure(point: Point, edge: Edge) -> Fraction:
+    """The squared distance of a point from a segment."""
+    return divide_exactly(*measure_to_edge(point, edge))

@@ -1,7 +1,7 @@
 """A reader of WKT (OGC 06-103r4, 7.2): POLYGON, MULTIPOLYGON, collections, and PostGIS's SRID."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain
@@ -115,17 +115,16 @@ class _Reader:
 
     def _polygon(self) -> Candidate:
         self.height = None
-        exterior, *holes = self._list(self._ring)
-        return exterior._replace(holes=partial(tuple, holes))
+        return Candidate.of_rings(self._list(self._ring))
 
-    def _ring(self) -> Candidate:
+    def _ring(self) -> tuple[str, Callable[[], Sequence[Point]]]:
         place = self._place()
         ring = self._list(self._point)
         if ring[0] != ring[-1]:
             raise FormatError(
                 f"{place}: the ring is not closed: its last vertex must repeat the first"
             )
-        return Candidate(place, partial(list, ring))
+        return place, partial(list, ring)
 
     def _loose_point(self) -> Point:
         self.height = None

@@ -136,7 +136,7 @@ def find_nearest(
             edges = first.edges[i], second.edges[j]
             if apart == 0 and (point := _find_common_point(*edges)) is not None:
                 return SquaredDistance(Fraction(0), (point, point))
-            n, d, _, _ = find_nearest_ends(*edges)
+            n, d = measure_ends(*edges)[:2]
             if best is None or n * best[1] < best[0] * d:
                 best, nearest = (n, d), edges
             continue
@@ -151,8 +151,8 @@ def find_nearest(
                     heappush(heap, (apart, lower, k, across, h))
     if nearest is None:
         return None
-    n, d, p, q = find_nearest_ends(*nearest)
-    return SquaredDistance(divide_exactly(n, d), (p, q))
+    assert best is not None
+    return SquaredDistance(divide_exactly(*best), find_nearest_ends(*nearest))
 
 
 def _find_vertex_inside(first: EdgeTree, second: EdgeTree) -> Point | None:
@@ -200,25 +200,39 @@ def _find_common_point(edge: Edge, other: Edge) -> Point | None:
     return Point(Fraction(x), Fraction(y))
 
 
-def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Rational, Rational, Point, Point]:
-    """Return the squared distance of two segments that do not meet, as n / d, and two points.
+_NearestEnd = tuple[Rational, Rational, Vertex, Edge, bool]
 
-    >>> n, d, p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
-    >>> (n, d), (int(p.x), int(p.y)), (int(q.x), int(q.y))
-    ((4, 4), (1, 0), (1, 1))
+
+def measure_ends(edge: Edge, other: Edge) -> _NearestEnd:
+    """Find which end of two segments that do not meet is nearest to the other segment.
+
+    Returns:
+        The squared distance as n and d, for n / d; the end, the other segment, and whether the end
+        is one of the first segment.
+
+    >>> measure_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    (4, 4, (1, 1), ((0, 0), (2, 0)), False)
     """
-    (a, b), (p, q) = edge, other
-    n, d, end, ahead, side = min(
-        (
-            (*measure_to_edge(end, side), end, ahead, side)
-            for ahead, side, ends in ((True, other, (a, b)), (False, edge, (p, q)))
-            for end in ends
-        ),
-        key=lambda found: divide_exactly(found[0], found[1]),
-    )
-    x, y = end
-    at, foot = Point(Fraction(x), Fraction(y)), find_foot(end, side)
-    return (n, d, at, foot) if ahead else (n, d, foot, at)
+    best: _NearestEnd | None = None
+    for one, side, is_first in ((edge, other, True), (other, edge, False)):
+        for end in one:
+            n, d = measure_to_edge(end, side)
+            if best is None or n * best[1] < best[0] * d:
+                best = n, d, end, side, is_first
+    assert best is not None
+    return best
+
+
+def find_nearest_ends(edge: Edge, other: Edge) -> tuple[Point, Point]:
+    """Return two nearest points of two segments that do not meet.
+
+    >>> p, q = find_nearest_ends(((0, 0), (2, 0)), ((1, 1), (3, 3)))
+    >>> (int(p.x), int(p.y)), (int(q.x), int(q.y))
+    ((1, 0), (1, 1))
+    """
+    _, _, (x, y), side, is_first = measure_ends(edge, other)
+    at, foot = Point(Fraction(x), Fraction(y)), find_foot((x, y), side)
+    return (at, foot) if is_first else (foot, at)
 
 
 def measure_to_edge(point: Vertex, edge: Edge) -> _NearestRatio:

@@ -1,8 +1,14 @@
 """Differences, cross products and turns of vectors, and points on segments."""
 
+from typing import overload
+
 from exactsweep.numbers.point import Rational, Vertex
 
 
+@overload
+def minus(p: tuple[int, int], q: tuple[int, int]) -> tuple[int, int]: ...
+@overload
+def minus(p: Vertex, q: Vertex) -> Vertex: ...
 def minus(p: Vertex, q: Vertex) -> Vertex:
     """Return the vector from q to p."""
     return p[0] - q[0], p[1] - q[1]

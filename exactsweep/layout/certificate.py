@@ -8,22 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import chain, combinations, pairwise
 from typing import Any
 
+from exactsweep.geometry.convex import ConvexRing, IntVertex
 from exactsweep.geometry.overlap import touch
 from exactsweep.geometry.turn import TURN_BITS
-from exactsweep.geometry.vectors import turn
+from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.board import Board
 from exactsweep.layout.fault import Fault
 from exactsweep.layout.layout import LayoutPart
 from exactsweep.layout.nearest import find_gap
 from exactsweep.layout.normals import find_normal
-from exactsweep.layout.pieces import ConvexRing, IntVertex, bound_piece
+from exactsweep.layout.pieces import bound_piece
 from exactsweep.layout.reading import LayoutError
 from exactsweep.layout.solid import LatticeBox, Solid, share_scale
 from exactsweep.layout.verdict import MOST_BITS, find_witness
-from exactsweep.numbers.number import format_fraction
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Point
 
 FORMAT, VERSION = "exactsweep certificate", 2
@@ -52,30 +53,28 @@ def write_certificate(board: Board, faults: Sequence[Fault]) -> dict[str, Any]:
         bits *= 2
     if not proof:
         raise LayoutError("nothing that is wrong with the layout has a proof: no certificate")
-    layout = board.layout
-    return {
+    certificate = {
         "format": FORMAT,
         "version": VERSION,
         "kind": "layout",
-        "layout": layout.to_json(),
+        "layout": board.layout.to_json(),
         "valid": not faults,
-        "turns": [[_write(c) for c in p.turn.near(bits)[:2]] for p in layout.placements],
-        "frame": [_write(c) for c in board.frame],
-        **proof,
+        "turns": [placement.turn.near(bits)[:2] for placement in board.layout.placements],
+        "frame": [*map(Fraction, board.frame)],
     }
+    return to_plain(certificate | proof)
 
 
 def _prove_valid(board: Board, bits: int) -> dict[str, Any] | None:
     """Find the pieces and normals; None if the turns are not near enough."""
     apart: list[list[Any]] = []
-    for found in (_part_placements(board, bits), _part_container(board, bits)):
-        for entry in found:
-            if entry is None:
-                return None
-            apart.append(entry)
+    for entry in chain(_part_placements(board, bits), _part_container(board, bits)):
+        if entry is None:
+            return None
+        apart.append(entry)
     return {
-        "pieces": [_write_pieces(board, part) for part in board.layout.parts],
-        "outside": _write_outside(board),
+        "pieces": [_list_pieces(board, part) for part in board.layout.parts],
+        "outside": _list_outside(board),
         "apart": apart,
         "faults": [],
     }
@@ -165,19 +164,9 @@ def _prove_faults(board: Board, faults: Sequence[Fault], bits: int) -> dict[str,
             elif bits < MOST_BITS:
                 return None
     walled = any(len(entry.get("placements", ())) == 1 for entry in proved)
-    return (
-        {
-            "pieces": [
-                _write_pieces(board, part) if part.id in parts else None
-                for part in board.layout.parts
-            ],
-            "outside": _write_outside(board) if walled else None,
-            "apart": [],
-            "faults": proved,
-        }
-        if proved
-        else None
-    )
+    pieces = [_list_pieces(board, p) if p.id in parts else None for p in board.layout.parts]
+    outside = _list_outside(board) if walled else None
+    return {"pieces": pieces, "outside": outside, "apart": [], "faults": proved} if proved else None
 
 
 def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
@@ -202,7 +191,7 @@ def _find_proof(board: Board, fault: Fault, bits: int) -> dict[str, Any] | None:
         "kind": fault.kind,
         "placements": list(fault.placements),
         "pieces": [i, first + j],
-        "points": [_write_point(point) for point in points],
+        "points": points,
     }
 
 
@@ -212,10 +201,7 @@ def _find_piece(solid: Solid, point: Point) -> int:
     return next(
         k
         for k, piece in enumerate(solid.pieces)
-        if all(
-            (bx - ax) * (y - ay) >= (by - ay) * (x - ax)
-            for (ax, ay), (bx, by) in pairwise((*piece, piece[0]))
-        )
+        if all(turn(a, b, (x, y)) >= 0 for a, b in pairwise((*piece, piece[0])))
     )
 
 
@@ -234,7 +220,7 @@ def _find_clash(part: LayoutPart) -> list[list[int]] | None:
         for (i, one), (k, other) in combinations(enumerate(edges), 2):
             if k - i in (1, len(edges) - 1):
                 (a, b), (_, c) = (one, other) if k - i == 1 else (other, one)
-                ux, uy, vx, vy = a.x - b.x, a.y - b.y, c.x - b.x, c.y - b.y
+                (ux, uy), (vx, vy) = minus(a, b), minus(c, b)
                 clash = ux * vy == uy * vx and ux * vx + uy * vy > 0
             else:
                 clash = touch(*one, *other) != []
@@ -248,26 +234,15 @@ def _find_clash(part: LayoutPart) -> list[list[int]] | None:
     return None
 
 
-def _write_pieces(board: Board, part: LayoutPart) -> list[Any]:
+def _list_pieces(board: Board, part: LayoutPart) -> list[list[Point]]:
     assert part.region is not None
     scale, form = board.base(part.id)
-    return _write_rings(form.pieces, scale)
+    return _leave(form.pieces, scale)
 
 
-def _write_outside(board: Board) -> list[Any]:
-    return [ring for wall in board.around for ring in _write_rings(wall.form.pieces, wall.scale)]
+def _list_outside(board: Board) -> list[list[Point]]:
+    return [ring for wall in board.around for ring in _leave(wall.form.pieces, wall.scale)]
 
 
-def _write_rings(pieces: Sequence[ConvexRing], scale: int) -> list[list[list[str]]]:
-    return [
-        [_write_point(Point(Fraction(x) / scale, Fraction(y) / scale)) for x, y in piece]
-        for piece in pieces
-    ]
-
-
-def _write_point(point: Point) -> list[str]:
-    return [_write(c) for c in point]
-
-
-def _write(value: Fraction | int) -> str:
-    return format_fraction(Fraction(value))
+def _leave(pieces: Sequence[ConvexRing], scale: int) -> list[list[Point]]:
+    return [[Point(Fraction(x) / scale, Fraction(y) / scale) for x, y in p] for p in pieces]

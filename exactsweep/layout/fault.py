@@ -6,12 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from exactsweep.geometry.distance import find_foot
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.layout.verdict import find_witness
-from exactsweep.numbers.number import abridge, format_fraction
+from exactsweep.numbers.number import abridge
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Point
 from exactsweep.sweep import inner_fit_polygon, no_fit_polygon
 from exactsweep.words import count, write_pair
@@ -118,11 +120,7 @@ class Fault:
             at = Point(at.x - there.x, at.y - there.y)
             no_fit = no_fit_polygon(stationary=fixed, orbiting=moved)
             loops, fits = [no_fit.exterior, *no_fit.holes], no_fit.exact_fits
-        edges = [
-            (a, b)
-            for loop in loops
-            for a, b in zip(loop.vertices, (*loop.vertices[1:], loop.vertices[0]), strict=True)
-        ]
+        edges = [(a, b) for loop in loops for a, b in pairwise((*loop.vertices, loop.vertices[0]))]
         moves = [
             Point(foot.x - at.x, foot.y - at.y)
             for foot in (find_foot(at, edge) for edge in (*edges, *fits))
@@ -136,22 +134,17 @@ class Fault:
 
     def to_json(self) -> dict[str, Any]:
         """Write the fault as plain JSON data, numbers as strings."""
-        data: dict[str, Any] = {"kind": self.kind, "placements": list(self.placements)}
-        if self.part is not None:
-            data["part"] = self.part
-        if self.reason:
-            data["reason"] = self.reason
-        if self.number:
-            data["number"] = self.number
-        if self.points:
-            data["points"] = [[format_fraction(c) for c in point] for point in self.points]
-        if self.distance_squared is not None:
-            data["distance_squared"] = format_fraction(self.distance_squared)
-        if self.move is not None:
-            data["move"] = [format_fraction(c) for c in self.move]
-        if self.bound:
-            data["bound"] = format_fraction(self.bound)
-        return data
+        found = {
+            "part": self.part,
+            "reason": self.reason or None,
+            "number": self.number or None,
+            "points": self.points or None,
+            "distance_squared": self.distance_squared,
+            "move": self.move,
+            "bound": self.bound or None,
+        }
+        given = {name: value for name, value in found.items() if value is not None}
+        return to_plain({"kind": self.kind, "placements": self.placements, **given})
 
     def __str__(self) -> str:
         named = " and ".join(map(str, self.placements))

@@ -22,7 +22,8 @@ from exactsweep.layout.reading import (
     read_turn,
     read_vertex,
 )
-from exactsweep.numbers.number import format_fraction, quote
+from exactsweep.numbers.number import quote
+from exactsweep.numbers.plain import to_plain
 from exactsweep.numbers.point import Loop, Point
 
 
@@ -184,23 +185,25 @@ class Layout:
 
         Cost: linear.
         """
-        return {
-            "container": _write_rings(
-                self.container.exterior.vertices, [hole.vertices for hole in self.container.holes]
-            ),
-            "parts": [_write_part(part) for part in self.parts],
+        data = {
+            "container": {
+                "exterior": self.container.exterior.vertices,
+                "holes": [hole.vertices for hole in self.container.holes],
+            },
+            "parts": [_list_fields(part) for part in self.parts],
             "placements": [
                 {
                     "part": placement.part,
                     "turn": placement.turn.to_json(),
                     "mirrored": placement.mirrored,
-                    "move": [format_fraction(c) for c in placement.move],
+                    "move": placement.move,
                 }
                 for placement in self.placements
             ],
-            "spacing": format_fraction(self.spacing),
-            "margin": format_fraction(self.margin),
+            "spacing": self.spacing,
+            "margin": self.margin,
         }
+        return to_plain(data)
 
     @cached_property
     def part_by_id(self) -> Mapping[str, LayoutPart]:
@@ -216,17 +219,12 @@ def _read_container(data: object) -> Region:
         raise LayoutError(f"container: {error}") from None
 
 
-def _write_part(part: LayoutPart) -> dict[str, Any]:
-    data: dict[str, Any] = {"id": part.id, **_write_rings(part.exterior, part.holes)}
-    if part.demand is not None:
-        data["demand"] = part.demand
-    if part.turns is not None:
-        data["turns"] = [turn.to_json() for turn in part.turns]
-    if part.mirrored is not None:
-        data["mirrored"] = part.mirrored
-    return data
-
-
-def _write_rings(exterior: Loop, holes: Any) -> dict[str, Any]:
-    rings = [[[format_fraction(c) for c in point] for point in ring] for ring in (exterior, *holes)]
-    return {"exterior": rings[0], "holes": rings[1:]}
+def _list_fields(part: LayoutPart) -> dict[str, Any]:
+    turns = None if part.turns is None else [turn.to_json() for turn in part.turns]
+    allowed = {"demand": part.demand, "turns": turns, "mirrored": part.mirrored}
+    return {
+        "id": part.id,
+        "exterior": part.exterior,
+        "holes": part.holes,
+        **{name: value for name, value in allowed.items() if value is not None},
+    }

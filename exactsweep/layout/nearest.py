@@ -10,9 +10,10 @@ from fractions import Fraction
 from math import isqrt
 from typing import NamedTuple
 
-from exactsweep.geometry.distance import find_nearest_ends, measure_to_edge
+from exactsweep.geometry.convex import IntVertex
+from exactsweep.geometry.distance import find_nearest_ends, measure_ends
 from exactsweep.geometry.overlap import touch
-from exactsweep.layout.pieces import IntVertex
+from exactsweep.geometry.vectors import minus, turn
 from exactsweep.layout.solid import BoxedEdge, Solid
 from exactsweep.numbers.point import Edge, Point, Rational
 
@@ -71,7 +72,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
             one = (f[4], f[5]), (f[6], f[7])
             if _is_beside(one, other, n, d) or _is_beside(other, one, n, d):
                 continue
-            square, length = _measure_edges(one, other)
+            square, length = measure_ends(one, other)[:2] if touch(*one, *other) == [] else (0, 1)
             if square * d < n * length:
                 n, d, best = square, length, (f, e)
                 reach = isqrt(n // d) + 1
@@ -80,7 +81,7 @@ def find_gap(a: Solid, b: Solid, below: Fraction) -> NearestPoints | None:
         return None
     one, other = _move(best[0], 0, 0), _move(best[1], x, y)
     if n:
-        _, _, p, q = find_nearest_ends(one, other)
+        p, q = find_nearest_ends(one, other)
     else:
         # Solids that do not overlap touch in a vertex of one of them.
         p = q = Point(*map(Fraction, (touch(*one, *other) or [one[0]])[0]))
@@ -96,21 +97,7 @@ def _move(edge: BoxedEdge, x: int, y: int) -> tuple[IntVertex, IntVertex]:
 
 def _is_beside(line: Edge, edge: Edge, n: Rational, d: Rational) -> bool:
     """Decide whether an edge is at least sqrt(n / d) from the line of another one."""
-    (ax, ay), (bx, by) = line
-    (px, py), (qx, qy) = edge
-    dx, dy = bx - ax, by - ay
-    of_p, of_q = dx * (py - ay) - dy * (px - ax), dx * (qy - ay) - dy * (qx - ax)
+    of_p, of_q = (turn(*line, end) for end in edge)
     least = min(of_p, of_q) if of_p > 0 else -max(of_p, of_q)
+    dx, dy = minus(*line)
     return least > 0 and least * least * d >= n * (dx * dx + dy * dy)
-
-
-def _measure_edges(one: Edge, other: Edge) -> tuple[Rational, Rational]:
-    """Return the squared distance of two edges as a quotient."""
-    if touch(*one, *other) != []:
-        return 0, 1
-    n, d = measure_to_edge(one[0], other)
-    for end, edge in ((one[1], other), (other[0], one), (other[1], one)):
-        square, length = measure_to_edge(end, edge)
-        if square * d < n * length:
-            n, d = square, length
-    return n, d

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 from math import gcd
 
-from exactsweep.layout.pieces import IntVertex
+from exactsweep.geometry.convex import IntVertex
+from exactsweep.geometry.vectors import minus
 
 
 def find_normal(
@@ -46,14 +47,10 @@ def find_normal(
 def _list_normals(
     one: Sequence[IntVertex], other: Sequence[IntVertex], distance: Fraction
 ) -> Iterator[IntVertex]:
-    for (ax, ay), (bx, by) in _edges(one):
+    for (ax, ay), (bx, by) in pairwise((*one, one[0])):
         yield by - ay, ax - bx
-    for (ax, ay), (bx, by) in _edges(other):
+    for (ax, ay), (bx, by) in pairwise((*other, other[0])):
         yield ay - by, bx - ax
     if distance:
-        joins = [(q[0] - p[0], q[1] - p[1]) for p, q in product(one, other)]
+        joins = [minus(q, p) for p, q in product(one, other)]
         yield from sorted(joins, key=lambda v: v[0] * v[0] + v[1] * v[1])[:1]
-
-
-def _edges(ring: Sequence[IntVertex]) -> Iterator[tuple[IntVertex, IntVertex]]:
-    return zip(ring, (*ring[1:], ring[0]), strict=True)

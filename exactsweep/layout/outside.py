@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, bound_piece, cut_to_convex
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
+from exactsweep.layout.pieces import bound_piece
 
 
 def cut_outside(exterior: IntRing, frame: tuple[int, int, int, int]) -> list[ConvexRing]:

@@ -21,10 +21,10 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
+from exactsweep.geometry.convex import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.geometry.hull import find_hull
 from exactsweep.geometry.overlap import is_inside_edges
 from exactsweep.geometry.region import Region
-from exactsweep.layout.pieces import ConvexRing, IntRing, IntVertex, cut_to_convex
 from exactsweep.numbers.point import Point, Rational
 
 LatticeBox = tuple[int, int, int, int]

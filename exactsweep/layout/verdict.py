@@ -12,12 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import pairwise
 from typing import NamedTuple
 
+from exactsweep.geometry.convex import ConvexRing
 from exactsweep.geometry.distance import measure_to_edge
 from exactsweep.layout.meeting import Relation, meet
 from exactsweep.layout.nearest import NearestPoints, find_gap
-from exactsweep.layout.pieces import ConvexRing, bound_piece, find_common_point
+from exactsweep.layout.pieces import bound_piece, find_common_point
 from exactsweep.layout.solid import Solid, share_scale
 from exactsweep.numbers.point import Point
 
@@ -120,8 +122,5 @@ def _is_deep(point: Point, piece: ConvexRing, slack: Fraction) -> bool:
     """Decide whether a point inside a piece is farther from its sides than the slack."""
     if not slack:
         return True
-    sides = zip(piece, [*piece[1:], piece[0]], strict=True)
-    return all(
-        square > slack * slack * length
-        for square, length in (measure_to_edge(point, side) for side in sides)
-    )
+    sides = (measure_to_edge(point, side) for side in pairwise((*piece, piece[0])))
+    return all(square > slack * slack * length for square, length in sides)

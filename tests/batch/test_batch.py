@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 import strategies
-from command import refusal, run
+from command import run
 from hypothesis import given
 from hypothesis import strategies as st
 from partlist import part_list
@@ -79,13 +79,6 @@ def test_what_is_computed_is_chosen(what: str, members: list[str]) -> None:
     assert list(record) == ["index", "generatrix", "directrix", *members]
 
 
-def test_areas_are_those_of_the_loops() -> None:
-    areas = line_record('{"generatrix": "square", "directrix": "notch"}', "areas")
-    expected = sweep(SQUARE.polygon, NOTCH.polygon)
-    for name in ("trajectory", "inner", "outer"):
-        assert Fraction(str(areas[f"{name}_area"])) == getattr(expected, name).area
-
-
 @pytest.mark.parametrize(
     "line",
     [
@@ -145,10 +138,6 @@ def test_a_bad_pair_is_an_error_record(line: str, message: str) -> None:
     assert str(record["error"]).isprintable()
 
 
-def test_bytes_that_are_no_text_are_an_error_record() -> None:
-    assert str(line_record(b"\xff")["error"]).startswith("not UTF-8 text: invalid start byte at")
-
-
 def test_a_bad_pair_ends_nothing(tmp_path: Path) -> None:
     good = PAIR + "}\n"
     long = "[" + " " * 2**24 + "]\n"
@@ -188,12 +177,6 @@ def test_parts_are_read_once_and_bad_ones_stay(tmp_path: Path) -> None:
     assert two == Part("2", "$.polygons[2][0] has 3 coordinates, not 2")
     record = json.loads(take_all_pairs([a, one], [two]).work.line(1, 1))
     assert record["error"] == f"generatrix: {reason}"
-
-
-def test_no_pairs_are_a_batch_too(tmp_path: Path) -> None:
-    path = tmp_path / "out.jsonl"
-    assert run_batch(take_all_pairs([], PARTS), str(path)) == (0, 0, 0)
-    assert path.read_bytes() == b""
 
 
 def test_what_cannot_be_a_batch_is_refused(tmp_path: Path) -> None:
@@ -271,9 +254,3 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
     result = run(*arguments)
     assert (result.exit_code, result.stdout) == (2, "")
     assert message in result.stderr
-
-
-def test_refusals_are_one_line(tmp_path: Path) -> None:
-    output = str(tmp_path / "out")
-    assert refusal(run("batch", "none", "-o", output)) == "none: No such file or directory"
-    assert re.match("none: ", refusal(run("batch", "--all", "none", "none", "-o", output)))

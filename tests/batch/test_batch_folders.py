@@ -174,14 +174,6 @@ def test_a_folder_of_drawings_becomes_a_table(tmp_path: Path) -> None:
     assert sum(bool(row["error"]) for row in rows) == 0
 
 
-@pytest.mark.parametrize("name", ["x" * 300, "a\nb" + "x" * 300, "x" * 252])
-def test_names_that_cannot_be_are_refused_in_one_line(name: str, tmp_path: Path) -> None:
-    part = tmp_path / "part.json"
-    part.write_text("[[0,0],[2,0],[0,1]]")
-    done = run("batch", "--all", str(part), str(part), "-o", str(tmp_path / name))
-    assert "File name too long" in refusal(done)
-
-
 def test_a_module_needs_no_main_guard(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(

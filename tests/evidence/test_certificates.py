@@ -63,14 +63,6 @@ def test_polygons_without_a_common_lattice_have_certificates(is_convex: bool) ->
     assert verify(s.certificate()).proved
 
 
-@pytest.mark.parametrize("reference", [(0, 0), ("1/3", -2), (5, 7)])
-def test_a_certificate_with_exact_fits_is_proved_for_any_reference_point(reference: Any) -> None:
-    slot = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 2), (0, 2)]
-    s = sweep([(0, 0), (1, 0), (1, 1), (0, 1)], slot, reference=reference)
-    assert s.exact_fits
-    assert verify(s.certificate()).proved
-
-
 def test_what_draws_convex_loops_is_found_among_few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once every vertex of G was kept for each direction: 2.6 GB for 4,000 around 4,000."""
     measured = 0

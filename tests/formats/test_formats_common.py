@@ -5,7 +5,6 @@ from itertools import pairwise
 
 import pytest
 import shapely
-from command import run
 from ezdxf.math import fit_points_to_cad_cv
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -18,7 +17,6 @@ from exactsweep.formats import (
     from_wkt,
     parse_polygon,
     parse_polygons,
-    parse_regions,
     parts_from_shapely,
 )
 from exactsweep.formats.curved.affine import IDENTITY
@@ -183,21 +181,3 @@ def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
 def test_names_that_are_no_utf_8_are_named() -> None:
     with pytest.raises(FormatError, match=r"the name 'left\\udcff' is no UTF-8"):
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
-
-
-def test_svg_has_no_id_twice() -> None:
-    text = format_polygons([NamedPolygon(UNIT, "a"), NamedPolygon(UNIT, None, "a")], "svg")
-    assert [part.name for part in parse_regions(text)] == ["a", "a-2"]
-
-
-def test_help_names_the_formats_that_are_read() -> None:
-    text = run("sweep", "--help").stdout
-    for form in ("JSON", "GeoJSON", "WKT", "CSV", "SVG", "DXF"):
-        assert form in text
-
-
-def test_bounds_are_those_of_shapely() -> None:
-    plate = Region([(-1, 2), (7, 0), (3, "19/2")], [[(2, 2), (3, 2), (2, 3)]])
-    found = shapely.Polygon([(-1, 2), (7, 0), (3, 9.5)])
-    assert tuple(map(float, plate.bounds)) == found.bounds
-    assert plate.exterior.bounds == plate.bounds == tuple(map(Fraction, (-1, 0, 7, 9.5)))

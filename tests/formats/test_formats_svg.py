@@ -9,9 +9,6 @@ from tiers import examples
 
 from exactsweep import Polygon
 from exactsweep.formats import FormatError, format_polygons, parse_polygon, parse_polygons
-from exactsweep.formats.curved.svg_transform import read_transform
-from exactsweep.formats.reading import Reading
-from exactsweep.numbers.point import Point
 
 fewer = examples(40)
 SQUARE = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
@@ -84,13 +81,6 @@ def test_transformations_are_exact(
     body = format_polygons([scaled], "svg").partition("\n")[2].partition("</svg>")[0]
     image = parse_polygon(svg(f'<g transform="matrix({numbers} {e},{f})">{body}</g>'))
     assert image == strategies.mapped(scaled, matrix).translated(move)
-
-
-def test_transformations_are_applied_from_the_last_to_the_first() -> None:
-    point = (Fraction(1), Fraction(2))
-    image = read_transform("translate(10,20)rotate(90),scale(2 3)", Reading()).point(*point)
-    assert image == Point(Fraction(4), Fraction(22))
-    assert read_transform(" ", Reading()).point(*point) == point
 
 
 def test_shapes_are_chosen_by_id_or_index() -> None:

@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import matplotlib as mpl
 import numpy as np
@@ -69,6 +69,33 @@ class Unspeakable:
     __str__ = __repr__
 
 
+class Lying:
+    """Claim a length of 10**9, and hold nothing."""
+
+    def __len__(self) -> int:
+        return 10**9
+
+    def __iter__(self) -> Iterator[object]:
+        return iter(())
+
+
+class Telling:
+    """Have a `__geo_interface__` without one ring that can be read."""
+
+    __geo_interface__: ClassVar = {"type": "Polygon", "coordinates": [None, [5]]}
+
+
+NESTED: list[Any] = []
+for _ in range(10**4):
+    NESTED = [NESTED]
+CYCLE: list[Any] = []
+CYCLE += [CYCLE, CYCLE, CYCLE]
+
+# Of shapes, which every function that takes one reads alike.
+NO_SHAPES: list[Any] = [
+    *(NESTED, CYCLE, Lying(), Telling(), b"ab", (1, 2, 3), int, [UNIT, UNIT], {(0, 0): 1}),
+    *([(0, 0), (1, 1), (2, 2)], [(0, 0), (2, 2), (2, 0), (0, 2)], [(0, 0), (1, 0), (0, "1/0")]),
+]
 HOSTILE: list[Any] = [
     *(None, "a", "", b"a", 1.5, float("nan"), float("inf"), True, -1, 10**30, 1j, Fraction(1, 3)),
     *([], (), {}, set(), [None], [[]], {"a": 1}, [1, 2], object(), Hostile(), Unspeakable()),
@@ -199,8 +226,8 @@ METHODS: list[tuple[object, dict[str, dict[str, Any]]]] = [
             "view": {"height": 600},
         },
     ),
-    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
-    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": PLOTTED}),
+    (no_fit_polygon(UNIT, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
+    (inner_fit_polygon(HOLED, UNIT), {"locate": {"position": (0, 0)}, "plot": {"y_down": False}}),
 ]
 
 
@@ -304,7 +331,8 @@ def test_what_is_no_argument_of_a_method_or_a_shape_is_refused_in_a_sentence() -
     tried = refused = 0
     for function, arguments in calls:
         assert call(function, arguments) is None, function
-        for argument, hostile in product(arguments, HOSTILE):
+        more = NO_SHAPES if function in (Polygon, Region) else []
+        for argument, hostile in product(arguments, HOSTILE + more):
             tried += 1
             said = call(function, {**arguments, argument: hostile})
             refused += said is not None
@@ -358,6 +386,15 @@ def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
         fail(1, [1])  # type: ignore[list-item]
     with pytest.raises(ArgumentError, match=r"^other is 5, not Unspeakable or None$"):
         fail(1, [], other=5)  # type: ignore[arg-type]
+
+
+def test_a_path_may_be_an_object(tmp_path: Path) -> None:
+    """Once one that could not be read ended in Python's own words."""
+    path = tmp_path / "unit.json"
+    with pytest.raises(ExactSweepError, match=r"unit\.json: No such file"):
+        PUBLIC["formats.read_polygon"](path)
+    path.write_text(TEXT)
+    assert PUBLIC["formats.read_polygon"](path).area == Fraction(1, 2)
 
 
 def test_a_number_is_no_path_but_an_open_file() -> None:

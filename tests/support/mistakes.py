@@ -189,6 +189,17 @@ MISTAKES: dict[str, Mistake] = {
         (*DIFFERS, *BROKEN),
         "has more vertices|spike|touch|cross|edges",
     ),
+    "a needle on an edge": Mistake(
+        on_trajectory(
+            lambda loop: [
+                *loop,
+                Point(loop[0].x - 1, loop[0].y + Fraction(1, 10**6)),
+                Point(loop[0].x, loop[0].y + Fraction(2, 10**6)),
+            ]
+        ),
+        (*LARGER, *BROKEN),
+        "has more vertices|spike|touch|cross|edges",
+    ),
     # Only some input brings it out.
     "wrong beyond 256 vertices": Mistake(
         where(lambda c: c.size > 256, on_trajectory(drop_corner(lambda k, s: k[-1]))),

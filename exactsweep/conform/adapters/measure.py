@@ -20,6 +20,7 @@ from exactsweep.conform.adapters.names import NAMES, load
 from exactsweep.conform.adapters.page import write_page
 from exactsweep.conform.run.journal import Journal
 from exactsweep.conform.run.pool import Judges
+from exactsweep.conform.run.protocol import QUESTIONS
 from exactsweep.conform.run.run import Run
 from exactsweep.conform.run.runner import judge_cases
 from exactsweep.corpus import FAMILIES, Case, cases, generate
@@ -83,8 +84,8 @@ def main(
     asked = f"{len(list(cases(max_size=most)))} cases of the corpus"
     asked += f", of at most {most} vertices" if most is not None else ""
     asked += f", and {each} of each family of the generator, seed {SEED}"
-    journals = [path for name in NAMES for path in sorted(folder.glob(f"{name}.*"))]
-    text = write_page(journals, asked)
+    journals = (folder / f"{name}.{question}" for name in NAMES for question in QUESTIONS)
+    text = write_page(filter(Path.is_file, journals), asked)
     if page is None:
         click.echo(text)
     else:

@@ -4,7 +4,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.polygon import Polygon
 from exactsweep.geometry.region import Region
 
@@ -102,21 +101,6 @@ def trace_outline(cells: Iterable[Cell]) -> Region:
     # No hole is as wide as the exterior.
     exterior = min(rings, key=lambda ring: ring.vertices)
     return Region(exterior, [ring for ring in rings if ring is not exterior])
-
-
-def draw(*rows: str) -> Region:
-    """Return a shape drawn with one character a square, the lowest row last.
-
-    Raises:
-        PolygonError: the squares are not connected.
-
-    >>> draw("# #", "###").area
-    Fraction(5, 1)
-    """
-    cells = {(x, -y) for y, row in enumerate(rows, 1) for x, c in enumerate(row) if c == "#"}
-    if connect(cells) != cells:
-        raise PolygonError(f"not connected: {rows}")
-    return trace_outline(move(cells, (0, len(rows))))
 
 
 def map_region(

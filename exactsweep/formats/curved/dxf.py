@@ -75,10 +75,8 @@ def parse_dxf(text: str, reading: Reading) -> list[Candidate]:
             try:
                 drawn = _read(placed, reading)
             except ValueError as error:
-                is_ornament = isinstance(error, OrnamentError)
-                reason = f"{place}: {error}"
-                refused = Candidate.refused(reason, layer=layer, ornament=is_ornament)
-                found.append((order, refused))
+                kind = OrnamentError if isinstance(error, OrnamentError) else FormatError
+                found.append((order, Candidate.refused(kind(f"{place}: {error}"), layer=layer)))
                 continue
             points = partial(_name_place, place, drawn.points)
             if drawn.ends:

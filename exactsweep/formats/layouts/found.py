@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.layouts.node import Data, JsonNode
+from exactsweep.formats.node import Data, JsonNode
 from exactsweep.numbers.number import quote
 
 STANDING: Data = {"turn": "0", "move": ["0", "0"]}

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 from importlib.resources import files
 
 from exactsweep import __version__
-from exactsweep.canvas import style
 from exactsweep.layout.judge import Judgement
-from exactsweep.layout.report.picture import SIDE, STYLE, draw_parts, enlarge_faults
+from exactsweep.layout.report.picture import SIDE, draw_parts, enlarge_faults, write_style
 from exactsweep.layout.report.table import tell_fault, write_verdict
 from exactsweep.layout.report.worst import WorstFirst
 from exactsweep.numbers.number import abridge
@@ -52,7 +51,7 @@ def write_layout_page(
         side=SIDE,
         title=title,
         version=__version__,
-        style=Markup(style.write_style_sheet() + STYLE),
+        style=Markup(write_style()),
         verdict=write_verdict(judgement),
         valid=judgement.valid,
         layout=judgement.layout,

@@ -6,9 +6,10 @@ even an overlap of 10^-15 of the picture.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from html import escape
+from importlib.resources import files
 from typing import NamedTuple
 
 from exactsweep.canvas import style
@@ -16,8 +17,9 @@ from exactsweep.canvas.svg import write_path
 from exactsweep.canvas.window import Window
 from exactsweep.layout.judge import Judgement
 from exactsweep.layout.layout import Layout
+from exactsweep.layout.pieces import clip
 from exactsweep.layout.report.worst import WorstFirst, rank_faults
-from exactsweep.numbers.point import Point
+from exactsweep.numbers.point import Point, Vertex
 from exactsweep.text.report import approximate, take_root
 from exactsweep.words import count
 
@@ -26,29 +28,16 @@ _MARGIN, _GAP, _LINE = 14, 20, 20
 _MOST_ENLARGED = 12
 
 SIDE = 218
-"""The side of the square picture of a place, in pixels."""
+"""Of the square picture of a place, in pixels."""
 
 _ROUND = 3
 _BITS = 64
 
-STYLE = f"""
-.layout {{ --fault: {style.RED}; --ink: #1b1b1b; --paper: #ffffff; --defect: #8f8f8f; }}
-@media (prefers-color-scheme: dark) {{
-.layout {{ --fault: #ff7a4d; --ink: #eeeeea; --paper: #16181b; --defect: #7b7e82; }} }}
-.layout path {{ stroke-linejoin: round; fill-rule: evenodd; }}
-.layout .paper {{ fill: var(--paper); }}
-.layout .container {{ fill: none; stroke: var(--directrix); stroke-width: 1.6; }}
-.layout .defect {{ fill: var(--defect); stroke: var(--directrix); }}
-.layout .part {{ fill: var(--generatrix-fill); stroke: var(--generatrix); stroke-width: .8; }}
-.layout .bad {{ fill: var(--fault); fill-opacity: .35; stroke: var(--fault); stroke-width: 1.8; }}
-.layout .frame {{ fill: none; stroke: var(--directrix); }}
-.layout .mark {{ fill: none; stroke: var(--ink); stroke-width: 1.6; }}
-.layout circle.number {{ fill: var(--paper); fill-opacity: .75; }}
-.layout text.number {{ text-anchor: middle; }}
-.layout .way {{ fill: none; stroke: var(--ink); stroke-width: 2; stroke-dasharray: 5 3; }}
-.layout text {{ font: 13px system-ui, "DejaVu Sans", sans-serif; fill: var(--ink); }}
-"""
-"""The style of these pictures, in addition to `exactsweep.canvas.style.write_style_sheet`."""
+
+def write_style() -> str:
+    """Write the style sheet of these pictures."""
+    own = files("exactsweep.layout.report").joinpath("picture.css").read_text("utf-8")
+    return style.write_style_sheet() + "\n" + own.replace("$fault", style.RED)
 
 
 class Enlarged(NamedTuple):
@@ -102,7 +91,7 @@ def draw_layout(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="layout" viewBox="0 0 {width} {total}" '
         f'width="{width}" height="{total}" role="img"><title>{escape(title)}</title>'
-        f"<style>{style.write_style_sheet()}{STYLE}</style>"
+        f"<style>{write_style()}</style>"
         f'<rect class="paper" width="100%" height="100%"/>{main}{"".join(drawn)}</svg>\n'
     )
 
@@ -152,7 +141,7 @@ def draw_parts(
     width = _WIDTH if share * wide <= high else max(_NARROW, round(high / share) + 2 * _MARGIN)
     height = min(_MOST, max(_LEAST, round(share * wide) + 2 * _MARGIN))
     window = Window.around(points, width, height, _MARGIN)
-    # A missing or surplus placement is not a fault of a single placement.
+    # That there are too few, or too many, is no fault of one of them.
     bad = {k for one in ranked if not one.fault.number for k in one.fault.placements}
     drawn = [_path("defect", [hole], window) for hole in around[1:]]
     for is_bad in (False, True):
@@ -245,28 +234,16 @@ def _measure(rings: Sequence[Sequence[Point]]) -> Fraction:
 
 
 def _path(
-    name: str, rings: Iterable[Sequence[Point]], window: Window, *, closed: bool = True
+    name: str, rings: Iterable[Sequence[Vertex]], window: Window, *, closed: bool = True
 ) -> str:
     data = write_path((map(window.place, ring) for ring in rings), closed=closed)
     return f'<path class="{name}" d="{data}"/>' if data else ""
 
 
-def _clip(ring: Sequence[Point], window: Window) -> Sequence[Point]:
+def _clip(ring: Sequence[Vertex], window: Window) -> Sequence[Vertex]:
     """Clip rings exactly, far outside a window, so that the cuts are out of sight."""
     room = window.longest
     for axis, low, high in ((0, window.left, window.right), (1, window.bottom, window.top)):
-        for side, limit in ((1, high + room), (-1, low - room)):
-            ring = list(_cut(ring, axis, side, limit))
+        ring = [*clip(ring, [high + room - point[axis] for point in ring])]
+        ring = [*clip(ring, [point[axis] - low + room for point in ring])]
     return ring
-
-
-def _cut(ring: Sequence[Point], axis: int, side: int, limit: Fraction) -> Iterator[Point]:
-    """Return the part of a ring on one side of a line (Sutherland and Hodgman)."""
-    for k, point in enumerate(ring):
-        before = ring[k - 1]
-        over, under = side * (point[axis] - limit), side * (before[axis] - limit)
-        if over * under < 0:
-            share = under / (under - over)
-            yield Point(*(p + share * (q - p) for p, q in zip(before, point, strict=True)))
-        if over <= 0:
-            yield point

@@ -28,7 +28,7 @@ class JsonNode(NamedTuple):
         """Return a member that has to be there."""
         if not isinstance(self.value, Mapping):
             self.refuse(f"{describe_kind(self.value)}, not an object")
-        if not self.has(name):
+        if name not in self.value:
             raise FormatError(f"{self.path} has no {quote(name)}")
         return JsonNode(self.value[name], f"{self.path}.{name}")
 
@@ -62,8 +62,15 @@ class JsonNode(NamedTuple):
         return int(self.fraction)
 
     @property
+    def text(self) -> str:
+        """The string that this is."""
+        if not isinstance(self.value, str):
+            self.refuse(f"{describe_kind(self.value)}, not a string")
+        return self.value
+
+    @property
     def name(self) -> str:
-        """The name that this is; numbers are names, too."""
+        """The name that this is; numbers are names, too, which `parse_json` leaves as text."""
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
@@ -97,6 +104,11 @@ def write_ring(points: Sequence[Point]) -> list[list[str]]:
     """Write points as Layout JSON has them, without a last one that repeats the first."""
     closed = len(points) > 1 and points[0] == points[-1]
     return [[*map(format_fraction, point)] for point in points[: -1 if closed else None]]
+
+
+def write_shape(exterior: list[list[str]], holes: Sequence[list[list[str]]]) -> Data:
+    """Write rings as Layout JSON has them, holes only where there are any."""
+    return {"exterior": exterior} | ({"holes": [*holes]} if holes else {})
 
 
 def write_box(left: Fraction, low: Fraction, width: Fraction, height: Fraction) -> Data:
