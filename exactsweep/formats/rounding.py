@@ -182,7 +182,7 @@ def contains(outer: Region, inner: Region) -> bool:
         (True, False, True)
     """
     _, (outside, inside) = share_lattice([outer, inner])
-    # What is left of the rings, run through backward, is the complement.
+    # The reversed rings bound the complement.
     outside = [ring[::-1] for ring in outside]
     return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
 
