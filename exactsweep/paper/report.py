@@ -176,15 +176,16 @@ def _environment(*, html: bool) -> Environment:
 def set_formula(text: str) -> Markup:
     """Text as HTML, its indices, signs and Greek letter set as in mathematics.
 
-    >>> print(set_formula("m_b < n_t, T(u) <= x - 1"))
-    m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ x − 1
+    >>> print(set_formula("m_b < n_t, T(u) <= -G_P - 1"))
+    m<sub>b</sub> &lt; n<sub>t</sub>, T(u) ≤ −G<sub>P</sub> − 1
     >>> print(set_formula("T_(i-1) >= -1, D_1, Trajectory_CC, non-convex"))
     T<sub>i−1</sub> ≥ −1, D<sub>1</sub>, Trajectory_CC, non-convex
     """  # noqa: RUF002
     # A sign stands beside a number, a letter of its own or a parenthesis; a hyphen inside a word.
-    signed = re.sub(r"(?<![\w)])-(?=[\d(]|[A-Za-z]\b)|(?<=[\w)]) - (?=[\w(])", _set_minus, text)
+    sign = r"(?<![\w)])-(?=[\d(]|[A-Za-z](?:_|\b))|(?<=[\w)]) - (?=[\w(])"
+    signed = re.sub(sign, _set_minus, text)
     signed = signed.replace("<=", "≤").replace(">=", "≥")
-    index = r"\b([A-Za-z])_(?:([a-z0-9])\b|\(([a-z0-9+-]+)\))"
+    index = r"\b([A-Za-z])_(?:([A-Za-z0-9])\b|\(([a-z0-9+-]+)\))"
     html = re.sub(
         index,
         lambda m: f"{m[1]}<sub>{(m[2] or m[3]).replace('-', MINUS)}</sub>",
@@ -330,10 +331,10 @@ def pair_svg(pair: SweepPair) -> str:
     )
     picture = write_svg(shapes, "D in grey, G in blue, and the path T of G's origin in black")
     names = "".join(
-        f'<path d="M{x} 332h22" stroke="{shape.look.color}" stroke-width="4"/>'
-        f'<text x="{x + 28}" y="337" font-family="sans-serif" font-size="15">{name}</text>'
+        f'<path d="M{x} 332h24" stroke="{shape.look.color}" stroke-width="4"/>'
+        f'<text x="{x + 32}" y="339" font-family="sans-serif" font-size="22">{name}</text>'
         for x, name, shape in zip(
-            (12, 92, 172), ("D", "G", "T, the path of G"), shapes, strict=True
+            (12, 102, 192), ("D", "G", "T, the path of G"), shapes, strict=True
         )
     )
     return (

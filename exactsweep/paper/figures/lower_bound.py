@@ -112,7 +112,7 @@ def draw() -> Figure:
 
 def _box(s: Sweep, letter: str) -> Extent:
     lower, title = take_bottom(s.outer.vertices), f"({letter}) {len(list_outer_edges(s))} edges"
-    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 12, 4, 2))
+    return Extent.around(s.directrix.vertices, lower, title=title, margins=Margins(4, 18, 4, 2))
 
 
 def _draw_pair(panel: BarePicture, s: Sweep) -> None:
