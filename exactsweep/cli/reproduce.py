@@ -16,7 +16,7 @@ from exactsweep.formats import FormatError
 @click.option(
     "--quick",
     is_flag=True,
-    help="A thirtieth of the pairs, smaller counts, no seconds.",
+    help="A thirtieth of the pairs, smaller grids and sizes; leaves out all seconds.",
 )
 @click.option(
     "--out",
