@@ -133,7 +133,7 @@ def test_roles_exchanged_are_diagnosed_in_any_shape() -> None:
     chosen = [case for case in CHOSEN if case.kind == "SS" and case.holes]
     run = conform(exchanged, chosen, name="x", questions=["no_fit"], shapes="any")
     assert run.summary.diagnosis() == (
-        f"all {len(chosen)} trajectories that differ: exact for exchanged roles, D around G"
+        f"all {len(chosen)} answers that differ: exact for exchanged roles, D around G"
     )
 
 
