@@ -81,7 +81,7 @@ def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
 
 
 def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Whether an answer is right, in whatever way it is written: found out without the judge."""
+    """Decide without the judge whether an answer is right, in whatever way it is written."""
     try:
         loops = all(Polygon(answer[name]) == Polygon(exact[name]) for name in LOOPS)
         fits, others = (
@@ -94,7 +94,7 @@ def is_same(answer: dict[str, Any], exact: dict[str, Any]) -> bool:
 
 
 def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
-    """Whether each vertex of an answer in floats is off by no more than is granted."""
+    """Decide whether each vertex of an answer in floats is off by no more than is granted."""
     for name in LOOPS:
         loop = read_loop(answer[name], name)
         granted = grant_rounding(case, name, loop, "binary64")
@@ -116,10 +116,10 @@ def is_near(case: Case, answer: dict[str, Any], exact: dict[str, Any]) -> bool:
     help="How many wrong answers of each program are judged; 20 if left out.",
 )
 def main(wrong: int) -> None:
-    """Judge faulty programs on the shipped cases, and write what is said of each in Markdown.
+    """Judge faulty programs on the shipped cases, and write the verdicts in Markdown.
 
-    A row has the program, the verdicts on its wrong answers, and what is said of most of them. The
-    exit code is 1 if one of them is acquitted, or something else is said than should be.
+    A row has the program, the verdicts on its wrong answers, and the most frequent diagnosis. The
+    exit code is 1 if the judge accepts one of them, or gives another diagnosis.
     """
     chosen = list_cases()
     click.echo("| program | verdicts | what is said |")
@@ -136,7 +136,7 @@ def main(wrong: int) -> None:
         failed += len(judged) - said.total() + (not judged)
         listed = ", ".join(f"{number} {verdict}" for verdict, number in verdicts.most_common())
         words, _ = next(iter(said.most_common(1)), ("", 0))
-        # What is named comes before what it does.
+        # The name comes before the description.
         click.echo(f"| {name} | {listed} | {words.partition(';')[0]} |")
     click.echo(f"\n{len(ALL)} programs, {failed} answers misjudged.")
     sys.exit(1 if failed else 0)

@@ -38,8 +38,8 @@ SABOTAGES = (wrong_answers, wrong_rarely, wrong_evidence, wrong_costs, wrong_sha
 def main(seed: int, only_timed: bool, only: str, named: bool) -> None:
     """Show, for each mutation, the rows that turn red; exit code 1 if one that must does not.
 
-    Only a tenth of the pairs is tried. What shows in seconds alone is left out unless it is asked
-    for; then the rows that must notice are run in full, and no others.
+    The run tries a tenth of the pairs only. By default it leaves out faults that only cost time; on
+    request it tries these, with full runs of the rows that must notice them.
     """
     table = Table("mutation", "red rows", "missed", show_lines=True)
     missed_any = False

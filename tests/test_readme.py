@@ -1,4 +1,4 @@
-"""What the READMEs say: their examples run, their names exist, their figures hold.
+"""READMEs: their examples run, their names exist, their figures hold.
 
 Python examples run as doctests, README by README, by pytest itself.
 """
@@ -30,7 +30,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def commands(text: str) -> list[tuple[str, str]]:
-    """The commands of the console blocks, each with what it is said to print."""
+    """Return the commands of the console blocks, each with the output shown."""
     blocks = re.findall(r"^```console\n(.*?)^```$", text, re.M | re.S)
     return re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", "".join(blocks), re.M)
 

@@ -97,7 +97,7 @@ def tell_walks() -> dict[str, list[Step]]:
 
 
 def follow(walk: Callable[[Path], object], folder: Path) -> list[Step]:
-    """What of the package a call gets to, in order, each the first time."""
+    """Return the functions of the package that a call enters, in order of their first entry."""
     seen: dict[Step, None] = {}
 
     def note(frame: FrameType, event: str, argument: object) -> None:

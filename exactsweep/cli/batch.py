@@ -101,21 +101,21 @@ def batch_command(
 
     PAIRS has a line of JSON for each pair, {"generatrix": ..., "directrix": ...}, perhaps with
     "id", "direction" and "reference". A polygon is a list of pairs or another form of JSON that
-    'exactsweep sweep' reads, or the name of one in the file of --parts. Instead of PAIRS, --all
-    sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder stands for all files
-    in it; polygons are named by file, layer and id. What is no polygon is left out, which is told
-    on standard error.
+    'exactsweep sweep' reads, or the name of a polygon in the file of --parts. Instead of PAIRS,
+    --all sweeps each polygon of GENERATRICES around each of DIRECTRICES. A folder means all files
+    in it; the names of polygons consist of file, layer and id. Standard error lists the elements
+    that are left out because they are not polygons.
 
-    --round makes all numbers of the records decimals near them, which other programs read as
-    numbers. With --round-outward no loop moves to where it would permit an overlap.
+    --round rounds all numbers of the records to decimals, which other programs read as numbers.
+    With --round-outward no loop moves to where it would permit an overlap.
 
     A record of --compute nfp has the exterior, the holes and the exact fits of the no-fit polygon,
-    as 'exactsweep nfp --json' writes them; the generatrix is the one that orbits.
+    as 'exactsweep nfp --json' writes them; the generatrix is the orbiting polygon.
 
-    The records are in the order of the pairs. A pair that is refused has a record that says why,
-    and does not end the batch. A batch that is interrupted, however, goes on from where it was
-    when the same command is given again; until it is whole, its records are in FILE.part. If all
-    pairs were refused, the exit code is 1.
+    The records have the order of the pairs. The record of a refused pair has the reason, and the
+    batch continues. After an interruption of any kind, the same command continues the batch. Until
+    the batch is complete, its records are in FILE.part. If all pairs were refused, the exit code
+    is 1.
 
     Example:
       exactsweep batch --all parts.dxf sheets.json -o results.jsonl

@@ -24,13 +24,13 @@ from exactsweep.cli.reports import takes_accept, takes_rounding
 def compare_command(
     case: str, result: str, rounding: Fraction | None, accept: str, as_json: bool, output: str
 ) -> None:
-    """Hold an answer against the exact one.
+    """Compare an answer with the exact one.
 
     CASE is a file with a case, or with a pair of polygons as 'exactsweep sweep --json' writes it;
     or the id of a case of the corpus. RESULT is a file, or - for standard input: a JSON object
     with any of "trajectory", "inner" and "outer", each a list of pairs of numbers or, if there
     are several rings, a list of such lists; and "exact_fits", a list of pairs of points. A number
-    is an integer, a decimal, which is read as the binary64 next to it, or a string, "-7/2".
+    is an integer, a decimal, which stands for the nearest binary64, or a string, "-7/2".
 
     \b
     Verdicts, the worst part of the answer deciding:

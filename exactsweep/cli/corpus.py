@@ -179,17 +179,17 @@ def export_command(
 ) -> None:
     """Write cases for other programs.
 
-    An ID names a case, gen-FAMILY-SEED-NUMBER a generated one, and the beginning of ids, such as a
-    theme, all cases whose ids begin so; of these, and of all shipped cases where no ID is given,
-    the options choose.
+    An ID names a case. gen-FAMILY-SEED-NUMBER names a generated case, and the beginning of an id,
+    such as a theme, all cases whose ids begin with it. The options select from these cases, or from
+    all shipped cases if there is no ID.
 
-    json: a case a line, as 'exactsweep corpus schema' describes it. Nothing is lost.
+    json: one case per line, as 'exactsweep corpus schema' describes it, without loss.
 
-    wkt: a table of comma-separated values, a ring or segment a row. WKT has decimals only: a row
-    with a coordinate that is none has no geometry, and says why.
+    wkt: a table of comma-separated values, one ring or segment per row. WKT has decimals only. If
+    a coordinate is not a decimal, the row has the reason instead of the geometry.
 
-    geojson: a FeatureCollection, a ring or segment a feature. Its readers take numbers for
-    doubles: a feature whose coordinates are not all doubles has "exact": false, the nearest
+    geojson: a FeatureCollection, one ring or segment per feature. Its readers convert numbers to
+    doubles. If some coordinates are not doubles, the feature has "exact": false, the nearest
     doubles, and the exact vertices as strings.
 
     svg: a sheet of small pictures.

@@ -61,11 +61,13 @@ def draw_command(
     The picture has both polygons, the inner and the outer loop, the trajectory with a colour for
     each contact event, undercuts hatched, exact fits marked, and the generatrix at some positions:
     closing undercuts, in exact fits and at the first vertex of the trajectory if none are given.
-    Details are enlarged below where one polygon is far smaller than the picture, or all are flat.
+    If a polygon is far smaller than the picture, or the picture is flat, enlarged details stand
+    below.
 
-    Of a no-fit polygon or an inner fit it has all loops, free positions filled, and exact fits.
+    For a no-fit polygon or an inner fit the picture has all loops, free positions filled, and exact
+    fits.
 
-    Files are read as by 'exactsweep sweep'; without files, its example is drawn.
+    The command reads files as 'exactsweep sweep' does; without files, it draws the example.
 
     Example:
       exactsweep draw house.json block.wkt --position 13/5 13/5 -o block.svg

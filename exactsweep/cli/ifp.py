@@ -22,8 +22,8 @@ _takes_placed = click.option(
 def ifp_command(shapes: tuple[Region, Region, list[Region]], reference: Point, form: Form) -> None:
     """Find all positions of a part inside a container.
 
-    Given --placed FILE, once or several times, PART does not overlap the polygons of the files
-    either. They stand where the files have them.
+    With --placed FILE, once or several times, PART also stays clear of the polygons in these files,
+    in their positions in the files.
 
     Holes of CONTAINER are defects, which PART has to avoid. The answer has regions of positions,
     perhaps with holes, and exact fits, at which CONTAINER is exactly as wide as PART. It is empty

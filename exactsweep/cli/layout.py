@@ -111,19 +111,19 @@ def layout_command(
     wanted: _Wanted,
     workers: int | None,
 ) -> None:
-    """Judge what a nesting program put out.
+    """Judge the output of a nesting program.
 
     Each of FILES is a file, a folder of files, a pattern such as 'nests/*.json', or - for standard
     input: Layout JSON; solutions of sparrow, jagua-rs, spyrrow, packingsolver or CG:SHOP 2024 as
-    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, SVG and DXF among them, its
-    outlines where they stand. What a file does not say, --instance may. Of a file with several
-    sheets, each a layout, FILE#0 is the first.
+    JSON; SVG of sparrow, jagua-rs, SVGnest or Deepnest; or any drawing, such as SVG or DXF, with
+    the outlines in place. --instance adds rules that a file lacks. In a file with several sheets
+    each sheet is a layout; FILE#0 is the first.
 
     A layout is valid if all parts are inside the container and clear of its defects, no two
-    overlap, all distances are kept, and as many of each part are placed as are wanted, turned and
-    mirrored as is allowed. Each fault is listed with what proves it, how bad it is and the shortest
-    move that repairs it, the worst first. If a whole layout is wrong, the usual mistakes are
-    tried: radians, another center, another sign, Y downward, another scale.
+    overlap, all distances are kept, and the number, the turns and the mirroring of parts obey the
+    rules. The report lists each fault, the worst first, with its proof, its measure and the
+    shortest move that repairs it. If most of a layout is wrong, the command tries other
+    conventions: radians, another center, another sign, Y downward, another scale.
 
     The exit code is 0 only if all layouts are valid.
 

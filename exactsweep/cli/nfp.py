@@ -21,9 +21,9 @@ def nfp_command(
 ) -> None:
     """Find no-fit polygons, of one pair or of several.
 
-    That is where ORBITING overlaps STATIONARY: the exterior, which is the trajectory of a sweep;
-    holes, where ORBITING fits into a cave or a hole; and exact fits, single positions and segments
-    of them, at which it fits without any room.
+    A no-fit polygon is the set of positions where ORBITING overlaps STATIONARY. It has an exterior,
+    which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
+    fits, positions and segments of positions at which it fits without any room.
 
     Files are read as by 'exactsweep sweep'; each may be a folder or a pattern, too. Of several
     pairs the report has a line for each, --json a line of JSON, and --to writes all of them.

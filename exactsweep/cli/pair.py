@@ -34,16 +34,16 @@ GENERATRIX = Polygon([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)])
 DIRECTRIX = Polygon([(0, 0), (8, 0), (8, 5), (7, 5), (3, 1), (2, 5), (0, 5)])
 
 ReadingOptions = dict[str, Any]
-"""The arguments "tolerance" and `Options` of what reads files."""
+"""The arguments "tolerance" and `Options` of the readers of files."""
 
 SAME_LAYER = "layer"
-"""The value of --nested that `give_values` adds where there is none."""
+"""The value of --nested that `give_values` adds if it is missing."""
 
 _COORDINATES = "exactsweep.coordinates"
 
 
 def give_values(arguments: Sequence[str]) -> list[str]:
-    """Give --nested a value where the next word is none, for it need not have one.
+    """Add the optional value of --nested if the next word is not a value.
 
     >>> give_values(["--nested", "a.dxf", "--nested", "all", "--nested", "OUTER,INNER"])
     ['--nested=layer', 'a.dxf', '--nested', 'all', '--nested', 'OUTER,INNER']
@@ -198,7 +198,7 @@ def takes_shapes(
         *options,
         click.argument("stays", metavar=first, type=PATH),
         click.argument("moves", metavar=second, type=PATH),
-        _make_reference(f"The point of {second} whose positions are told"),
+        _make_reference(f"The point of {second} whose positions are listed"),
         takes_reading,
     )
 

@@ -17,14 +17,14 @@ from exactsweep.formats import show_path
 def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     """Write a page on which the generatrix can be moved.
 
-    The page is one HTML file that needs no network: open it in a browser. The generatrix goes
-    around the directrix, around holes of the no-fit polygon and into exact fits, by a slider, by
-    dragging or by the keyboard; the contact is named all the way, and vertices, undercuts and exact
-    fits tell their exact coordinates.
+    The page is one HTML file for a browser, and needs no network. A slider, dragging or the
+    keyboard moves the generatrix around the directrix, around holes of the no-fit polygon and into
+    exact fits. The page always names the contact, and shows the exact coordinates of vertices,
+    undercuts and exact fits.
 
-    Of a no-fit polygon or an inner fit the page shows the positions alone.
+    For a no-fit polygon or an inner fit the page shows the positions alone.
 
-    Files are read as by 'exactsweep sweep'; without files, its example is shown.
+    The command reads files as 'exactsweep sweep' does; without files, it shows the example.
 
     Example:
       exactsweep view house.json block.wkt -o sweep.html
@@ -35,7 +35,7 @@ def view_command(result: Sweep | NoFitPolygon | InnerFit, output: str) -> None:
     files = name_files_of_pair()
     names = None if files is None else (show_path(files[0]), show_path(files[1]))
     if names and not isinstance(result, Sweep):
-        # What stays is given first.
+        # The stationary polygon is the first file.
         names = names[1], names[0]
     with working("making the page") as tell:
         text = make_page(result, names=names, y_down=coordinates_of_files().y_down, tell=tell)

@@ -142,7 +142,7 @@ def _read(data: JsonNode) -> Case:
         inner=inner,
         outer=outer,
         exact_fits=_fits(expected),
-        # What is written there, of however many digits, is held against this one.
+        # The reader compares the area in the document, of any length, with this one.
         area=outer.area - add_up(loop.area for loop in (inner, *unswept)),
         directrix_holes=tuple(map(_given, data.get("directrix_holes", []).each())),
         generatrix_holes=tuple(map(_given, data.get("generatrix_holes", []).each())),

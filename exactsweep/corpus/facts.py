@@ -1,4 +1,4 @@
-"""Flags that can be seen from a pair and its answer, so that none is taken on trust."""
+"""Flags that are computed from a pair and its answer, so that a test can check them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""JSON in: numbers are decimals or fractions and never become floats."""
+"""A reader of JSON whose numbers are decimals or fractions and never become floats."""
 
 import json
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from exactsweep.numbers.point import Point
 
 
 def parse_json(text: str) -> object:
-    """Parse JSON with all numbers, NaN and Infinity included, left as the text that they are.
+    """Parse JSON, and keep all numbers, NaN and Infinity included, as text.
 
     Args:
         text: a JSON document.
@@ -43,7 +43,7 @@ def parse_certificate(text: str) -> object:
         text: a JSON document.
 
     Returns:
-        What `exactsweep.check.verify` takes, whatever it may be.
+        An argument for `exactsweep.check.verify`, of any content.
 
     Raises:
         FormatError: as by `parse_json`, and integers too long for Python to read.
@@ -61,14 +61,14 @@ def read_vertices(value: object, path: str) -> list[Point]:
     """Read a list of pairs of numbers, or of objects of "x" and "y".
 
     Args:
-        value: part of what `parse_json` returned.
-        path: where it was found, for messages.
+        value: a part of the result of `parse_json`.
+        path: the JSON path of the value, for messages.
 
     Returns:
         list of Point, in the same order.
 
     Raises:
-        FormatError: anything else; the message starts with the JSON path of what is wrong.
+        FormatError: anything else; the message starts with the JSON path of the error.
 
     Cost: linear.
 
@@ -81,7 +81,7 @@ def read_vertices(value: object, path: str) -> list[Point]:
     if all(type(pair) is list and [*map(type, pair)] == [str, str] for pair in value):
         with suppress(NumberError):
             return [Point(to_fraction(x), to_fraction(y)) for x, y in value]
-    # Something is wrong, or spelled in another way.
+    # The fast path failed: some value is wrong, or has another form.
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
 
 
@@ -101,15 +101,15 @@ def describe_kind(value: object) -> str:
 
 
 def count_vertices(text: str) -> int:
-    """Count what may be a vertex, which has a bracket or a brace of its own."""
+    """Count the possible vertices; each has its own bracket or brace."""
     return text.count("[") + text.count("{")
 
 
 def measure_file(path: str) -> int:
-    """Count the bytes that a file of JSON, a document a line, counts for where it is read.
+    """Count the size of a file with one JSON document per line, for the limit of its reader.
 
     Returns:
-        As `polygons.measure_written` of its text, of which no more than a line is held.
+        The result of `parsing.measure_written` for its text. The function holds one line at a time.
 
     Cost: linear.
     """
@@ -148,7 +148,7 @@ def _parse(text: str, number: Callable[[str], object] | None) -> object:
 def _without_repeats(pairs: list[tuple[str, object]]) -> dict[str, object]:
     found: dict[str, object] = {}
     for name, value in pairs:
-        # JSON leaves open which one counts; programs differ.
+        # JSON does not define which of the two is valid; programs differ.
         if name in found:
             raise FormatError(f"the name {quote(name)} is twice in one object")
         found[name] = value
@@ -168,7 +168,7 @@ def read_point(pair: object, path: str) -> Point:
 
 
 def read_number(value: object, path: str) -> Fraction:
-    """Read a number, which `parse_json` left as text; the path is for messages."""
+    """Read a number that `parse_json` kept as text; the path is for messages."""
     if not isinstance(value, str):
         raise FormatError(f"{path} is {describe_kind(value)}, not a number")
     try:
@@ -185,10 +185,10 @@ def read_certificate(path: str) -> object:
         path: a path, or "-" for standard input.
 
     Returns:
-        What `exactsweep.check.verify` takes; what is in it is not looked at.
+        An argument for `exactsweep.check.verify`, of any content.
 
     Raises:
-        FormatError: not to be read, or not JSON; the message names the file.
+        FormatError: the file cannot be read, or is not JSON; the message names the file.
     """
     try:
         return parse_certificate(read_text(path))
@@ -201,7 +201,7 @@ def write_json(value: object, number: Callable[[Fraction], str] | None = None) -
 
     Args:
         value: dict, list, tuple, str, int, bool, None, Fraction, or a Polygon, as its vertices.
-        number: writes a Fraction; as a string, exactly, if left out.
+        number: a function that writes a Fraction; by default as an exact string.
 
     Returns:
         JSON, on one line.

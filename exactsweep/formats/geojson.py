@@ -1,4 +1,4 @@
-"""GeoJSON in (RFC 7946): Polygons, with holes or without, in all that holds them."""
+"""A reader of GeoJSON (RFC 7946): Polygons with their holes, at any depth of a document."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ def read_geojson(
 
     Args:
         document: an object with a "type", as `parse_json` returns it.
-        path: where it is, for messages.
-        notes: takes the notes of what is ignored. If left out, third coordinates are refused.
+        path: its JSON path, for messages.
+        notes: collects notes of ignored parts. Without it, third coordinates are refused.
 
     Returns:
-        list of Candidate, for each Polygon, the name being the id of its Feature. That of another
-        geometry refuses, and so does that of a Polygon with a ring that is not closed. Third
-        coordinates, which are heights, are ignored.
+        list with a Candidate for each Polygon, named by the id of its Feature. Candidates of other
+        geometries refuse, and so do those of Polygons with an open ring. Third coordinates, which
+        are heights, are ignored.
 
     Raises:
-        FormatError: an id that is no string and no number, a collection without its list, nested
-            too deeply; the message starts with the JSON path.
+        FormatError: an id is neither a string nor a number, a collection has no list, or the
+            document is nested too deeply; the message starts with the JSON path.
 
     Cost: linear.
 

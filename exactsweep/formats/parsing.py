@@ -1,4 +1,4 @@
-"""Texts in whichever format the content shows: the polygons in them, before they are read."""
+"""Recognition of formats, and the candidates for polygons in a text."""
 
 import re
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ _ENTITY = re.compile(r"(?m)^ *0\n[A-Z]")
 def parse_candidates(
     text: str, tolerance: object = None, **options: Unpack[Options]
 ) -> PartList[Candidate]:
-    """Find the polygons of a text as `parse_regions` does, but read none of them yet."""
+    """Find the polygons of a text as `parse_regions` does, without reading their numbers."""
     if not isinstance(text, str):
         raise FormatError(f"{type(text).__name__} is not text")
     reading = Reading(tolerance, **options)
@@ -90,7 +90,7 @@ def measure_written(text: str) -> int:
 
 
 def _read_json(text: str, notes: dict[str, None]) -> Sequence[Candidate]:
-    """Read one JSON document, or a document a line."""
+    """Read one JSON document, or one document per line."""
     try:
         document = parse_json(text)
     except FormatError as error:
@@ -110,7 +110,7 @@ def _is_json(text: str) -> bool:
 
 
 def _read_line(line: str, number: int, notes: dict[str, None]) -> Sequence[Candidate]:
-    """Read a line of several; one that is bad concerns no other."""
+    """Read one of several lines; an error in it does not affect others."""
     try:
         return find_candidates(parse_json(line), f"line {number}: $", notes)
     except FormatError as error:

@@ -1,20 +1,20 @@
-"""Regions on a decimal grid: at the closest points, or so that they surely grow, or surely shrink.
+"""Rounding of regions to a decimal grid: to the closest points, outwards, or inwards.
 
 Outward. Let a ring run with its region on the left; let v be a vertex, e and f the edges before and
 after it.
 
-1. New vertices for v on the right of the lines of e and f, or on them, leave both edges on the left
-   of the new ones, or on them: a new edge runs between two points that are right of one line.
+1. Let the new vertices for v be on the right of the lines of e and f, or on them. Then a new edge
+   runs between two points that are right of one line. So both edges are left of the new edges, or
+   on them.
 2. At a left turn these are the corners of the grid's cell around v that are extreme in a direction
    between the normals of e and f; at a right turn one point close to v, if there is one.
 3. In a notch narrower than a cell, new edges may cross, or a right turn may find no point. Then the
-   vertex of a right turn is left out, which fills the notch; the smallest ears go first. The hull
-   of all cells comes last.
-4. What comes out is proved, not believed: it is a polygon, and no point inside the old one is
-   outside of it.
+   algorithm drops the vertex of a right turn, which fills the notch; the smallest ears go first.
+   The last resort is the hull of all cells.
+4. A test proves that the result is a polygon that contains the old one.
 
-A hole is a ring that runs clockwise, and its new ring, found in the same way, lies inside of it. It
-is left out where no ring does.
+A hole is a clockwise ring. Its new ring, found in the same way, lies inside the hole. If there is
+no such ring, the hole is left out.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ from exactsweep.numbers.number import divide_exactly, quote
 from exactsweep.numbers.point import ORIGIN, Edge, Point, Rational, Vertex
 
 Side = Literal["closest", "outward", "inward"]
-# How many cells away a point for a right turn is looked for.
+# The greatest distance, in cells, of the search for a point of a right turn.
 _REACH = 3
 
 MAX_PLACES = 4000
-"""The most decimal places that numbers are rounded to."""
+"""The largest number of decimal places."""
 
 
 class Rounding(NamedTuple):
     """The way in which results are rounded.
 
     Attributes:
-        places: how many decimal places.
-        outward: whether what is forbidden may only grow, and what is free only shrink.
+        places: the number of decimal places.
+        outward: whether forbidden regions may only grow, and free regions only shrink.
     """
 
     places: int
@@ -64,9 +64,9 @@ class Rounded(NamedTuple):
     """The result of rounding a region.
 
     Attributes:
-        region: None if nothing is left of it.
-        distance: how far, at most, old and new rings are apart; those left out do not count.
-        left_out: how many holes nothing is left of.
+        region: the new region; None if nothing is left.
+        distance: a bound on the distance of old and new rings, without those left out.
+        left_out: the number of holes left out.
     """
 
     region: Region | None
@@ -78,9 +78,9 @@ class Changes(NamedTuple):
     """The changes that rounding made.
 
     Attributes:
-        changed: how many regions are no longer what they were.
+        changed: the number of changed regions.
         distance: the greatest of their distances.
-        left_out: how many regions and holes nothing is left of.
+        left_out: the number of regions and holes left out.
     """
 
     changed: int
@@ -95,12 +95,12 @@ def round_regions(
     """Round regions to decimals, each as `round_region` does.
 
     Args:
-        regions: what is to be rounded.
-        places: how many decimal places.
-        side_of: which way each is rounded.
+        regions: the regions.
+        places: the number of decimal places.
+        side_of: a function that returns the `side` of each region.
 
     Returns:
-        The regions of which something is left, and what changed.
+        The regions that are left, and the changes.
     """
     found: list[NamedRegion] = []
     changed = left_out = 0
@@ -125,18 +125,18 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
     Args:
         region: a Region.
-        places: how many decimal places.
-        side: "closest" takes each vertex to the closest point of the grid; "outward" gives a region
-            that holds the old one, "inward" one that is held by it.
+        places: the number of decimal places.
+        side: "closest" moves each vertex to the closest point of the grid; "outward" gives a region
+            that contains the old one, "inward" a region inside the old one.
 
     Returns:
-        A Rounded; outward there always is a region, inward it may be None.
+        A Rounded. Its region may be None for "inward", and never for "outward".
 
     Raises:
-        PolygonError: the closest points make no region.
+        PolygonError: the closest points do not form a region.
 
-    Cost: O(n log n) for n vertices, and the proof, an `Overlap` for each ring; where vertices have
-        to be left out, that a few times over.
+    Cost: O(n log n) for n vertices, plus the proof, an `Overlap` for each ring; a few times this if
+        the algorithm has to drop vertices.
 
     Example:
         >>> part = Region([(0, 0), ("10/3", 0), ("10/3", "7/3"), (0, "7/3")])
@@ -166,7 +166,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
     try:
         found = Region(outer.polygon, [ring.polygon for ring in moved])
     except PolygonError:
-        # Holes that have grown into each other, or out of the region.
+        # Some holes have grown into each other, or out of the region.
         if side == "inward":
             return Rounded(None, Fraction(0))
         return Rounded(Region(outer.polygon), outer.distance, len(holes))
@@ -174,7 +174,7 @@ def round_region(region: Region, places: int, side: Side = "closest") -> Rounded
 
 
 def contains(outer: Region, inner: Region) -> bool:
-    """Tell whether a region holds another one, boundaries included.
+    """Decide whether a region contains another one, boundaries included.
 
     Example:
         >>> square, larger = (Region([(0, 0), (k, 0), (k, k), (0, k)]) for k in (1, 2))
@@ -182,13 +182,13 @@ def contains(outer: Region, inner: Region) -> bool:
         (True, False, True)
     """
     _, (outside, inside) = share_lattice([outer, inner])
-    # What is left of the rings, run through backward, is the complement.
+    # The reversed rings bound the complement.
     outside = [ring[::-1] for ring in outside]
     return not Overlap(outside, inside, unbounded=True).at(ORIGIN)
 
 
 class _Moved(NamedTuple):
-    """A new ring, and how far it is, at most, from the old one."""
+    """A new ring, and a bound on its distance from the old one."""
 
     polygon: Polygon
     distance: Fraction
@@ -228,7 +228,7 @@ def _scale(ring: Sequence[Point], distance: Fraction, grid: Fraction) -> _Moved:
 
 
 def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
-    """Tell whether a new ring is one, runs the same way round, and is on the right of the old."""
+    """Decide whether a new ring is simple, equally oriented, and right of the old one."""
     try:
         new = Polygon(ring)
     except PolygonError:
@@ -240,7 +240,7 @@ def _is_proved(ring: Sequence[Point], old: Polygon, is_exterior: bool) -> bool:
 
 
 def _chains(corners: Sequence[Point]) -> list[list[Point]]:
-    """The new vertices for each corner; none where there is no point for a right turn."""
+    """Find the new vertices for each corner; none if a right turn has no point."""
     found = []
     for i, v in enumerate(corners):
         e, f = minus(v, corners[i - 1]), minus(corners[(i + 1) % len(corners)], v)

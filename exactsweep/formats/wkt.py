@@ -1,4 +1,4 @@
-"""WKT in (OGC 06-103r4, 7.2): POLYGONs, MULTIPOLYGONs, collections of them, and PostGIS's SRID."""
+"""A reader of WKT (OGC 06-103r4, 7.2): POLYGON, MULTIPOLYGON, collections, and PostGIS's SRID."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -20,7 +20,7 @@ _TOKEN = re.compile(
 )
 
 
-# What results have beside polygons: exact fits.
+# The other geometries of results: exact fits.
 _OTHERS = ("LINESTRING", "POINT")
 _SRID = re.compile(r"\s*(?i:SRID)\s*=\s*[0-9]{1,9}\s*;")
 _MAX_DEPTH = 32
@@ -39,14 +39,14 @@ def parse_wkt(text: str) -> list[Candidate]:
     Args:
         text: `POLYGON ((x y, ...))` or `MULTIPOLYGON (((x y, ...)), ...)`, one after another,
             in upper or lower case, or several in a GEOMETRYCOLLECTION; numbers as `read_decimal`
-            reads them; Z where it is the same all along a polygon.
+            reads them; Z is allowed if it is constant along a polygon.
 
     Returns:
         list of Candidate, the first point of each ring repeated at its end.
 
     Raises:
-        FormatError: other geometries, M coordinates, different Z, a ring that is not closed,
-            whatever is not WKT; the message starts with line and column.
+        FormatError: other geometries, M coordinates, different Z, an open ring, or text that is not
+            WKT; the message starts with line and column.
 
     Cost: linear in the length of the text.
 
@@ -61,7 +61,7 @@ def parse_wkt(text: str) -> list[Candidate]:
 
 
 class _Reader:
-    """A WKT polygon, read from left to right."""
+    """A reader of a WKT polygon, from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text

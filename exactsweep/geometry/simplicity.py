@@ -69,7 +69,7 @@ def is_simple_monotone(ring: Sequence[Vertex], *, convex: bool) -> bool:
             around once for each run to the right.
 
     Returns:
-        Whether the ring is both. A ring that is not monotone may still be simple.
+        True if the ring is both. A ring that is not monotone may still be simple.
 
     Cost: O(n), two products a vertex; for a convex ring comparisons of x alone.
 

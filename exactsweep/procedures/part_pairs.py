@@ -135,7 +135,7 @@ class Ceiling:
         return reached
 
 
-# How the sub-trajectories of a batch become few envelopes. Let c be a part of G_t and p_1, p_2, ...
+# The sub-trajectories of a batch become few envelopes. Let c be a part of G_t and p_1, p_2, ...
 # the parts of D_b from left to right. A sum is symmetric in its chains; so if G_t has more parts, c
 # is a part of D_b and p_1, p_2, ... are the parts of reversed G_t. Let s_j be the whole
 # sub-trajectory of c and p_j, and s'_j its relevant edges, s_j cut at its ends (see `convex_part`).

@@ -109,7 +109,7 @@ def get(certificate: Any, path: tuple[Any, ...]) -> Any:
     return certificate
 
 
-# What the checker does not read: reasons for people, which `verify` checks.
+# The parts that the checker does not read: reasons for people, which `verify` checks.
 UNREAD = ("contacts", "inner_drawn", "outer_drawn")
 
 

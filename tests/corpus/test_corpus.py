@@ -133,7 +133,7 @@ def test_integer_scale_is_the_least_that_makes_the_input_integer(shipped: list[C
     for case in shipped:
         scale = case.integer_scale
         assert all((c * scale).denominator == 1 for c in input_of(case))
-        # Whatever makes them integer is a multiple of each denominator, and so of their lcm.
+        # A factor that makes them integer is a multiple of each denominator, and so of their lcm.
         assert all(scale % c.denominator == 0 for c in input_of(case))
         for prime in (p for p in range(2, 50) if scale % p == 0):
             assert not all((c * scale / prime).denominator == 1 for c in input_of(case))

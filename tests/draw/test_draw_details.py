@@ -27,7 +27,7 @@ from exactsweep.draw import (
 )
 from exactsweep.draw.insets import find_details
 
-# How colours look, in linear light, to all, and to those whose green or red cones do not work:
+# The look of colours, in linear light, to all, and to those whose green or red cones do not work:
 # Machado, Oliveira and Fernandes (2009), severity 1.
 EYES = {
     "all": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),

@@ -1,4 +1,4 @@
-"""What notebooks show."""
+"""Pictures and tables in notebooks."""
 
 import re
 import subprocess
@@ -43,7 +43,7 @@ class Balanced(HTMLParser):
 
 
 def inside(picture: ElementTree.Element) -> bool:
-    """Whether all that is drawn is inside the picture."""
+    """Decide whether all that is drawn is inside the picture."""
     width, height = (float(picture.attrib[name]) for name in ("width", "height"))
     data = "".join(path.attrib["d"] for path in picture.iterfind(f"{SVG}path"))
     for letter in "MLZ":

@@ -109,6 +109,6 @@ def test_one_long_edge_does_not_make_all_parallel_ones_near(
 
 
 def test_an_int_of_more_than_4300_digits_is_a_string() -> None:
-    """Python reads no longer one from JSON, unless it is told to."""
+    """Python reads no longer one from JSON, unless its limit is raised."""
     longest = 10**4299
     assert (_written_int(longest), _written_int(10 * longest)) == (longest, f"1{'0' * 4300}")

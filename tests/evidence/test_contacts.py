@@ -53,7 +53,7 @@ def inside(edge: tuple[Vertex, Vertex], p: Vertex) -> bool:
 
 
 def overlap(e: tuple[Vertex, Vertex], f: tuple[Vertex, Vertex]) -> bool:
-    """Whether two edges have a segment of positive length in common."""
+    """Decide whether two edges have a segment of positive length in common."""
     if max(min(e), min(f)) >= min(max(e), max(f)):
         return False
     return cross(*e, f[0]) == cross(*e, f[1]) == 0
@@ -77,7 +77,7 @@ def meetings(g: Sequence[Vertex], d: Sequence[Vertex]) -> Found:
 
 
 def lasting(generatrix: Polygon, directrix: Polygon, p: Point, q: Point) -> Found:
-    """What touches along an edge of the trajectory for longer than a moment.
+    """Find the contacts that last along a piece of an edge of the trajectory.
 
     Contacts change only where a vertex meets a vertex, so one point between each two will do.
     """

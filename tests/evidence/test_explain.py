@@ -1,4 +1,4 @@
-"""What the steps of a sweep say, held against the definition."""
+"""The steps of a sweep, compared with the definition."""
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction

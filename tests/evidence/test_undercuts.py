@@ -44,7 +44,7 @@ def middle(p: Point, q: Point) -> Point:
 
 
 def along(edge: Edge, p: Point, q: Point) -> bool:
-    """Whether p to q is a piece of a directed edge, the same way round."""
+    """Decide whether p to q is a piece of a directed edge, the same way round."""
     (ax, ay), (bx, by) = edge
     if not all(min(edge) <= v <= max(edge) for v in (p, q)):
         return False
@@ -79,7 +79,7 @@ def test_bottom_chain_is_a_piece_of_the_inner_loop(pair: Pair) -> None:
 
 
 def covers(generatrix: Polygon, position: Point, undercut: Undercut) -> bool:
-    """Whether the bottom chain lies on the boundary of G at a position, edge in edge."""
+    """Decide whether the bottom chain lies on the boundary of G at a position, edge in edge."""
     boundary = edges(generatrix.translated(position))
     return all(
         # The region is on the left of the chain, G on its right.

@@ -65,7 +65,7 @@ def test_rows_and_columns_and_blocks_in_blocks() -> None:
     inner = [*insert("a"), (8, "cut")]
     outer = [*insert("b", (41, 2), (42, 2)), (8, "away")]
     (part,) = parse_polygons(with_blocks({"a": TRIANGLE, "b": inner}, outer))
-    # What is on layer 0 in a block is on the layer of what draws it.
+    # Entities on layer 0 in a block are on the layer of what draws it.
     assert part.layer == "cut"
     assert part.polygon == Polygon([(28, 56), (34, 56), (28, 60)])
 

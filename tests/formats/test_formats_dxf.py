@@ -51,7 +51,7 @@ def polyline(*corners: tuple[object, ...], flags: int = 1) -> Tags:
 
 
 def written(draw: object) -> str:
-    """What ezdxf writes for a drawing made by a function of its model space."""
+    """Write with ezdxf a drawing made by a function of its model space."""
     document = files.new("R2010")
     draw(document.modelspace())  # type: ignore[operator]
     text = io.StringIO()
@@ -253,7 +253,7 @@ def test_what_is_written_is_a_drawing_to_ezdxf(polygon: Polygon) -> None:
 
 
 def test_what_is_refused_in_a_block_does_not_hide_what_comes_after() -> None:
-    """The refusal is told, and the polygon after it is read."""
+    """The refusal is reported, and the polygon after it is read."""
 
     def draw(space: Modelspace) -> None:
         assert space.doc

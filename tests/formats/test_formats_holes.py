@@ -128,7 +128,7 @@ def test_paths_that_draw_no_region_are_named(path: str) -> None:
 def test_rings_in_rings_are_asked_about_once_each(
     rings: list[tuple[int, int]], plates: int | None, form: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Once each was held against all around it, and more than 100 of these were refused."""
+    """An earlier version compared each with all around it, and refused more than 100 of them."""
     asked = 0
     at = Overlap.at
 
@@ -149,7 +149,7 @@ def test_rings_in_rings_are_asked_about_once_each(
             parse_regions(text, nested=form == "polygons")
     else:
         assert len(parse_regions(text, nested=form == "polygons")) == plates
-    # Whether it lies in the next one, and whether they cross.
+    # Two tests: one decides whether it lies in the next one, the other whether they cross.
     assert asked <= 2 * len(rings)
 
 
@@ -180,7 +180,7 @@ def filled(found: list[Box], even_odd: bool) -> set[Cell]:
 
 
 def have_common_edges(found: list[Box]) -> bool:
-    """Whether two boxes have a unit of their boundaries in common."""
+    """Decide whether two boxes have a unit of their boundaries in common."""
     seen: list[tuple[Cell, Cell]] = []
     for x, y, width, height, _ in found:
         seen += [((i, j), (i + 1, j)) for i in range(x, x + width) for j in (y, y + height)]

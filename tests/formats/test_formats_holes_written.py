@@ -75,7 +75,7 @@ def test_shapely_has_the_same_region(region: Region) -> None:
     assert Fraction(made.area) == region.area
     back = from_shapely(made)
     assert back == (region if region.holes else region.exterior)
-    # What shapely reads from the text is the same region to shapely.
+    # shapely reads the same region from the text.
     for text, read in (("wkt", shapely.from_wkt), ("geojson", shapely.from_geojson)):
         assert read(format_polygons([region], text)).equals(made)
 

@@ -1,4 +1,4 @@
-"""Whether interiors meet, where boundaries do no more than touch."""
+"""Overlap of interiors where boundaries only touch."""
 
 from collections import Counter
 from collections.abc import Collection, Sequence

@@ -1,4 +1,4 @@
-"""Regions: what is taken, what is refused and how, and that equal sets are equal."""
+"""Regions: accepted and refused input, messages, and equality of equal sets."""
 
 import pickle
 import sys

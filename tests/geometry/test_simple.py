@@ -46,7 +46,7 @@ def is_simple(points: list[Vertex]) -> bool:
 
 
 def holds(conflict: Conflict, ring: list[Vertex]) -> bool:
-    """Whether the features named really meet in the way named."""
+    """Decide whether the features named really meet in the way named."""
     kind, i, j = conflict
     p, q = ring[i], ring[j]
     p_next, q_next = ring[(i + 1) % len(ring)], ring[(j + 1) % len(ring)]
@@ -148,7 +148,7 @@ def test_monotone_rings_are_told_without_a_sweep(
 ) -> None:
     """A ring of two chains from left to right is refused exactly where the definition refuses it.
 
-    Whatever is simple is told by `is_simple_monotone`: the sweep only says why others are not.
+    `is_simple_monotone` recognizes it: the sweep only says why others are not.
     """
     rng = random.Random(width)
     swept = []

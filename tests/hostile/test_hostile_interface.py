@@ -177,9 +177,9 @@ VALID: dict[str, dict[str, Any]] = {
     "lessons.run_notebook": {"notebook": {"cells": []}},
     "view.make_page": {"s": EXAMPLE, "names": ("a", "b"), "tell": str},
 }
-# An address is waited for; what is told of progress, and restarting, is not looked at.
+# An address is waited for; progress and restarts are not checked.
 UNTRIED = {"scheduler", "progress", "restart"}
-# What takes long, whatever the argument is: of these, only some.
+# Slow functions, whatever the argument is; only some of them.
 LONG = {
     "batch.run": ("job", "output", "workers"),
     "view.make_page": ("s", "names"),
@@ -372,7 +372,7 @@ def test_an_argument_is_named_with_what_it_should_be() -> None:
 
 
 def test_faults_of_the_program_are_not_those_of_its_caller() -> None:
-    """Whatever it raises on arguments that are of the kind that it asks for stays as it is."""
+    """Errors on arguments of the right type are unchanged."""
 
     @tells_arguments
     def fail(number: int, names: list[str], *, other: "Unspeakable | None" = None) -> None:

@@ -262,7 +262,7 @@ def test_any_digit_count_is_written() -> None:
 
 def test_a_rational_with_the_denominator_zero_is_refused() -> None:
     class Broken(Fraction):
-        """What a library with a fault of its own could hand over."""
+        """A value that a faulty library could pass."""
 
         @property
         def denominator(self) -> int:
@@ -309,7 +309,7 @@ NUMBERS = [-6, 0, 1, 3, 12, *(Fraction(n, d) for n in (-6, 0, 1, 3, 12) for d in
 
 
 def is_reduced(value: int | Fraction) -> bool:
-    """Whether it is an int, or a Fraction of ints in lowest terms."""
+    """Decide whether it is an int, or a Fraction of ints in lowest terms."""
     if type(value) is int:
         return True
     n, d = value.numerator, value.denominator

@@ -1,4 +1,4 @@
-"""Bounds under which pairs of convex parts matter, held against the envelope that they bound."""
+"""Bounds under which pairs of convex parts are relevant, compared with their envelope."""
 
 from collections.abc import Callable
 from fractions import Fraction

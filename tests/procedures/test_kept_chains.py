@@ -1,4 +1,4 @@
-"""What polygons keep of their chains changes no answer, and is found once."""
+"""Cached chains of polygons: they change no answer, and are computed once."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def _nothing_kept() -> None:
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
-    """How often chains are split into convex parts, and polygons into chains."""
+    """Count the splits of chains into convex parts, and of polygons into chains."""
     calls: Counter[str] = Counter()
 
     def watch(module: Any, name: str) -> None:

@@ -70,7 +70,7 @@ def test_slopes_that_are_all_but_equal_are_told_apart(pair: Pair) -> None:
 def test_a_run_may_be_above_a_piece_that_is_in_it() -> None:
     """A piece starts below the run and crosses a step of it: it is not on the envelope there.
 
-    What the run is on right of the step is cut off to the left, where it would be lower still.
+    The chain right of the step is cut off to the left, where it would be even lower.
     """
     pair = (
         Polygon([(5, 16), (3, 25), (1, 4), (0, 0)]),

@@ -83,7 +83,7 @@ def test_defects_whose_loops_touch_in_a_point_stay_two_rings() -> None:
 
 
 def test_three_loops_that_touch_in_two_points_stay_three_rings() -> None:
-    """One walk around them comes to each of the points twice."""
+    """One walk around them passes each of the points twice."""
     defects = [box(5, 7, 6, 8), box(7, 5, 8, 6), box(9, 7, 10, 8)]
     (found,) = inner_fit_polygon(Region(box(0, 0, 13, 13), defects), UNIT).regions
     assert found.holes == tuple(map(Polygon, [box(4, 6, 6, 8), box(6, 4, 8, 6), box(8, 6, 10, 8)]))

@@ -53,7 +53,7 @@ class Mistake(NamedTuple):
     Attributes:
         change: makes it; answers that it leaves as they are are right.
         verdicts: that wrong answers may get.
-        says: a regular expression of which something is said of each wrong answer.
+        says: a regular expression that matches a message on each wrong answer.
         numbers: what the program says that it reads.
     """
 
@@ -63,7 +63,7 @@ class Mistake(NamedTuple):
     numbers: Numbers = "rational"
 
 
-# What is said where a wrong loop happens to be exact for something else.
+# The message on a wrong loop that happens to be exact for something else.
 OR_ELSE = "|exact for|itself|hull|bounding box"
 MORE, LESS = "more than the exact", "part of the exact"
 NEITHER = "neither holds"

@@ -26,7 +26,7 @@ class RingMistake(NamedTuple):
         part: "no_fit" or "inner_fit".
         change: makes it, of the case and the exact rings; None where it cannot be made.
         verdicts: that wrong answers may get.
-        says: a regular expression of which something is said of each wrong answer.
+        says: a regular expression that matches a message on each wrong answer.
         fits: makes one in the exact fits instead.
     """
 

@@ -183,7 +183,7 @@ def _draw_pair(rng: Random, classes: list[tuple[list[Draw], list[Draw]]]) -> Sma
 
 
 def shares_direction(pair: SmallPair) -> bool:
-    """Whether both are monotone to one direction; with holes they are not."""
+    """Decide whether both are monotone to one direction; with holes they are not."""
     rings = [*pair.generatrix, *pair.directrix]
     if len(rings) > 2:
         return False

@@ -10,7 +10,7 @@ from exactsweep.procedures import any_shape, contact_lines, cover, crossings, fr
 
 
 def is_point(fit: Any) -> bool:
-    """Whether an exact fit is a single position."""
+    """Decide whether an exact fit is a single position."""
     return bool(fit[0] == fit[1])
 
 

@@ -1,4 +1,4 @@
-"""Sweeps that were worked by hand, and how they are told."""
+"""Sweeps worked out by hand, and their explanations."""
 
 from fractions import Fraction
 

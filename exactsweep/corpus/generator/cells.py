@@ -66,8 +66,8 @@ def move(cells: Iterable[Cell], by: Sequence[int]) -> set[Cell]:
 def trace_outline(cells: Iterable[Cell]) -> Region:
     """Return the shape of a connected set of squares.
 
-    Where two squares meet in a corner only, the walk goes on along the other one, so that a shape
-    that touches itself there is written as rings that touch.
+    Where two squares meet in a corner only, the walk continues along the other square. So a shape
+    that touches itself becomes rings that touch.
 
     Cost: linear, and that of `Region`.
 

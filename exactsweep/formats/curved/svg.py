@@ -34,11 +34,11 @@ _INVISIBLE = ("hidden", "collapse")
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 MAX_DEPTH = 32
-"""How deeply uses may be nested."""
+"""The greatest depth of nested uses."""
 
 MAX_USED = 20_000
-"""How many elements uses may draw, lest a small file keep its reader busy; and what is in them
-counts each time."""
+"""The largest number of elements that uses may draw, so that a small file cannot keep its reader
+busy. The elements in them count each time."""
 
 
 def parse_svg(text: str, reading: Reading) -> list[Candidate]:
@@ -156,7 +156,7 @@ class _Document:
         link = next((placed.element.attrib[a] for a in _LINKS if a in placed.element.attrib), "")
         target = self.by_id.get(link.removeprefix("#")) if link.startswith("#") else None
         if target is None or depth > MAX_DEPTH:
-            # It draws nothing that could be found; this is told where shapes are read.
+            # The target is missing. The reader of shapes reports it.
             yield placed
             return
         drawn = PlacedElement(target, placed, self.reading, used=placed)
@@ -175,7 +175,7 @@ def _read(shape: PlacedElement, order: int, reading: Reading) -> list[Candidate 
             found = _SHAPES[name_kind(shape.element)](shape, matrix, reading)
             closed = [points for points in found if len(points) > 1 and points[0] == points[-1]]
             opened = [points for points in found if points[0] != points[-1]]
-            # What a single ring is, is told when it is made a polygon.
+            # The Polygon itself checks a single ring later.
             regions = [[0]] if len(closed) == 1 else []
             if len(closed) > 1:
                 regions = find_regions(closed, even_odd=shape.is_even_odd)

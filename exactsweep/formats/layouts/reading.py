@@ -157,7 +157,7 @@ def _parse(
 
 
 def _read_json(document: JsonNode, known: Instance | None, reading: Reading) -> list[FoundLayout]:
-    """Read a document; nothing if it is none of a nesting program."""
+    """Read a document; the result is empty if no nesting program writes such documents."""
     if all(map(document.has, ("container", "parts", "placements"))):
         return [FoundLayout("", _with_counts(document))]
     instance, height = known or _read_instance(document, reading) or (None, None)
