@@ -257,14 +257,9 @@ def schema_command() -> None:
 
 def _publish(output: str) -> None:
     from exactsweep.corpus.publish import VERSION, write_corpus
-    from exactsweep.formats import FormatError
 
     folder = Path(f"exactsweep-corpus-{VERSION}" if output == "-" else output)
-    try:
-        number = write_corpus(folder)
-    except OSError as error:
-        raise FormatError(f"{folder}: {error.strerror or error}") from None
-    click.echo(f"{folder}: {count(number, 'file')}", err=True)
+    click.echo(f"{folder}: {count(write_corpus(folder), 'file')}", err=True)
 
 
 def _choose(names: tuple[str, ...], filters: dict[str, Any]) -> Iterator[Case]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from exactsweep.cli.options import PATH, checked, gather, takes_file, takes_output, takes_workers
-from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import ReadingOptions, takes_reading
 from exactsweep.cli.reports import to_gap
 from exactsweep.formats import show_path
@@ -149,8 +149,7 @@ def layout_command(
     if wanted.as_json:
         text = json.dumps([row._asdict() for row in rows], indent=1) + "\n"
     else:
-        terminal = measure_terminal(wanted.output)
-        text = _write_rows(rows, terminal and terminal.columns)
+        text = _write_rows(rows, measure_columns(wanted.output))
     write(text, wanted.output)
     sys.exit(0 if all(row.valid for row in rows) else 1)
 
@@ -180,13 +179,9 @@ def _judge_one(
         if wanted.as_json:
             text = report.write_layout_json(judgement, notes)
         else:
-            terminal = measure_terminal(wanted.output)
+            columns, everything = measure_columns(wanted.output), wanted.everything
             text = report.report_layout(
-                judgement,
-                ranked,
-                terminal and terminal.columns,
-                notes=notes,
-                everything=wanted.everything,
+                judgement, ranked, columns, notes=notes, everything=everything
             )
     write(text, wanted.output)
     return judgement.valid

@@ -2,7 +2,7 @@
 
 import click
 
-from exactsweep.cli.options import checked
+from exactsweep.cli.options import name_mistakes
 from exactsweep.numbers.limits import DEFAULT_DIGITS, DEFAULT_MIB, limits
 
 _READING_NOTHING = {"corpus", "example", "reproduce"}
@@ -10,10 +10,9 @@ _READING_NOTHING = {"corpus", "example", "reproduce"}
 
 def _raise_limit(ctx: click.Context, option: click.Parameter, value: float | None) -> None:
     """Change a limit for as long as the command runs."""
-    if not ctx.resilient_parsing:
-        checked(lambda most: ctx.with_resource(limits(**{str(option.name): most})))(
-            ctx, option, value
-        )
+    if value is not None and not ctx.resilient_parsing:
+        with name_mistakes():
+            ctx.with_resource(limits(**{str(option.name): value}))  # type: ignore[arg-type]
 
 
 _LIMITS = (

@@ -4,7 +4,7 @@ import click
 
 from exactsweep import NoFitPolygon, Point, no_fit_polygon
 from exactsweep.cli.export import export
-from exactsweep.cli.output import measure_terminal, write, write_readable
+from exactsweep.cli.output import measure_columns, write, write_readable
 from exactsweep.cli.pair import read_each, takes_shapes
 from exactsweep.cli.result import Form, takes_form, write_result
 from exactsweep.cli.working import working
@@ -76,5 +76,4 @@ def _list(names: list[tuple[str, str]], found: list[NoFitPolygon], output: str) 
     for (d, g), n in zip(names, found, strict=True):
         sizes = (len(n.exterior), len(n.holes), len(n.exact_fits))
         table.add_row(d, g, n.kind, *map(str, sizes), approximate(n.area))
-    terminal = measure_terminal(output)
-    return lay_out([table], terminal and terminal.columns)
+    return lay_out([table], measure_columns(output))

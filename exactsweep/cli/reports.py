@@ -15,7 +15,7 @@ import click
 
 from exactsweep.cli.complete import list_verdicts, offer
 from exactsweep.cli.options import checked, gather, takes_file
-from exactsweep.cli.output import measure_terminal, write
+from exactsweep.cli.output import measure_columns, write
 from exactsweep.formats import FormatError
 from exactsweep.numbers.number import to_fraction
 
@@ -69,11 +69,9 @@ class Reports:
         from exactsweep.conform.report.text import close, write_table
 
         if "-" not in (self.junit, self.json, self.html):
-            terminal = measure_terminal("-")
-            columns = terminal and terminal.columns
-            write(
-                f"{write_table(run.summary, columns)}\n{close(run, is_timed=bool(terminal))}", "-"
-            )
+            columns = measure_columns("-")
+            closing = close(run, is_timed=columns is not None)
+            write(f"{write_table(run.summary, columns)}\n{closing}", "-")
         if self.junit is not None:
             from exactsweep.conform.report.junit import write_junit
 
