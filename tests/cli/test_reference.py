@@ -18,7 +18,7 @@ from exactsweep.lessons import list_titles as read_lessons
 
 
 def public_names(module: ModuleType) -> list[str]:
-    """Those that a module exports, or that it defines itself and does not hide."""
+    """Return the names that a module exports, or that it defines itself and does not hide."""
     exported = getattr(module, "__all__", None)
     if exported is not None:
         return list(exported)
