@@ -67,7 +67,7 @@ def judge_wrong_answers(name: str, cases: Iterable[Case]) -> Iterator[Judged]:
         if isinstance(mistake, RingMistake):
             rings = spoil_rings(mistake, case)
             if rings is not None:
-                yield Judged(case, compare(case, rings))
+                yield Judged(case, compare(case, rings, numbers="rational"))
             continue
         try:
             put = adapt(case, Hello("mistaken", LOOPS, mistake.numbers))

@@ -108,7 +108,7 @@ def items(item: Any, length: int | None = None) -> list[Any]:
 
 def integer(item: Any, low: int, end: int) -> int:
     """Require an int from low on and below end."""
-    need(type(item) is int and low <= item < end, f"not an int from {low} on and below {end}")
+    need(type(item) is int and low <= item < end, "not an int in its range")
     return int(item)
 
 
@@ -116,7 +116,7 @@ def number(item: Any) -> Fraction:
     """Read a rational in lowest terms from a string; Decimal reads what is too long for int."""
     need(type(item) is str and len(item) <= MAX_DIGITS, "not a number in a string, or a long one")
     written = re.fullmatch("-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?", item) and item != "-0"
-    need(bool(written), f"not a number: {item[:40]!r}")
+    need(bool(written), "not a number")
     above, below = (int(Decimal(text)) for text in [*item.split("/"), "1"][:2])
     need(gcd(above, below) == 1 and not item.endswith("/1"), "a number not in lowest terms")
     return Fraction(above, below)
@@ -384,7 +384,9 @@ def meet(first: Tree, second: Tree, third: Tree, work: Work) -> Iterator[tuple[i
         (left, right, low, high), size, of = (found := stack.pop())[0]
         (a, b, c, d), wide, ones = found[1]
         (e, f, g, h), far, others = found[2]
-        work.take(1)
+        work.left -= 1
+        if work.left < 0:
+            work.take(0)
         if a + e < right and left < b + f and c + g < high and low < d + h:
             if size < 0 > wide and far < 0:
                 yield of, ones, others
@@ -447,16 +449,16 @@ def prove_positions(
     for p, q in known:
         ends = sorted((place(p), place(q)))
         along.setdefault(max(line(p, q), line(q, p)), []).append(ends)
+    for found in along.values():
+        need(all(e[1] <= f[0] for e, f in pairwise(sorted(found))), "edges overlap")
     boxes = [(grid_box(e, work.scale), n) for n, e in enumerate(known)]
     far = [(n, k) for n in range(len(known)) for k in beyond]
     for n, k in chain(sums.near(tree(boxes)) if boxes else (), far):
-        work.take(1)
-        apart = misses(sums.get(k)[0], *known[n])
-        need(apart, "an edge of a loop or a fit is overlapped")
-    for found in along.values():
-        need(all(e[1] <= f[0] for e, f in pairwise(sorted(found))), "edges overlap")
+        lines = sums.get(k)[0]
+        work.take(len(lines))
+        need(misses(lines, *known[n]), "an edge of a loop or a fit is overlapped")
 
-    entries = [(integer(k, 0, sums.count), found) for k, *found in map(items, items(listed))]
+    entries = [(integer([*e, None][0], 0, sums.count), e[1:]) for e in map(items, items(listed))]
     entries += [(k, [found]) for k, found in zip(beyond, around, strict=True)]
     beside: defaultdict[tuple[int, bool], list[tuple[Span, bool]]] = defaultdict(list)
     for k, chains in entries:
@@ -492,8 +494,9 @@ def winding(known: list[Edge], p: Node) -> int:
     found = 0
     for a, b in known:
         is_up, ends = a[1] * p[2] <= p[1] * a[2], b[1] * p[2] <= p[1] * b[2]
-        at = side(line(a, b), p) if is_up != ends else 0
-        found += is_up * (at > 0) - ends * (at < 0)
+        if is_up != ends:
+            at = side(line(a, b), p)
+            found += is_up * (at > 0) - ends * (at < 0)
     return found
 
 

@@ -38,6 +38,8 @@ from exactsweep.numbers.number import format_fraction
 from exactsweep.numbers.point import Vertex
 
 _LONG = 2000  # bits of a common denominator that are worth while
+_STRIPS = 64
+_EDGES = 3  # of a convex polygon, on either side of a slice
 
 
 def add_proof(certificate: dict[str, Any]) -> dict[str, Any]:
@@ -155,7 +157,12 @@ class _Finder:
         self._fits = range(len(self._known) - len(fits), len(self._known))
         self._beyond = range(sums.count, sums.count + len(sums.beyond))
         self._listed: dict[int, int] = {}
-        self._areas: dict[int, float] = {}
+        self._areas: dict[int, int] = {}
+        left, right, *_ = (
+            one + other for one, other in zip(sums.first.box, sums.second.box, strict=True)
+        )
+        self._left, self._width = left, (right - left) // _STRIPS + 1
+        self._strips: dict[int, list[tuple[standalone.Grid, int]]] = defaultdict(list)
         self._gaps: list[Edge] = []
         self.around: list[list[int] | int] = []
         self.slits: list[Edge] = []
@@ -217,17 +224,22 @@ class _Finder:
     def _list_one(self, numbers: Iterable[int]) -> int:
         """List the largest of some sums, unless one is listed."""
         best = max(numbers, key=lambda k: (k in self._listed, self._measure(k)), default=-1)
-        if best >= 0 and best < self._sums.count:
-            self._listed.setdefault(best, len(self._listed))
+        if 0 <= best < self._sums.count and best not in self._listed:
+            self._listed[best] = len(self._listed)
+            box = self._box([p for p, _ in self._sums.get(best)[1]])
+            first, last = ((end - self._left) // self._width for end in box[:2])
+            for strip in range(first, last + 1):
+                self._strips[strip].append((box, best))
         return best
 
-    def _measure(self, k: int) -> float:
-        """Measure a sum, roughly."""
+    def _measure(self, k: int) -> int:
+        """Measure a sum, roughly: twice its area, its corners rounded to the grid of boxes."""
         if k not in self._areas:
-            points = [
-                (float(x), float(y)) for (x, y) in (place(p) for p, _ in self._sums.get(k)[1])
-            ]
-            self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in pairwise([*points, points[0]]))
+            corners = [p for p, _ in self._sums.get(k)[1]]
+            scale = self._sums.work.scale
+            points = [(x * scale // w, y * scale // w) for x, y, w in corners]
+            around = pairwise([*points, points[0]])
+            self._areas[k] = sum(x * v - u * y for (x, y), (u, v) in around)
         return self._areas[k]
 
     def _list_chains(self) -> dict[int, list[list[int]]]:
@@ -266,12 +278,12 @@ class _Finder:
                 for n in _list_near(tree, box)
                 if (span := standalone.share(a, b, *self._known[n])) and span[0] <= reach
             ]
-            near = self._near([p])
-            listed = [k for k in near if k in self._listed or k in self._beyond]
-            spans += self._clip(listed, a, b, reach, closed)
+            strip = self._strips[(box[0] - self._left) // self._width]
+            listed = [k for around, k in strip if standalone.are_near(around, box)]
+            spans += self._clip([*self._beyond, *listed], a, b, reach, closed)
             best = max(spans, key=lambda e: (e[0][1], e[1] < 0), default=None)
             if best is None or (best[0][1], best[1] < 0) <= (reach, closed):
-                around = [k for _, k in self._clip(near, a, b, reach, closed)]
+                around = [k for _, k in self._clip(self._near([p]), a, b, reach, closed)]
                 if not around:
                     end = self._find_end(a, b, reach, closed)
                     self._gaps.append((p, _along(a, b, end)))
@@ -365,8 +377,17 @@ def _cut(rings: list[Ring]) -> list[Ring]:
     for points in rings:
         found = [(x * scale, y * scale) for x, y in map(place, points)]
         scaled.append(tuple(found if scale == 1 else [(int(x), int(y)) for x, y in found]))
-    cut = cut_to_convex((scaled[0], *scaled[1:]), UNLIMITED)
+    cut = chain.from_iterable(map(_slice, cut_to_convex((scaled[0], *scaled[1:]), UNLIMITED)))
     return [[node(Fraction(x) / scale, Fraction(y) / scale) for x, y in piece] for piece in cut]
+
+
+def _slice(points: Sequence[Vertex]) -> Iterator[Sequence[Vertex]]:
+    """Cut a convex polygon across into slices of few sides, whose sums have few sides."""
+    last = (len(points) - 1) // 2
+    for k in range(0, last, _EDGES):
+        end = min(k + _EDGES, last)
+        start = max(len(points) - 1 - end, end + 1)
+        yield [*points[k : end + 1], *points[start : len(points) - k]]
 
 
 def _write(lists: Sequence[Sequence[Node]]) -> list[list[list[str]]]:

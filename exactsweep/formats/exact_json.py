@@ -1,13 +1,11 @@
 """A reader of JSON whose numbers are decimals or fractions and never become floats."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from fractions import Fraction
-from functools import partial
 from pathlib import Path
 
-from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
 from exactsweep.formats.files import read_text, show_path
 from exactsweep.formats.size import require_text, weigh
@@ -85,116 +83,6 @@ def read_vertices(value: object, path: str) -> list[Point]:
             return [Point(to_fraction(x), to_fraction(y)) for x, y in value]
     # The fast path failed: some value is wrong, or has another form.
     return [read_point(pair, f"{path}[{i}]") for i, pair in enumerate(value)]
-
-
-def read_exact(document: object, path: str = "$") -> list[Candidate]:
-    """Find the polygons of an exact JSON document.
-
-    Args:
-        document: a list of vertices, or of such lists; an object with a list of vertices as
-            "vertices", or as "exterior" and with a list of these as "holes"; an object whose
-            "polygons" is a list of all these; or a result, with "trajectory", "inner", "outer" and
-            "unswept", or with "regions". "id" in an object is the name.
-        path: where the document is, for messages.
-
-    Returns:
-        list of Candidate.
-
-    Raises:
-        FormatError: anything else; the message starts with the JSON path. The Candidates check the
-            vertices later.
-
-    Example:
-        >>> [found.name for found in read_exact({"polygons": [{"id": "a", "vertices": []}]})]
-        ['a']
-    """
-    if isinstance(document, dict) and "polygons" in document:
-        return _each(document["polygons"], f"{path}.polygons", "polygons")
-    if isinstance(document, list) and _is_list_of_rings(document):
-        return _each(document, path, "polygons")
-    if isinstance(document, dict) and not {"vertices", "exterior"} & document.keys():
-        found = _read_result(document, path)
-        if found:
-            return found
-    return [_read_one(document, path)._replace(place="" if path == "$" else path)]
-
-
-def _each(value: object, path: str, what: str) -> list[Candidate]:
-    if not isinstance(value, list):
-        raise FormatError(f"{path} is {describe_kind(value)}, not a list of {what}")
-    return allow_faults(_read_one(polygon, f"{path}[{k}]") for k, polygon in enumerate(value))
-
-
-def _is_list_of_rings(value: list[object]) -> bool:
-    first = value[0] if value else None
-    return isinstance(first, list) and bool(first) and isinstance(first[0], (list, dict))
-
-
-def _read_result(document: Mapping[str, object], path: str) -> list[Candidate]:
-    """Find the loops of a result, and name them by the pair and the loop."""
-    found: list[Candidate] = []
-    for member in _LOOPS:
-        if member in document:
-            value, place = document[member], f"{path}.{member}"
-            if isinstance(value, list) and (member in _LISTS or _is_list_of_rings(value)):
-                each = _each(value, place, "polygons")
-                found += [one._replace(name=f"{member} {k}") for k, one in enumerate(each)]
-            else:
-                found.append(_read_one(value, place)._replace(name=member))
-    named = read_record_name(document)
-    if named is not None:
-        found = [one._replace(name=f"{named} {one.name}") for one in found]
-    if not found and isinstance(document.get("error"), str):
-        found = [Candidate.refused(f"{path}: an error: {document['error']}", named)]
-    return found
-
-
-_LOOPS = ("trajectory", "inner", "outer", "unswept", "regions")
-_LISTS = ("unswept", "regions")
-
-
-def read_record_name(document: Mapping[str, object]) -> str | None:
-    """Return the name of a record: its id, the names of its pair, or its index; or None."""
-    for members in (("id",), ("generatrix", "directrix"), ("index",)):
-        values = [document.get(member) for member in members]
-        if all(isinstance(value, str) for value in values):
-            return " ".join(map(str, values))
-    return None
-
-
-def _read_one(value: object, path: str) -> Candidate:
-    if isinstance(value, list):
-        return Candidate(path, partial(read_vertices, value, path))
-    if not isinstance(value, dict):
-        return Candidate.refused(f"{path} is {describe_kind(value)}, not a list of vertices")
-    member = "vertices" if "vertices" in value else "exterior"
-    if member not in value:
-        raise FormatError(
-            f'{path} has neither "vertices" nor "polygons" nor, as in GeoJSON, a "type"'
-            if path.endswith("$")
-            else f'{path} has no "vertices"'
-        )
-    name = read_name(value.get("id"), f"{path}.id")
-    if not isinstance(value[member], list):
-        fault = f"{path}.{member} is {describe_kind(value[member])}, not a list of vertices"
-        return Candidate.refused(fault, name)
-    holes = value.get("holes", []) if member == "exterior" else []
-    if not isinstance(holes, list):
-        raise FormatError(f"{path}.holes is {describe_kind(holes)}, not a list of holes")
-    for k, hole in enumerate(holes):
-        if not isinstance(hole, list):
-            raise FormatError(f"{path}.holes[{k}] is {describe_kind(hole)}, not a list of vertices")
-    rings = {f"{path}.{member}": value[member]}
-    rings |= {f"{path}.holes[{k}]": hole for k, hole in enumerate(holes)}
-    readers = ((place, partial(read_vertices, ring, place)) for place, ring in rings.items())
-    return Candidate.of_rings(readers, path, name)
-
-
-def read_name(value: object, path: str) -> str | None:
-    """Read an id, a string or a number; None if it is missing."""
-    if value is None or isinstance(value, str):
-        return value
-    raise FormatError(f"{path} is {describe_kind(value)}, not a string or a number")
 
 
 def describe_kind(value: object) -> str:

@@ -36,11 +36,15 @@ class JsonNode(NamedTuple):
         """Return a member, or what stands for it."""
         return self / name if self.has(name) else JsonNode(default, f"{self.path}.{name}")
 
-    def each(self) -> Iterator[JsonNode]:
-        """Yield the entries of a list."""
+    def entries(self, what: str = "a list") -> list[Any]:
+        """Return the entries of a list, which messages call `what`."""
         if not isinstance(self.value, list):
-            self.refuse(f"{describe_kind(self.value)}, not a list")
-        for k, entry in enumerate(self.value):
+            self.refuse(f"{describe_kind(self.value)}, not {what}")
+        return self.value
+
+    def each(self, what: str = "a list") -> Iterator[JsonNode]:
+        """Yield the entries of a list, each with its path."""
+        for k, entry in enumerate(self.entries(what)):
             yield JsonNode(entry, f"{self.path}[{k}]")
 
     @property
@@ -74,6 +78,11 @@ class JsonNode(NamedTuple):
         if not isinstance(self.value, str):
             self.refuse(f"{describe_kind(self.value)}, not a string or a number")
         return self.value
+
+    @property
+    def id(self) -> str | None:
+        """The name that this is; None if it is null."""
+        return None if self.value is None else self.name
 
     @property
     def pair(self) -> list[str]:

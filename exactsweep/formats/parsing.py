@@ -7,9 +7,10 @@ from typing import Unpack
 from exactsweep.formats import csv
 from exactsweep.formats.candidate import Candidate, allow_faults
 from exactsweep.formats.error import FormatError
-from exactsweep.formats.exact_json import count_vertices, parse_json, read_exact
+from exactsweep.formats.exact_json import count_vertices, parse_json
 from exactsweep.formats.files import DXF_SIGN
 from exactsweep.formats.geojson import read_geojson
+from exactsweep.formats.json_polygons import read_exact
 from exactsweep.formats.nesting import nest_candidates
 from exactsweep.formats.part_list import Coordinates, PartList
 from exactsweep.formats.reading import Options, Reading

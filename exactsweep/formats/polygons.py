@@ -68,10 +68,10 @@ def parse_polygons(
     """Read all polygons of a text.
 
     Args:
-        text: JSON as `exactsweep.formats.exact_json.read_exact` reads it, or a line of it for each
-            polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and y; an
-            SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are written; in
-            JSON, strings such as "-7/2" are numbers, too.
+        text: JSON as `exactsweep.formats.json_polygons.read_exact` reads it, or a line of it for
+            each polygon or result; GeoJSON; WKT POLYGONs and MULTIPOLYGONs; CSV with columns x and
+            y; an SVG document; an ASCII DXF file. Numbers are decimals, exactly as they are
+            written; in JSON, strings such as "-7/2" are numbers, too.
         tolerance: the largest distance between curves of SVG and DXF and the lines that replace
             them, a positive number as `to_fraction` reads it; None to refuse curves.
         options: "nested", "join", "unit", "hidden" and "y_down"; see

@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from functools import cmp_to_key
 from itertools import pairwise
 
-from exactsweep.geometry.vectors import cross, minus, turn
+from exactsweep.geometry.vectors import cross, minus, turn, way_key
 
 IntVertex = tuple[int, int]
 IntRing = Sequence[IntVertex]
@@ -73,19 +72,11 @@ def _find_cones(edges: Sequence[tuple[IntVertex, IntVertex]]) -> dict[IntVertex,
     cones: dict[IntVertex, list[_Corner]] = {}
     for p, found in ways.items():
         if len(found) > 2:
-            found.sort(key=lambda way: _ANGLE(way[0]))
+            found.sort(key=lambda way: way_key(way[0]))
         starts = next(k for k, (_, is_start) in enumerate(found) if is_start)
         found = found[starts:] + found[:starts]
         cones[p] = [(found[k][0], found[k + 1][0]) for k in range(0, len(found), 2)]
     return cones
-
-
-def _compare_angles(u: IntVertex, v: IntVertex) -> int:
-    halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
-    return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
-
-
-_ANGLE = cmp_to_key(_compare_angles)
 
 
 def _list_diagonals(

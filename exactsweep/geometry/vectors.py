@@ -1,5 +1,6 @@
 """Differences, cross products and turns of vectors, and points on segments."""
 
+from functools import cmp_to_key
 from typing import overload
 
 from exactsweep.numbers.point import Rational, Vertex
@@ -22,6 +23,20 @@ def cross(u: Vertex, v: Vertex) -> Rational:
 def turn(p: Vertex, q: Vertex, r: Vertex) -> Rational:
     """Return twice the area of a triangle, positive if r is left of the line from p to q."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def compare_angles(u: Vertex, v: Vertex) -> int:
+    """Compare two directions, counter-clockwise from that of the X axis: -1, 0 or 1.
+
+    >>> compare_angles((1, 0), (0, -1)), compare_angles((-1, 2), (-2, 4))
+    (-1, 0)
+    """
+    halves = ((u[1], u[0]) < (0, 0)) - ((v[1], v[0]) < (0, 0))
+    return halves or (cross(v, u) > 0) - (cross(v, u) < 0)
+
+
+way_key = cmp_to_key(compare_angles)
+"""Sorts directions as `compare_angles` compares them."""
 
 
 def is_on_segment(point: Vertex, p: Vertex, q: Vertex) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from math import ceil, floor, lcm
 from typing import Any
 
@@ -44,33 +44,25 @@ class Board:
         self.layout = layout
         self._regions = {part.id: part.region for part in layout.parts if part.region is not None}
         self.placed = [k for k, one in enumerate(layout.placements) if one.part in self._regions]
-        self._bases: dict[str, tuple[int, LatticeForm]] = {}
+        self.base = cache(self._put_on_lattice)
+        self._placed = cache(self._place)
         self._forms: dict[tuple[str, Turn, bool, int], LatticeForm] = {}
-        self._solids: dict[tuple[int, int], Solid] = {}
 
     def turned(self, k: int, bits: int = TURN_BITS) -> Region:
         """Return the part of a placement, mirrored and turned by a rational turn, not moved."""
         placement = self.layout.placements[k]
-        region = self._regions[placement.part]
-        cosine, sine, _ = placement.turn.near(bits)
-        across = -1 if placement.mirrored else 1
-        return region._image(AffineMap(across * cosine, -sine, across * sine, cosine))
+        return self._regions[placement.part]._image(AffineMap(*placement.rows(bits)))
 
-    def base(self, part: str) -> tuple[int, LatticeForm]:
+    def _put_on_lattice(self, part: str) -> tuple[int, LatticeForm]:
         """Return a part on its own lattice, and the scale of the lattice."""
-        found = self._bases.get(part)
-        if found is None:
-            found = self._bases[part] = make_form(self._regions[part])
-        return found
+        return make_form(self._regions[part])
 
     def _turn(self, k: int, bits: int) -> tuple[int, MatrixRows]:
         """Return the linear map of a placement as ints with a common denominator."""
-        placement = self.layout.placements[k]
-        cosine, sine, _ = placement.turn.near(bits)
-        denominator = lcm(cosine.denominator, sine.denominator)
-        c = cosine.numerator * (denominator // cosine.denominator)
-        s = sine.numerator * (denominator // sine.denominator)
-        return denominator, (-c, -s, -s, c) if placement.mirrored else (c, -s, s, c)
+        rows = self.layout.placements[k].rows(bits)
+        denominator = lcm(*(number.denominator for number in rows))
+        a, b, c, d = (put_on_lattice(number, denominator) for number in rows)
+        return denominator, (a, b, c, d)
 
     @cached_property
     def _scale(self) -> int | None:
@@ -89,10 +81,7 @@ class Board:
 
     def solid(self, k: int, bits: int = TURN_BITS) -> Solid:
         """Return the solid of a placement, with a turn off by at most 2**-bits."""
-        found = self._solids.get((k, bits))
-        if found is None:
-            found = self._solids[k, bits] = self._place(k, bits)
-        return found
+        return self._placed(k, bits)
 
     def _place(self, k: int, bits: int) -> Solid:
         placement = self.layout.placements[k]
@@ -103,11 +92,9 @@ class Board:
         form = self._forms.get(key)
         if form is None:
             own, base = self.base(part)
-            denominator, matrix = self._turn(k, bits)
-            factor = scale // (own * denominator)
-            a, b, c, d = matrix
-            form = base.mapped((a * factor, b * factor, c * factor, d * factor))
-            self._forms[key] = form
+            denominator, (a, b, c, d) = self._turn(k, bits)
+            by = scale // (own * denominator)
+            form = self._forms[key] = base.mapped((a * by, b * by, c * by, d * by))
         if shared is None:
             # Moves may have other denominators.
             finer = lcm_within((scale, x.denominator, y.denominator)) or scale

@@ -146,9 +146,8 @@ def _from_turned_corner(part: LayoutPart, p: Placement) -> tuple[LayoutPart, Pla
     """Place the corner of the turned part's box by the move, if the turn is exact."""
     if p.turn.exact is None:
         return part, p
-    c, s = p.turn.exact
-    across = -1 if p.mirrored else 1
-    corners = [(c * across * x - s * y, s * across * x + c * y) for x, y in part.exterior]
+    a, b, c, d = p.rows()
+    corners = [(a * x + b * y, c * x + d * y) for x, y in part.exterior]
     x, y = (min(values) for values in zip(*corners, strict=True))
     return part, replace(p, move=Point(p.move.x - x, p.move.y - y))
 

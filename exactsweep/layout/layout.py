@@ -10,7 +10,7 @@ from typing import Any
 
 from exactsweep.geometry.canonical import PolygonError
 from exactsweep.geometry.region import Region
-from exactsweep.geometry.turn import Turn
+from exactsweep.geometry.turn import TURN_BITS, Turn
 from exactsweep.layout.reading import (
     LayoutError,
     read_flag,
@@ -111,6 +111,12 @@ class Placement:
             read_vertex(found["move"], f"{path}.move"),
             read_flag(found.get("mirrored"), f"{path}.mirrored") or False,
         )
+
+    def rows(self, bits: int = TURN_BITS) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return the linear map, mirror and turn, by rows; the turn is off by at most 2**-bits."""
+        cosine, sine, _ = self.turn.near(bits)
+        across = -1 if self.mirrored else 1
+        return across * cosine, -sine, across * sine, cosine
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactsweep.draw import ContactStretch, DrawError, Scale
@@ -175,7 +176,8 @@ def gather_positions(
 ) -> dict[str, Any]:
     """Collect the data of the page of a no-fit polygon or an inner fit as plain JSON data.
 
-    Stops are the vertices of its loops. The page itself finds the contacts everywhere.
+    Stops are the vertices of its loops, the ends of exact fits on them, and where two vertices
+    meet. The page itself finds the contacts everywhere.
 
     Args:
         found: a NoFitPolygon or an InnerFit.
@@ -202,7 +204,19 @@ def gather_positions(
     shift = find_shift(shapes)
     paths = [Point(p.x + shift.x, p.y + shift.y) for points in [*loops, *fits] for p in points]
     scale = Scale.of(shapes.directrix.vertices, paths)
-    ends = {corner for loop in loops for corner in loop}
+    tracks = [*loops, *fits]
+    meetings = find_meetings(shapes, sum(map(len, tracks)), shapes.placed, inside=not is_outside)
+    landmarks = sorted({end for fit in fits for end in fit})
+    stops = []
+    for corners in tracks:
+        edges = enumerate(pairwise([*corners, corners[0]]))
+        pieces = _cut([ContactStretch(k, *edge, ()) for k, edge in edges], landmarks)
+        if meetings is not None:
+            pieces = _cut(pieces, meetings.on_edges(corners))
+        stops.append(
+            [(one.start, one.edge if one.start == corners[one.edge] else None) for one in pieces]
+        )
+    ends = {position for on_track in stops[: len(loops)] for position, _ in on_track}
     where = "around" if is_outside else "in"
     title = f"{'No-fit polygon' if is_outside else 'Inner fit'} of {_sizes(shapes, where)}"
     return gather_shapes(shapes, scale, names, title, y_down, where) | {
@@ -210,7 +224,7 @@ def gather_positions(
         "asked": "positions",
         "area": format_fraction(found.area),
         "areaName": "Area of overlap" if is_outside else "Area of free positions",
-        "hasMeetings": True,
+        "hasMeetings": meetings is not None,
         "inner": show_points(scale, []),
         "outer": show_points(scale, []),
         "unswept": [],
@@ -219,11 +233,11 @@ def gather_positions(
         "tracks": [
             {
                 "name": name,
-                **show_positions(shapes, scale, corners),
-                "vertex": list(range(len(corners))),
-                "contacts": [[] for _ in corners],
+                **show_positions(shapes, scale, [position for position, _ in on_track]),
+                "vertex": [vertex for _, vertex in on_track],
+                "contacts": [[] for _ in on_track],
             }
-            for name, corners in zip(called, [*loops, *fits], strict=True)
+            for name, on_track in zip(called, stops, strict=True)
         ],
         "undercuts": [],
         "fits": [

@@ -13,8 +13,8 @@ from fractions import Fraction
 from itertools import pairwise
 from math import lcm
 
+from exactsweep.draw.sweeps import Moving
 from exactsweep.evidence.contact import find_facing
-from exactsweep.evidence.sweep import Sweep
 from exactsweep.geometry.outline import Outline
 from exactsweep.geometry.region import AnyPolygon
 from exactsweep.geometry.vectors import minus
@@ -29,10 +29,12 @@ class Meetings:
     """The positions at which two vertices meet without overlap near them.
 
     Args:
-        s: a Sweep.
+        s: the moving and the stationary shape, of a sweep or a fit.
+        others: further stationary shapes.
+        inside: whether the moving shape is inside the stationary one, as in an inner fit.
 
     Attributes:
-        reference: the reference point of the sweep.
+        reference: the reference point of the moving shape.
         scale: the scale of the lattice of the translations.
         translations: the translations, on the lattice, sorted.
 
@@ -40,16 +42,22 @@ class Meetings:
     overlap. Convex polygons have O(m + n) such pairs, others O(m n).
     """
 
-    def __init__(self, s: Sweep) -> None:
+    def __init__(
+        self, s: Moving, others: Sequence[AnyPolygon] = (), *, inside: bool = False
+    ) -> None:
         self.reference = s.reference
-        self.scale = lcm(s.generatrix.lattice()[0], s.directrix.lattice()[0])
-        g, d = (_outline(shape, self.scale) for shape in (s.generatrix, s.directrix))
-        pairs = set()
-        for i, j in find_facing(dict(enumerate(g.edges)), d):
-            pairs |= {(i, j), (g.after[i], j)}
-        for j, i in find_facing(dict(enumerate(d.edges)), g):
-            pairs |= {(i, j), (i, d.after[j])}
-        self.translations = sorted({minus(d.vertices[j], g.vertices[i]) for i, j in pairs})
+        self.scale = lcm(*(shape.lattice()[0] for shape in (s.generatrix, s.directrix, *others)))
+        g = _outline(s.generatrix, self.scale)
+        around = [_outline(s.directrix, self.scale, reverse=inside)]
+        translations = set()
+        for d in (*around, *(_outline(shape, self.scale) for shape in others)):
+            pairs = set()
+            for i, j in find_facing(dict(enumerate(g.edges)), d):
+                pairs |= {(i, j), (g.after[i], j)}
+            for j, i in find_facing(dict(enumerate(d.edges)), g):
+                pairs |= {(i, j), (i, d.after[j])}
+            translations |= {minus(d.vertices[j], g.vertices[i]) for i, j in pairs}
+        self.translations = sorted(translations)
 
     def on_edges(self, loop: Sequence[Point]) -> list[Point]:
         """Find where two vertices meet inside an edge of a loop of free positions, sorted.
@@ -74,23 +82,28 @@ class Meetings:
         return sorted(found)
 
 
-def find_meetings(s: Sweep, corners: int) -> Meetings | None:
+def find_meetings(
+    s: Moving, corners: int, others: Sequence[AnyPolygon] = (), *, inside: bool = False
+) -> Meetings | None:
     """Find where vertices meet, if the search takes at most a second; otherwise return None.
 
     Args:
-        s: a Sweep.
+        s: as for `Meetings`.
         corners: the number of corners of all loops to search.
+        others: as for `Meetings`.
+        inside: likewise.
     """
-    if len(s.generatrix) * len(s.directrix) > _MOST_PAIRS:
+    if len(s.generatrix) * sum(map(len, (s.directrix, *others))) > _MOST_PAIRS:
         return None
-    found = Meetings(s)
+    found = Meetings(s, others, inside=inside)
     return found if len(found.translations) * corners <= _MOST_LOOKS else None
 
 
-def _outline(shape: AnyPolygon, scale: int) -> Outline:
-    """Return the features of a shape, with ints if it is on the lattice."""
+def _outline(shape: AnyPolygon, scale: int, *, reverse: bool = False) -> Outline:
+    """Return the features of a shape, or of all that is outside, with ints on the lattice."""
     exterior, *holes = (
         [(to_int(x * scale), to_int(y * scale)) for x, y in ring] for ring in shape.rings
     )
     # The interior is on the left, as in every Outline.
-    return Outline([exterior, *(hole[::-1] for hole in holes)])
+    rings = [exterior, *(hole[::-1] for hole in holes)]
+    return Outline([ring[::-1] for ring in rings] if reverse else rings)

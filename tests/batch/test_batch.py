@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from partlist import part_list
 from tiers import examples
 
-from exactsweep import Polygon, sweep
+from exactsweep import Polygon, limits, sweep
 from exactsweep.batch import BatchError, Part, read_parts, take_all_pairs, take_listed_pairs, work
 from exactsweep.batch import run as run_batch
 from exactsweep.batch.job import CHUNK_PAIRS
@@ -254,3 +254,11 @@ def test_wrong_usage_exits_with_2(arguments: list[str], message: str) -> None:
     result = run(*arguments)
     assert (result.exit_code, result.stdout) == (2, "")
     assert message in result.stderr
+
+
+def test_batches_under_other_limits_are_other_batches() -> None:
+    jobs = [take_all_pairs(PARTS, PARTS)]
+    for changed in ({"max_mib": 2}, {"max_mib": 3}, {"max_digits": 2}):
+        with limits(**changed):
+            jobs.append(take_all_pairs(PARTS, PARTS))
+    assert len({job.digest for job in jobs}) == len(jobs)

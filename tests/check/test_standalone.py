@@ -39,6 +39,8 @@ ROOM = Region(
     [(0, 0), (6, 0), (6, 6), (0, 6)],
     [[(1, 1), (2, 1), (2, 2), (1, 2)], [(3, 2), (5, 4), (3, 4)], [(2, 2), (3, 4), (2, 4)]],
 )
+# The square goes into the bay, and sweeps around a hole of it.
+BAY = [(0, 0), (1, 0), (1, 4), (5, 4), (5, 1), (3, 1), (3, 0), (6, 0), (6, 5), (0, 5)]
 HOOK = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (3, 3), (3, 4), (0, 4)]
 
 
@@ -50,7 +52,7 @@ def certificates() -> dict[str, Certificate]:
         "MM": sweep(NOTCHED, SLOT),
         "fit": sweep(SQUARE, SLOT, reference=(5, 7)),
         "SS": sweep(HOOK, CAVE),
-        "unswept": sweep(SQUARE, ROOM),
+        "unswept": sweep(SQUARE, BAY),
         "cave": no_fit_polygon(CAVE, SQUARE),
         "room": no_fit_polygon(ROOM, SQUARE),
         "inside": inner_fit_polygon(ROOM, SQUARE),
@@ -266,6 +268,18 @@ def test_fits_are_there_once() -> None:
             prove(claim(fit, exact_fits=2 * fit["exact_fits"]))
 
 
+def test_entries_of_sums_are_a_number_and_a_chain_for_each_side() -> None:
+    inside = CERTIFICATES["inside"]
+    first, *rest = inside["proof"]["sums"]
+    entries: tuple[Any, ...] = ([], [first[0]], [10**9, *first[1:]], [*first, first[1]], None)
+    for entry in entries:
+        assert not proves(put(inside, ("proof", "sums"), [entry, *rest])), entry
+    # Pieces of all outside are needed.
+    nothing: Any = [[], [[["0", "0"], ["1", "0"], ["0", "1"]]]]
+    for pieces in nothing:
+        assert not proves(put(inside, ("proof", "outside"), pieces))
+
+
 def test_a_certificate_is_an_object_and_steps_are_an_int() -> None:
     others: tuple[Any, ...] = ([], None, "{}")
     for item in others:
@@ -284,6 +298,13 @@ def test_loops_are_not_exchanged() -> None:
     assert not proves({**cc, "direction": [2, 0]})
     assert not proves({**cc, "outer": cc["outer"][:1] + cc["outer"]})
     assert not proves({**CERTIFICATES["CM"], "direction": [0, 1]})
+
+
+def test_the_inner_loop_is_the_one_around_the_directrix() -> None:
+    around = CERTIFICATES["unswept"]
+    (hole,) = around["unswept"]
+    with pytest.raises(Refused, match="inner: not the loop around the directrix"):
+        prove(claim(around, inner=hole, unswept=[around["inner"]]))
 
 
 def test_interlocked_rings_are_proved() -> None:

@@ -36,7 +36,7 @@ SURVIVED = {
 REFUSED = {
     "no-hello": "no hello within 0.5 s",
     "dies-at-once": "no hello: exited with code 1; it says: no licence",
-    "endless-hello": "no hello, but a line of more than 16 MiB (max_mib)",
+    "endless-hello": "no hello: a line of more than 16 MiB (max_mib)",
     "garbage-hello": "'Loading ...' is no JSON line",
     "deep-hello": "nested too deeply",
     "partial-hello": 'the hello has no "loops"',

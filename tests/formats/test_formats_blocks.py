@@ -94,6 +94,15 @@ def test_turned_blocks_stay_within_the_tolerance(degrees: Fraction, third: Point
         assert near < tolerance
 
 
+def test_lines_in_a_turned_block_are_placed_as_a_polyline_is() -> None:
+    sides = [*line(1, 2, 4, 2, (30, 0)), *line(4, 2, 1, 4, (31, 0)), *line(1, 4, 1, 2)]
+    drawn = [
+        parse_polygon(with_blocks({"a": shape}, insert("a", (50, 30))), tolerance="1e-3")
+        for shape in (TRIANGLE, sides)
+    ]
+    assert drawn[0] == drawn[1]
+
+
 def test_numbers_too_large_to_be_turned_are_refused() -> None:
     far = polyline((0, 0), ("1e40", 0), (0, 1))
     with pytest.raises(FormatError, match="numbers too large to be turned by an irrational angle"):

@@ -8,19 +8,23 @@ import shapely
 from ezdxf.math import fit_points_to_cad_cv
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from test_formats_dxf import dxf, polyline
 
-from exactsweep import Point, Polygon, PolygonError, Region
+from exactsweep import Point, Polygon, PolygonError, Region, limits
 from exactsweep.formats import (
+    FORMATS,
     FormatError,
     NamedPolygon,
     format_polygons,
     from_wkt,
     parse_polygon,
     parse_polygons,
+    parse_regions,
     parts_from_shapely,
 )
 from exactsweep.formats.curved.affine import IDENTITY
 from exactsweep.formats.curved.spline import Spline
+from exactsweep.formats.parsing import measure_written
 from exactsweep.formats.reading import Reading
 
 UNIT = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -181,3 +185,19 @@ def test_pieces_of_high_degree_are_values_of_the_curve() -> None:
 def test_names_that_are_no_utf_8_are_named() -> None:
     with pytest.raises(FormatError, match=r"the name 'left\\udcff' is no UTF-8"):
         format_polygons([NamedPolygon(UNIT, "left\udcff")], "csv")
+
+
+def test_a_table_counts_for_its_lines() -> None:
+    assert measure_written("id,x,y\na,0,0\na,1,0\na,0,1\n") == 4 * 16
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(format_polygons([NamedPolygon(UNIT, "a")] * 2, form) for form in FORMATS),
+        dxf(*([polyline((0, 0), (1, 0), (0, 1))] * 5)),
+    ],
+)
+def test_a_text_is_read_where_what_it_counts_for_is_allowed(text: str) -> None:
+    with limits(max_mib=measure_written(text) / 2**20):
+        assert parse_regions(text)

@@ -25,6 +25,7 @@ from exactsweep.formats.curved.curves import (
     flatten_arc,
     flatten_bezier,
 )
+from exactsweep.formats.curved.spline import Spline
 from exactsweep.formats.curved.svg_path import flatten_elliptic_arc
 from exactsweep.formats.reading import Reading
 from exactsweep.formats.size import VERTEX
@@ -258,3 +259,24 @@ def rational_point(corners: list[Point], weights: list[Fraction], t: Fraction) -
     x = sum((share * p.x for share, p in pairs), Fraction(0))
     y = sum((share * p.y for share, p in pairs), Fraction(0))
     return Point(x / whole, y / whole)
+
+
+@pytest.mark.parametrize(
+    ("degree", "count", "knots", "weights", "says"),
+    [
+        (0, 3, [0, 1, 2, 3], [], r"the degree is 0, not 1 to \d+"),
+        (2, 2, [0, 0, 0, 1, 1], [], "2 control points of degree 2"),
+        (2, 3, [0, 0, 0, 1, 1], [], "5 knots, not 6"),
+        (2, 3, [0, 0, 1, 0, 1, 1], [], "the knots are not in order"),
+        (2, 3, [0, 0, 1, 1, 1, 1], [], "all knots are equal"),
+        (2, 3, [0, 0, 0, 1, 1, 1], [1, 1], "the weights are not one for each control point"),
+        (2, 3, [0, 0, 0, 1, 1, 1], [1, 0, 1], "the weights are not one for each control point"),
+    ],
+)
+def test_a_spline_that_is_none_is_refused_with_the_reason(
+    degree: int, count: int, knots: list[int], weights: list[int], says: str
+) -> None:
+    corners = [Point(Fraction(k), Fraction(k * k)) for k in range(count)]
+    spline = Spline(degree, corners, [*map(Fraction, knots)], [*map(Fraction, weights)])
+    with pytest.raises(FormatError, match=f"^{says}"):
+        spline.require_sound()

@@ -314,3 +314,10 @@ def try_read(text: object, instance: object) -> None:
         pass
     except Exception as error:
         raise AssertionError(f"{json.dumps(text)}, {instance}") from error
+
+
+@pytest.mark.parametrize("name", ["instance", "container"])
+def test_an_option_that_is_no_string_is_named(name: str) -> None:
+    wrong: Any = {name: 5}
+    with pytest.raises(FormatError, match=rf"^{name} is 5, not a string$"):
+        parse_layouts("<svg/>", **wrong)

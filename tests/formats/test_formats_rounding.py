@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import pytest
 import strategies
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -81,6 +82,22 @@ def test_rings_are_no_farther_apart_than_is_said(polygon: Polygon, places: int) 
             edges = [(other.vertices[k - 1], other.vertices[k]) for k in range(len(other))]
             nearest = min(square_to_edge(p, *edge) for edge in edges)
             assert nearest <= found.distance**2
+
+
+def test_the_distance_of_a_filled_notch_is_its_depth() -> None:
+    top = [("5.8", 9), ("5.5", "8.5"), ("5.2", 9)]
+    found = round_region(Region([(0, 0), (9, 0), (9, 9), *top, (0, 9)]), 0, "outward")
+    assert found.region == Region([(0, 0), (9, 0), (9, 9), (0, 9)])
+    assert Fraction(1, 2) <= found.distance < 1
+
+
+def test_the_hull_is_left_where_nothing_closer_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("exactsweep.formats.rounding._is_proved", lambda *rings: False)
+    region = Region([("0.5", "0.5"), ("3.5", 1), (4, "4.5"), (2, 2)])
+    found = round_region(region, 0, "outward")
+    assert found.region == Region([(0, 0), (1, 0), (4, 1), (4, 5), (0, 1)])
+    assert contains(found.region, region)
+    assert found.distance == Fraction(3, 2)
 
 
 def square_to_edge(p: Point, a: Point, b: Point) -> Fraction:

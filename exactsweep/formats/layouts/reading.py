@@ -119,6 +119,9 @@ def _take_options(
     tolerance: object = None,
     **options: Unpack[Options],
 ) -> tuple[str | None, str | None, Reading]:
+    for name, value in (("instance", instance), ("container", container)):
+        if not isinstance(value, str | None):
+            raise FormatError(f"{name} is {quote(value)}, not a string")
     return instance, container, Reading(tolerance, **options)
 
 

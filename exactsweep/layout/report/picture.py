@@ -202,14 +202,9 @@ def place_part(layout: Layout, k: int, *, y_down: bool = False) -> list[list[Poi
     """
     placement = layout.placements[k]
     part = layout.part_by_id[placement.part]
-    cosine, sine, _ = placement.turn.near(_BITS)
-    across = -1 if placement.mirrored else 1
-    x0, y0 = placement.move
+    (a, b, c, d), (dx, dy) = placement.rows(_BITS), placement.move
     rings = [
-        [
-            Point(cosine * across * x - sine * y + x0, sine * across * x + cosine * y + y0)
-            for x, y in ring
-        ]
+        [Point(a * x + b * y + dx, c * x + d * y + dy) for x, y in ring]
         for ring in (part.exterior, *part.holes)
     ]
     return _up(rings, y_down)
