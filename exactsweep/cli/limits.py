@@ -23,8 +23,8 @@ _LIMITS = (
         is_eager=True,  # before options that are numbers
         callback=_raise_limit,
         metavar="MIB",
-        help="Read files that count for no more than this, by their bytes, and 16 for each vertex; "
-        f"{DEFAULT_MIB} if left out.",
+        help="Read files up to this size, where each vertex counts for at least 16 bytes; by "
+        f"default {DEFAULT_MIB}.",
     ),
     click.option(
         "--max-digits",
@@ -33,8 +33,8 @@ _LIMITS = (
         is_eager=True,
         callback=_raise_limit,
         metavar="N",
-        help="Read numbers of up to so many digits above and below the fraction bar, and 32 times "
-        f"as many where they are written out; {DEFAULT_DIGITS} if left out.",
+        help="Read numbers with up to N digits above and below the fraction bar, or 32 times as "
+        f"many if they are written out; by default {DEFAULT_DIGITS}.",
     ),
 )
 

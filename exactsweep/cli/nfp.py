@@ -25,10 +25,10 @@ def nfp_command(
     which is the trajectory of a sweep; holes, where ORBITING fits into a cave or a hole; and exact
     fits, positions and segments of positions at which it fits without any room.
 
-    Files are read as by 'exactsweep sweep'; each may be a folder or a pattern, too. Of several
-    pairs the report has a line for each, --json a line of JSON, and --to writes all of them.
-    --wkt writes a POLYGON with its holes, and a LINESTRING or a POINT for each exact fit, if all
-    coordinates are finite decimals, and is refused otherwise.
+    The command reads files as 'exactsweep sweep' does. Each argument may also be a folder or a
+    pattern. For several pairs the report has one line per pair, --json writes one line of JSON per
+    pair, and --to writes all polygons. --wkt writes a POLYGON with its holes, and a LINESTRING or a
+    POINT for each exact fit. It refuses coordinates that are not finite decimals.
 
     Example:
       exactsweep nfp plate.json fork.wkt

@@ -115,8 +115,8 @@ takes_accept = click.option(
     shell_complete=offer(list_verdicts),
     default="equivalent except for exact fits",
     callback=checked(_require_verdict),
-    help="The worst verdict that passes. If left out: exact, equivalent, and 'equivalent but "
-    "for exact fits', as exact fits are reported apart; with --accept equivalent they count.",
+    help="The worst verdict that passes; by default 'equivalent except for exact fits', because "
+    "exact fits are reported apart. With --accept equivalent they count.",
 )
 """Gives a command the option --accept VERDICT, as `accept`."""
 
@@ -124,7 +124,7 @@ takes_rounding = click.option(
     "--rounding",
     callback=checked(to_gap),
     metavar="NUMBER",
-    help="By how much less a coordinate may be off and the answer still be 'within'.",
+    help="The error of coordinates below which an answer is still 'within'.",
 )
 """Gives a command the option --rounding NUMBER, as `rounding`."""
 
@@ -137,7 +137,7 @@ takes_reports = gather(
         metavar="SHARE",
         default="0",
         callback=checked(_to_share),
-        help="Fail if less of the cases can be judged: 0.9 or 90%, for example. One at least must.",
+        help="Fail if a smaller share of the cases is judged, for example 0.9 or 90%.",
     ),
     takes_file("--junit", "Write JUnit XML, for CI."),
     takes_file("--json", "Write all outcomes as JSON."),

@@ -63,7 +63,7 @@ def peak() -> int:
 @pytest.mark.parametrize("kind", SURVIVED)
 def test_a_hostile_process_gets_a_verdict_each_time(kind: str, mark: str) -> None:
     verdict, reason = SURVIVED[kind]
-    # What is never answered is not waited for; everything else may take as long as it takes.
+    # The runner waits briefly for a case without an answer, and long for all others.
     peer = ProcessPeer([*HOSTILE, kind, mark], seconds=0.5 if verdict == "timeout" else 600)
     before = peak()
     for _ in range(2):
