@@ -280,6 +280,14 @@ def test_entries_of_sums_are_a_number_and_a_chain_for_each_side() -> None:
         assert not proves(put(inside, ("proof", "outside"), pieces))
 
 
+def test_a_frame_is_a_rectangle() -> None:
+    inside = CERTIFICATES["inside"]
+    left, low, right, high = inside["proof"]["frame"]
+    for frame in ([right, low, left, high], [left, high, right, low], [left, low, left, high]):
+        with pytest.raises(Refused, match="frame: not the ends of a rectangle"):
+            prove(put(inside, ("proof", "frame"), frame))
+
+
 def test_a_certificate_is_an_object_and_steps_are_an_int() -> None:
     others: tuple[Any, ...] = ([], None, "{}")
     for item in others:
