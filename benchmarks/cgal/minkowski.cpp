@@ -9,8 +9,8 @@
 // the number of vertices and two rationals a vertex.
 //
 // Repeats for about SECONDS, at most 100 times, and writes the processor times in
-// milliseconds on one line, then the outer boundary of the sum, or the one hole of the erosion, a vertex a line.  Each run
-// starts from new numbers and ends when all coordinates of the result are exact; with `kept` all runs
+// milliseconds on one line, the most memory of the process in kB on the next, then the outer boundary
+// of the sum, or the one hole of the erosion, a vertex a line.  Each run starts from new numbers and ends when all coordinates of the result are exact; with `kept` all runs
 // are on the same polygons, and with `text` each reads its numbers from text.
 
 #include <CGAL/Boolean_set_operations_2.h>
@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -134,6 +135,16 @@ Polygon erode(const std::string& operation, const std::string& strategy, const P
   return only_hole(joined);
 }
 
+// The most memory that this process has held, in kB; 0 where the system does not say.
+long peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    long size = 0;
+    if (word == "VmHWM:" && status >> size) return size;
+  }
+  return 0;
+}
+
 int main(int count, char** arguments) try {
   if (count == 2 && std::string(arguments[1]) == "version") {
     std::cout << CGAL_VERSION_STR << "\n";
@@ -172,7 +183,7 @@ int main(int count, char** arguments) try {
     total += elapsed;
     std::cout << (repeat ? " " : "") << 1000 * elapsed;
     if (repeat == 99 || total >= seconds) {
-      std::cout << "\n";
+      std::cout << "\n" << peak_memory() << "\n";
       for (const Point& point : result.vertices())
         std::cout << CGAL::exact(point.x()) << " " << CGAL::exact(point.y()) << "\n";
     }
